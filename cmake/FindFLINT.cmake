@@ -1,0 +1,25 @@
+# FLINT with Arb's ball arithmetic: FLINT 3 holds Arb itself; before, Arb is a library of its own
+# (Debian 12 calls it libflint-arb). Defines the target FLINT::FLINT.
+find_path(FLINT_INCLUDE_DIR NAMES flint/flint.h)
+find_library(FLINT_LIBRARY NAMES flint)
+set(FLINT_ALL_LIBRARIES ${FLINT_LIBRARY})
+if(FLINT_INCLUDE_DIR AND NOT EXISTS "${FLINT_INCLUDE_DIR}/flint/arb.h")
+  find_path(ARB_INCLUDE_DIR NAMES arb.h)
+  find_library(ARB_LIBRARY NAMES flint-arb arb)
+  set(FLINT_ARB_REQUIRED ARB_INCLUDE_DIR ARB_LIBRARY)
+  list(PREPEND FLINT_ALL_LIBRARIES ${ARB_LIBRARY})
+endif()
+if(FLINT_INCLUDE_DIR)
+  file(STRINGS "${FLINT_INCLUDE_DIR}/flint/flint.h" FLINT_VERSION_LINE REGEX "^#define FLINT_VERSION \"")
+  string(REGEX REPLACE ".*\"(.*)\".*" "\\1" FLINT_VERSION "${FLINT_VERSION_LINE}")
+endif()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(FLINT
+  REQUIRED_VARS FLINT_LIBRARY FLINT_INCLUDE_DIR ${FLINT_ARB_REQUIRED}
+  VERSION_VAR FLINT_VERSION)
+if(FLINT_FOUND AND NOT TARGET FLINT::FLINT)
+  add_library(FLINT::FLINT INTERFACE IMPORTED)
+  target_include_directories(FLINT::FLINT SYSTEM INTERFACE ${FLINT_INCLUDE_DIR} ${ARB_INCLUDE_DIR})
+  target_link_libraries(FLINT::FLINT INTERFACE ${FLINT_ALL_LIBRARIES})
+endif()
+mark_as_advanced(FLINT_INCLUDE_DIR FLINT_LIBRARY ARB_INCLUDE_DIR ARB_LIBRARY)

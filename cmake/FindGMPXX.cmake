@@ -1,0 +1,12 @@
+# GMP and its C++ classes. Defines the target GMP::GMPXX.
+find_path(GMPXX_INCLUDE_DIR NAMES gmpxx.h)
+find_library(GMPXX_LIBRARY NAMES gmpxx)
+find_library(GMP_LIBRARY NAMES gmp)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(GMPXX REQUIRED_VARS GMPXX_LIBRARY GMP_LIBRARY GMPXX_INCLUDE_DIR)
+if(GMPXX_FOUND AND NOT TARGET GMP::GMPXX)
+  add_library(GMP::GMPXX INTERFACE IMPORTED)
+  target_include_directories(GMP::GMPXX SYSTEM INTERFACE ${GMPXX_INCLUDE_DIR})
+  target_link_libraries(GMP::GMPXX INTERFACE ${GMPXX_LIBRARY} ${GMP_LIBRARY})
+endif()
+mark_as_advanced(GMPXX_INCLUDE_DIR GMPXX_LIBRARY GMP_LIBRARY)

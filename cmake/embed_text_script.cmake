@@ -1,0 +1,11 @@
+# Run by touchstone_embed at build time. Long texts are split: compilers limit one literal.
+file(READ "${INPUT}" text)
+string(LENGTH "${text}" length)
+set(literals "")
+set(at 0)
+while(at LESS length)
+  string(SUBSTRING "${text}" ${at} 8000 piece)
+  string(APPEND literals "R\"EMBEDDED(${piece})EMBEDDED\"\n")
+  math(EXPR at "${at} + 8000")
+endwhile()
+file(WRITE "${OUTPUT}" "#include <string_view>\nnamespace touchstone::data {\nstd::string_view ${FUNCTION}();\nstd::string_view ${FUNCTION}()\n{\n    return std::string_view(\n${literals});\n}\n}\n")

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Arb's headers where FLINT 3 puts them, or where Arb 2 (Debian 12) does.
+#pragma once
+
+#if __has_include(<flint/arb.h>)
+#include <flint/acb.h>
+#include <flint/acb_hypgeom.h>
+#include <flint/arb.h>
+#include <flint/arb_hypgeom.h>
+#include <flint/fmpq.h>
+#else
+#include <acb.h>
+#include <acb_hypgeom.h>
+#include <arb.h>
+#include <arb_hypgeom.h>
+#include <flint/fmpq.h>
+#endif
