@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Certified K_n of (7.13) and K_inf of (7.20), for any n and to thousands of digits, by two routes
+/// that share neither series nor Gamma arguments. The bare product needs 3.3 factors for each digit
+/// of K_inf; both routes take about sqrt(bits) factors directly and sum the rest in closed form.
+///
+/// Cost for d digits, measured (tests/bench/archard_constants): about d^2.2 from 1000 to 10 000 digits.
+#pragma once
+
+#include "touchstone/scalar/ball.hpp"
+
+namespace touchstone::archard {
+
+/// n standing for the limit n -> infinity.
+inline constexpr long infinity = -1;
+
+/// K_n (n >= 0, or `infinity`) to about the working precision.
+/// Route: m factors (7.13) with two Gamma functions each; the others through the Taylor series of
+/// log Gamma at 3/2 and 2. The k-th coefficient of log step in x = 2^-(i+2) is, for k >= 2,
+/// (zeta(k, 3/2) - zeta(k, 2))/k, an alternating sum below (2/3)^k/k, which bounds what is left out.
+Ball K_gamma_product(long n);
+
+/// The same by the duplication formula and Dirichlet's eta. Route: m factors as
+/// (1 - x_{i-1}/2) a_{i-1}/a_i^2 with a_i = Gamma(2 - 2^-(i+2)), one Gamma each; the others by the
+/// series of K_by_series (archard.hpp), its eta(k) from the accelerated alternating sum
+/// with its proven error, below 2 (3 + sqrt 8)^-N.
+Ball K_eta_series(long n);
+
+} // namespace touchstone::archard
