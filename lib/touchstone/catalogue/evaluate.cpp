@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/catalogue/evaluate.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+Evaluation from_rational(const Rational& r, long digits, std::vector<std::string> routes)
+{
+    Evaluation e;
+    const auto length = terminating_digits(r);
+    const bool whole = length && *length <= digits;
+    const Decimal d = round_to_digits(r, whole ? *length : digits);
+    e.value = d.text(digits);
+    e.error_bound = whole ? "0" : d.half_unit();
+    e.digits = d.digits.empty() ? 1 : static_cast<long>(d.digits.size());
+    e.status = whole ? Status::exact : Status::certified;
+    e.binary64 = nearest_double(r);
+    e.routes = std::move(routes);
+    const WorkingPrecision precision(bits_for_digits(digits) + 32);
+    e.ball = Ball(r);
+    return e;
+}
+
+std::optional<Exact> exact_result(const Quantity& q, const Inputs& in)
+{
+    if (!q.exact) return std::nullopt;
+    try {
+        return q.exact(in);
+    }
+    catch (const NotExact&) {
+        return std::nullopt;
+    }
+}
+
+/// As many digits as the ball decides, up to `digits`; may be none.
+void show_what_is_known(Evaluation& e, long digits)
+{
+    for (long n = digits; n >= 1; --n)
+        if (const auto d = round_to_digits(e.ball, n)) {
+            e.value = d->text(digits);
+            e.error_bound = d->half_unit();
+            e.digits = n;
+            return;
+        }
+    e.value = "nan";
+    e.error_bound = "inf";
+    e.digits = 0;
+}
+
+} // namespace
+
+std::string_view to_string(Status s)
+{
+    switch (s) {
+    case Status::exact: return "exact";
+    case Status::certified: return "certified";
+    case Status::estimated: return "estimated";
+    case Status::undecided: break;
+    }
+    return "undecided";
+}
+
+Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions& options)
+{
+    if (options.digits < 1 || options.digits > 10'000)
+        throw DomainError(fmt::format("digits = {}: must be from 1 to 10000", options.digits));
+    q.check(in);
+
+    const auto exact = exact_result(q, in);
+    if (exact && exact->is_rational()) return from_rational(exact->rational(), options.digits, {"exact-arithmetic"});
+
+    Evaluation e;
+    for (const auto& r : q.routes) e.routes.push_back(r.name);
+    const slong natural = bits_for_digits(options.digits) + 48;
+    const slong limit = options.limit_bits > 0 ? options.limit_bits : 16 * natural + 8192;
+    for (slong bits = options.start_bits > 0 ? options.start_bits : natural; bits <= limit; bits *= 2) {
+        const WorkingPrecision precision(bits);
+        try {
+            e.bits = bits;
+            e.ball = q.routes.front().ball(in);
+            if (const auto r = exact_value(e.ball)) return from_rational(*r, options.digits, e.routes);
+            const auto decimal = round_to_digits(e.ball, options.digits);
+            if (!decimal) continue;
+            bool agreed = true;
+            for (std::size_t i = 1; i < q.routes.size() && agreed; ++i) {
+                const Ball other = q.routes[i].ball(in);
+                if (!other.overlaps(e.ball))
+                    throw RoutesDisagree(fmt::format("{}: routes '{}' and '{}' give disjoint balls {} and {}", q.name,
+                                                     q.routes[0].name, q.routes[i].name, e.ball.to_string(), other.to_string()));
+                agreed = round_to_digits(other, options.digits) == decimal; // each alone decides the digits
+            }
+            if (exact && !exact->ball().overlaps(e.ball))
+                throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q.name, e.ball.to_string()));
+            if (!agreed) continue;
+            e.binary64 = nearest_double(e.ball);
+            if (!e.binary64 && bits < 2048) continue;
+            e.value = decimal->text();
+            e.error_bound = decimal->half_unit();
+            e.digits = options.digits;
+            e.status = Status::certified;
+            return e;
+        }
+        catch (const BeyondReach& reason) {
+            e.note = reason.what();
+            break;
+        }
+    }
+    if (e.note.empty()) e.note = fmt::format("not decided at {} bits; a larger --max-precision may", e.bits);
+    e.status = Status::undecided;
+    show_what_is_known(e, options.digits);
+    return e;
+}
+
+} // namespace touchstone

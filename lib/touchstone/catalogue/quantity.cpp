@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/catalogue/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace touchstone {
+
+Exact Inputs::G_exact() const
+{
+    if (has("G")) return Exact(real("G"));
+    return Exact(real("gamma")).power(real("D") - 1);
+}
+
+Ball Inputs::G_ball() const
+{
+    if (has("G")) return Ball(real("G"));
+    return pow(Ball(real("gamma")), Ball(Rational(real("D") - 1)));
+}
+
+int Inputs::compare_G(const Rational& with) const
+{
+    try {
+        const Exact G = G_exact();
+        if (G == Exact(with)) return 0;
+        return certainly(less(G, Exact(with))) ? -1 : 1;
+    }
+    catch (const NotExact&) {
+        // gamma^(p/q) with q beyond what Exact holds: rational only for a perfect q-th power, and of those
+        // only 1 is within the size limit of Exact. So G differs from every rational number and this ends.
+        for (slong bits = 64;; bits *= 2) {
+            const WorkingPrecision precision(bits);
+            const Truth t = less(G_ball(), Ball(with));
+            if (t != Truth::unknown) return t == Truth::yes ? -1 : 1;
+        }
+    }
+}
+
+const std::vector<Quantity>& catalogue()
+{
+    static const std::vector<Quantity> all = [] {
+        std::vector<Quantity> q;
+        add_westergaard(q);
+        add_weierstrass(q);
+        add_peaks(q);
+        add_archard(q);
+        add_segments(q);
+        return q;
+    }();
+    return all;
+}
+
+const Quantity* find_quantity(std::string_view name)
+{
+    const auto& all = catalogue();
+    const auto it = std::find_if(all.begin(), all.end(), [name](const Quantity& q) { return q.name == name; });
+    return it == all.end() ? nullptr : &*it;
+}
+
+std::vector<std::string> quantity_names()
+{
+    std::vector<std::string> names;
+    for (const auto& q : catalogue()) names.push_back(q.name);
+    return names;
+}
+
+std::string nearest_name(std::string_view typed, const std::vector<std::string>& names)
+{
+    const auto distance = [typed](const std::string& name) { // Levenshtein
+        std::vector<std::size_t> row(name.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        for (const char c : typed) {
+            std::size_t diagonal = row[0]++;
+            for (std::size_t j = 0; j < name.size(); ++j) {
+                const std::size_t up = row[j + 1];
+                row[j + 1] = std::min({up + 1, row[j] + 1, diagonal + (c == name[j] ? 0 : 1)});
+                diagonal = up;
+            }
+        }
+        return row.back();
+    };
+    return *std::min_element(names.begin(), names.end(),
+                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+}
+
+void require(bool holds, const Inputs& in, const std::string& key, std::string_view right)
+{
+    if (!holds) throw DomainError(fmt::format("{} = {}: must be {}", key, in.real(key).get_str(), right));
+}
+
+void require_integer(const Inputs& in, const std::string& key, long least, long most)
+{
+    const Rational& v = in.real(key);
+    require(v.get_den() == 1 && v >= least && v <= most, in, key, fmt::format("an integer from {} to {}", least, most));
+}
+
+void require_load(const Inputs& in) { require(in.real("load") > 0, in, "load", "> 0"); }
+
+void require_surface(const Inputs& in)
+{
+    if (in.has("G")) {
+        require(in.real("G") > 1, in, "G", "> 1");
+        return;
+    }
+    require(in.real("D") > 1 && in.real("D") < 2, in, "D", "> 1 and < 2");
+    require(in.real("gamma") > 1, in, "gamma", "> 1");
+}
+
+} // namespace touchstone
