@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The canonical text form of a table and the views made from it; see data/reference/README.md.
+#pragma once
+
+#include "touchstone/table/table.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchstone {
+
+inline const std::vector<std::string>& table_formats()
+{
+    static const std::vector<std::string> all{"txt", "csv", "json", "hpp", "ipp"};
+    return all;
+}
+
+/// The whole file, byte for byte the same on every machine.
+/// txt: banner, JSON header, column names, rows for numpy.loadtxt, Fortran, MATLAB, >>.
+/// csv, json: with hexfloats and each row's exact half-width interval. hpp: a constexpr array. ipp: Boost.Math's SC_ rows.
+std::string format(const Table&, std::string_view format);
+
+/// Lower-case hexadecimal SHA-256.
+std::string sha256(std::string_view bytes);
+
+/// A canonical table read back.
+struct StoredTable {
+    std::string name, quantity, header_json;
+    std::vector<std::string> inputs;
+    long digits = 0;
+    struct Row {
+        std::vector<double> inputs;
+        std::string value, error;
+    };
+    std::vector<Row> rows;
+};
+
+/// A file that is not a canonical table, or not the one its hash says it is. One line, with the line number.
+class CorruptTable : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Parse a canonical txt table; checks the header, the number of columns, every number and the hash.
+/// \throws CorruptTable
+StoredTable parse_table(std::string_view text, std::string_view file_name);
+
+/// The program's version, as tables carry it.
+std::string_view version();
+
+} // namespace touchstone

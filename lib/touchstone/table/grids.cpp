@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+/// Which inputs the tables have: every regime, dense where codes go wrong (edges of the contact,
+/// loads near 0 and 1), extremes of the exponent range, and fixed pseudo-random binary64 numbers.
+#include "touchstone/paper/westergaard.hpp"
+#include "touchstone/table/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace touchstone {
+namespace {
+
+using Row = std::vector<double>;
+using Rows = std::vector<Row>;
+
+/// Uniform in (0, 1), the same on every platform (mt19937_64's output is; distributions are not).
+class Random {
+public:
+    explicit Random(unsigned long seed) : engine_(seed) {}
+    double operator()() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
+    double between(double a, double b) { return a + (b - a) * (*this)(); }
+    double log_between(double a, double b) { return std::exp2(std::log2(a) + (std::log2(b) - std::log2(a)) * (*this)()); }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+/// exp2 and friends may differ in the last bit between C libraries: keep 40 bits so that the grid cannot.
+double rounded(double x)
+{
+    int e = 0;
+    const double m = std::frexp(x, &e);
+    return std::ldexp(std::nearbyint(std::ldexp(m, 40)), e - 40);
+}
+
+/// Loads in (0, 1]: extremes, powers of two, dense below 1, the paper's values, the special angles.
+std::vector<double> partial_loads()
+{
+    std::vector<double> v{5e-324, 1e-310, 0x1p-1022, 1e-300, 1e-200, 1e-100, 1e-50, 1e-30, 1e-20, 1e-16, 1e-12, 1e-9, 1e-6,
+                          0.001, 0.01, 0.05, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9, 0.99, 1.0};
+    for (int k = 2; k <= 53; ++k) v.push_back(1 - std::ldexp(1, -k));
+    for (int k = 2; k <= 60; k += 2) v.push_back(std::ldexp(1, -k));
+    return v;
+}
+
+std::vector<double> full_loads()
+{
+    std::vector<double> v{1.0, 1.1, 1.25, 1.5, 2.0, 3.0, 5.0, 10.0, 100.0, 1e6, 1e15, 1e300};
+    for (int k = 4; k <= 52; k += 4) v.push_back(1 + std::ldexp(1, -k));
+    return v;
+}
+
+Rows as_rows(const std::vector<double>& v)
+{
+    Rows rows;
+    for (const double x : v) rows.push_back({x});
+    return rows;
+}
+
+Rows distinct(Rows rows)
+{
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+}
+
+Rows half_width_grid()
+{
+    Rows rows = as_rows(partial_loads());
+    Random r(1);
+    for (int i = 0; i < 100; ++i) rows.push_back({r()});
+    for (int i = 0; i < 100; ++i) rows.push_back({rounded(r.log_between(1e-300, 1))});
+    return distinct(rows);
+}
+
+Rows hertz_half_width_grid()
+{
+    Rows rows = half_width_grid();
+    for (const double s : full_loads()) rows.push_back({s});
+    return distinct(rows);
+}
+
+/// Positions inside, next to and outside the contact edge, from the binary64 number nearest below the edge.
+template <class Edge>
+Rows position_grid(const std::vector<double>& loads, Edge edge, double farthest)
+{
+    Rows rows;
+    Random r(2);
+    for (const double s : loads) {
+        const double a = std::min(rounded(edge(s)), farthest);
+        std::vector<double> x{0, a / 4, a / 2, -a / 2, 0.9 * a, a, std::nextafter(a, 0), std::nextafter(a, 1), 0.5 * farthest, farthest};
+        for (const int k : {4, 8, 16, 24, 32, 40, 48}) {
+            x.push_back(a * (1 - std::ldexp(1, -k)));
+            x.push_back(a * (1 + std::ldexp(1, -k)));
+        }
+        for (int i = 0; i < 3; ++i) x.push_back(a * r());
+        for (const double xi : x)
+            if (std::fabs(xi) <= farthest) rows.push_back({xi, s});
+    }
+    return distinct(rows);
+}
+
+std::vector<double> some_loads()
+{
+    std::vector<double> v{1e-300, 1e-100, 1e-20, 1e-12, 1e-6, 0.001, 0.01, 0.1, 0.2, 0.25, 0.4, 0.5, 0.75, 0.9, 0.99,
+                          1 - 0x1p-20, 1 - 0x1p-40, 1 - 0x1p-53, 1.0, 1 + 0x1p-52, 1 + 0x1p-20, 1.25, 1.5, 2.0, 3.0, 10.0, 1000.0};
+    Random r(3);
+    for (int i = 0; i < 6; ++i) v.push_back(r());
+    return v;
+}
+
+Rows pressure_grid()
+{
+    return position_grid(some_loads(), [](double s) { return s < 1 ? westergaard::half_width(s) : 0.5; }, 0.5);
+}
+
+Rows hertz_pressure_grid()
+{
+    std::vector<double> loads = some_loads();
+    return position_grid(loads, [](double s) { return hertz::half_width(s); }, 16.0);
+}
+
+/// Pressures across the support, dense at its edges; `at_edge` says whether the edges themselves belong.
+Rows pressure_level_grid(bool at_edge)
+{
+    Rows rows;
+    Random r(4);
+    for (const double s : some_loads()) {
+        const double top = westergaard::peak_pressure(s);
+        const double low = s > 1 ? s - 1 : 0;
+        std::vector<double> p{low, low + (top - low) / 4, low + (top - low) / 2, top - (top - low) / 8, top, 1.5 * top, low / 2};
+        for (const int k : {8, 16, 24, 32, 40, 50}) {
+            p.push_back(top * (1 - std::ldexp(1, -k)));
+            p.push_back(top * (1 + std::ldexp(1, -k)));
+            p.push_back(low + (top - low) * std::ldexp(1, -k));
+        }
+        for (int i = 0; i < 3; ++i) p.push_back(low + (top - low) * r());
+        for (const double pi : p) {
+            const Rational P = exact_rational(pi), S = exact_rational(s);
+            const bool edge = S < 1 ? P * P == 4 * S : (P == S - 1 || P == S + 1);
+            if (at_edge || !edge) rows.push_back({pi, s});
+        }
+    }
+    return distinct(rows);
+}
+
+const std::vector<double> paper_D{1.05, 1.25, 1.5};
+const std::vector<double> paper_gamma{4, 5, 10, 16, 256};
+
+std::vector<Row> surfaces()
+{
+    std::vector<Row> v;
+    for (const double D : paper_D)
+        for (const double g : paper_gamma) v.push_back({D, g});
+    for (const Row& extra : Rows{{1 + 0x1p-52, 10}, {1.999, 10}, {2 - 0x1p-52, 5}, {1.5, 1.0625}, {1.5, 1e6}, {1.01, 1e300}, {1.75, 2.5}}) v.push_back(extra);
+    return v;
+}
+
+Rows bound_grid()
+{
+    Rows rows = surfaces();
+    Random r(5);
+    for (int i = 0; i < 200; ++i) rows.push_back({1 + r(), rounded(1 + r.log_between(1e-3, 1e6))});
+    return distinct(rows);
+}
+
+Rows profile_grid()
+{
+    Rows rows;
+    Random r(6);
+    for (const auto& [D, g] : {std::pair{1.05, 5.0}, {1.05, 10.0}, {1.5, 5.0}, {1.5, 10.0}, {1.25, 2.5}, {1.5, 4.0}}) {
+        for (const double x : {0.0, 0.5, 0.25, -0.25, 0.125, 0x1p-20, 0.1, 1.0 / 3.0, 12345.678, 1e15}) rows.push_back({x, D, g});
+        for (int i = 0; i < 10; ++i) rows.push_back({r() - 0.5, D, g});
+    }
+    return distinct(rows);
+}
+
+/// G on both sides of 2 and near its ends, for quantities that take D and gamma or G.
+std::vector<double> ratios()
+{
+    std::vector<double> v{1 + 0x1p-52, 1 + 0x1p-20, 1.0625, 1.0838, 1.122, 1.5, 1.75, 2 - 0x1p-20, 2 - 0x1p-52, 2.0, 2 + 0x1p-51,
+                          2.05, 2.25, 2.5, 3.1622776601683795, 4.0, 4.47, 5.0, 16.0, 1000.0, 1e15, 1e150};
+    return v;
+}
+
+Rows fixed_point_grid()
+{
+    Rows rows = as_rows(ratios());
+    Random r(7);
+    for (int i = 0; i < 200; ++i) rows.push_back({rounded(1 + r.log_between(1e-6, 1e3))});
+    return distinct(rows);
+}
+
+Rows f_grid()
+{
+    Rows rows = hertz_half_width_grid();
+    return distinct(rows);
+}
+
+const std::vector<double> paper_loads{0.001, 0.01, 0.1, 1, 10};
+
+Rows iterate_grid()
+{
+    Rows rows;
+    for (const double n : {0., 1., 2., 3., 5., 10., 20., 100., 1000.})
+        for (const double s : {1e-300, 0.001, 0.01, 0.1, 1., 10., 1e10})
+            for (const double G : {1.0838, 1.122, 2., 2.25, 3.1622776601683795, 16.}) rows.push_back({n, s, G});
+    return distinct(rows);
+}
+
+Rows n_grid()
+{
+    Rows rows;
+    for (int n = 0; n <= 64; ++n) rows.push_back({static_cast<double>(n)});
+    for (const double n : {100., 1000., 10000., 100000., 1000000.}) rows.push_back({n});
+    return rows;
+}
+
+Rows alpha_grid()
+{
+    Rows rows;
+    for (const double n : {0., 1., 2., 3., 4., 5., 10., 20., 50., 60., 1000., 1000000.})
+        for (const double D : {1 + 0x1p-52, 1.05, 1.25, 1.5, 1.75, 2 - 0x1p-52}) rows.push_back({n, D});
+    return distinct(rows);
+}
+
+Rows area_grid()
+{
+    Rows rows;
+    for (int n = 0; n <= 20; ++n)
+        for (const double s : {1e-300, 1e-12, 0.001, 0.01, 0.1, 1., 10.})
+            for (const double G : {1.0838, 1.122, 2.2360679774997896, 3.1622776601683795}) rows.push_back({static_cast<double>(n), s, G});
+    return distinct(rows);
+}
+
+Rows segments_grid()
+{
+    Rows rows;
+    for (int n = 1; n <= 20; ++n)
+        for (const double s : paper_loads)
+            for (const double D : {1.05, 1.5})
+                for (const double g : {5., 10.}) rows.push_back({static_cast<double>(n), s, D, g});
+    return distinct(rows);
+}
+
+Rows max_half_width_grid()
+{
+    Rows rows;
+    for (const double n : {0., 1., 2., 3., 5., 10., 20., 100.})
+        for (const double s : {1e-300, 1e-12, 0.001, 0.01, 0.1, 0.9, 1., 10.})
+            for (const double G : {1.0838, 1.122, 2., 2.2360679774997896, 3.1622776601683795, 16.}) rows.push_back({n, s, G});
+    return distinct(rows);
+}
+
+} // namespace
+
+const std::vector<TableSpec>& table_specs()
+{
+    constexpr long digits = 40;
+    static const std::vector<TableSpec> all{
+        {"westergaard_half_width", "westergaard.half_width", digits, half_width_grid},
+        {"westergaard_pressure", "westergaard.pressure", digits, pressure_grid},
+        {"westergaard_exceedance", "westergaard.exceedance", digits, [] { return pressure_level_grid(true); }},
+        {"westergaard_density", "westergaard.density", digits, [] { return pressure_level_grid(false); }},
+        {"hertz_half_width", "hertz.half_width", digits, hertz_half_width_grid},
+        {"hertz_pressure", "hertz.pressure", digits, hertz_pressure_grid},
+        {"weierstrass_profile", "weierstrass.profile", digits, profile_grid},
+        {"weierstrass_bound", "weierstrass.bound", digits, bound_grid},
+        {"peaks_f", "peaks.f", digits, f_grid},
+        {"peaks_iterate", "peaks.iterate", digits, iterate_grid},
+        {"peaks_fixed_point", "peaks.fixed_point", digits, fixed_point_grid},
+        {"archard_K", "archard.K", digits, n_grid},
+        {"archard_K_inf", "archard.K_inf", 1000, [] { return Rows{{}}; }},
+        {"archard_delta", "archard.delta", digits, n_grid},
+        {"archard_alpha", "archard.alpha", digits, alpha_grid},
+        {"archard_area", "archard.area", digits, area_grid},
+        {"archard_segments", "archard.segments", digits, segments_grid},
+        {"archard_segments_limit", "archard.segments_limit", digits, segments_grid},
+        {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
+    };
+    return all;
+}
+
+} // namespace touchstone

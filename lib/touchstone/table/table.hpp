@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Certified reference tables: a quantity on a grid of binary64 inputs.
+#pragma once
+
+#include "touchstone/catalogue/evaluate.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace touchstone {
+
+/// What a table holds. Inputs are binary64 numbers (or integers), so that a code under
+/// test receives exactly the arguments the certified values belong to.
+struct TableSpec {
+    std::string name;                       ///< file name without ending: "westergaard_half_width"
+    std::string quantity;
+    long digits = 40;
+    std::function<std::vector<std::vector<double>>()> grid; ///< rows of inputs, in the quantity's order, distinct
+};
+
+struct TableRow {
+    std::vector<double> inputs;
+    Evaluation result;
+};
+
+struct Table {
+    std::string name;
+    const Quantity* quantity = nullptr;
+    std::vector<std::string> inputs;        ///< column names
+    long digits = 0;
+    std::vector<TableRow> rows;
+    Status status() const;                  ///< the weakest status of any row
+};
+
+/// All tables there are.
+const std::vector<TableSpec>& table_specs();
+const TableSpec* find_table(std::string_view name);
+std::vector<std::string> table_names();
+
+/// Compute a table on `jobs` threads. Rows come out in grid order whatever the threads do.
+/// `progress(done, total)` is called now and then, from one thread at a time.
+/// \throws what evaluate() throws
+Table compute(const TableSpec&, long digits, unsigned jobs,
+              const std::function<void(std::size_t, std::size_t)>& progress = {});
+
+} // namespace touchstone
