@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The subcommands of `touchstone`. Each adds its options to the command line and leaves what is
+/// to be run, returning an exit code, in `run`.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace touchstone::program {
+
+using Run = std::function<int()>;
+
+void add_list(CLI::App&, Run&);
+void add_eval(CLI::App&, Run&);
+void add_table(CLI::App&, Run&);
+void add_paper(CLI::App&, Run&);
+
+} // namespace touchstone::program

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "touchstone/table/format.hpp"
+#include "verify/commands.hpp"
+#include "verify/exit_codes.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <new>
+
+namespace {
+
+using namespace touchstone;
+using namespace touchstone::program;
+
+/// One line on stderr, whatever the message was made of.
+int complain(int code, std::string message)
+{
+    for (char& c : message)
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    fmt::print(stderr, "touchstone: {}\n", message);
+    return code;
+}
+
+int guarded(const Run& run)
+{
+    try {
+        const int code = run();
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return complain(cannot_write, "standard output cannot be written");
+        return code;
+    }
+    catch (const Failure& f) {
+        return complain(f.code(), f.what());
+    }
+    catch (const DomainError& e) {
+        return complain(bad_input, e.what());
+    }
+    catch (const CorruptTable& e) {
+        return complain(bad_input, e.what());
+    }
+    catch (const std::bad_alloc&) {
+        return complain(internal_error, "out of memory");
+    }
+    catch (const std::exception& e) {
+        return complain(internal_error, fmt::format("internal error: {}", e.what()));
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app{"Certified reference values for the elastic contact of the Weierstrass profile.\n"
+                 "Exit codes: 0 holds, 1 fails, 2 undecided, 64 usage, 65 bad input, 66 no such file,\n"
+                 "69 judged program broke the protocol, 70 internal error, 73 cannot write."};
+    app.set_version_flag("--version", "touchstone " + std::string(version()));
+    app.require_subcommand(1);
+    Run run;
+    add_list(app, run);
+    add_eval(app, run);
+    add_table(app, run);
+    add_paper(app, run);
+    try {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::Success& e) { // --help, --version
+        return app.exit(e);
+    }
+    catch (const CLI::ParseError& e) {
+        return complain(usage_error, fmt::format("{} (try: touchstone --help)", e.what()));
+    }
+    return guarded(run);
+}

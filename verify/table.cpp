@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// `touchstone table`: certified tables, written whole or not at all.
+#include "touchstone/table/format.hpp"
+#include "verify/commands.hpp"
+#include "verify/exit_codes.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace touchstone::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TableOptions {
+    std::vector<std::string> names;
+    long digits = 0;
+    std::string format = "txt";
+    std::string out;
+    unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+    bool check = false;
+};
+
+/// The old file or the new one, never half: a temporary file in the same folder, then a rename.
+void write_file(const fs::path& path, const std::string& bytes)
+{
+    const fs::path temporary = path.string() + fmt::format(".tmp{}", ::getpid());
+    {
+        std::ofstream out(temporary, std::ios::binary);
+        out << bytes;
+        out.close();
+        if (!out) {
+            std::error_code ignored;
+            fs::remove(temporary, ignored);
+            throw Failure(cannot_write, fmt::format("cannot write {}", path.string()));
+        }
+    }
+    std::error_code error;
+    fs::rename(temporary, path, error);
+    if (error) {
+        fs::remove(temporary, error);
+        throw Failure(cannot_write, fmt::format("cannot write {}", path.string()));
+    }
+}
+
+std::string read_file(const fs::path& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    if (!in) throw Failure(no_input_file, fmt::format("no such table: {}", path.string()));
+    return std::move(bytes).str();
+}
+
+/// Where two texts part: the line number and the two lines.
+std::string first_difference(const std::string& expected, const std::string& found)
+{
+    std::istringstream a(expected), b(found);
+    std::string x, y;
+    for (int line = 1;; ++line) {
+        const bool more_a = static_cast<bool>(std::getline(a, x));
+        const bool more_b = static_cast<bool>(std::getline(b, y));
+        if (!more_a && !more_b) return "line ends";
+        if (more_a != more_b || x != y)
+            return fmt::format("line {}: regenerated '{:.200}', stored '{:.200}'", line, more_a ? x : "", more_b ? y : "");
+    }
+}
+
+std::vector<const TableSpec*> chosen(const std::vector<std::string>& names)
+{
+    std::vector<const TableSpec*> specs;
+    for (const auto& name : names) {
+        if (name == "all") {
+            for (const auto& t : table_specs()) specs.push_back(&t);
+            continue;
+        }
+        const TableSpec* t = find_table(name);
+        if (t == nullptr)
+            throw Failure(usage_error, fmt::format("unknown table '{}'; nearest is '{}'", name, nearest_name(name, table_names())));
+        specs.push_back(t);
+    }
+    return specs;
+}
+
+int make_tables(const TableOptions& o)
+{
+    const auto specs = chosen(o.names);
+    if (o.digits < 0 || o.digits > 10'000) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", o.digits));
+    if (o.out.empty() && (specs.size() > 1 || o.check))
+        throw Failure(usage_error, o.check ? "--check needs --out DIR, the folder of the stored tables" : "several tables need --out DIR");
+    if (!o.out.empty() && !o.check) {
+        std::error_code error;
+        fs::create_directories(o.out, error);
+        if (error || ::access(o.out.c_str(), W_OK) != 0) throw Failure(cannot_write, fmt::format("cannot write into {}", o.out));
+    }
+    const bool terminal = ::isatty(2) != 0;
+    const bool whole_set = specs.size() == table_specs().size();
+    nlohmann::ordered_json manifest = nlohmann::ordered_json::array();
+    int changed = 0;
+    bool any_undecided = false;
+    for (const TableSpec* spec : specs) {
+        const auto start = std::chrono::steady_clock::now();
+        const Table t = compute(*spec, o.digits > 0 ? o.digits : spec->digits, o.jobs, [&](std::size_t done, std::size_t total) {
+            if (terminal && (done % 64 == 0 || done == total)) fmt::print(stderr, "\r{:<28} {:>5} of {}", spec->name, done, total);
+        });
+        if (terminal) fmt::print(stderr, "\r{:60}\r", "");
+        any_undecided = any_undecided || t.status() == Status::undecided;
+        const std::string text = format(t, o.format);
+        const std::string file = spec->name + "." + o.format;
+        manifest.push_back({{"name", spec->name}, {"file", file}, {"quantity", spec->quantity}, {"rows", t.rows.size()}, {"digits", t.digits},
+                            {"status", std::string(to_string(t.status()))}, {"sha256", sha256(text)}});
+        if (o.out.empty()) {
+            fmt::print("{}", text);
+            continue;
+        }
+        const fs::path path = fs::path(o.out) / file;
+        std::string verdict = "written";
+        if (o.check) {
+            const std::string stored = read_file(path);
+            verdict = stored == text ? "unchanged" : "CHANGED";
+            if (stored != text) {
+                ++changed;
+                fmt::print(stderr, "touchstone: {} differs: {}\n", path.string(), first_difference(text, stored));
+            }
+        }
+        else write_file(path, text);
+        fmt::print("{:<28} {:>5} rows, {:>4} digits, {}, {} ({:.1f} s)\n", file, t.rows.size(), t.digits, to_string(t.status()), verdict,
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    if (whole_set && !o.out.empty()) {
+        const fs::path path = fs::path(o.out) / ("manifest." + o.format + ".json");
+        const std::string text = nlohmann::ordered_json{{"version", std::string(version())}, {"tables", manifest}}.dump(1) + "\n";
+        if (!o.check) write_file(path, text);
+        else if (read_file(path) != text) {
+            ++changed;
+            fmt::print(stderr, "touchstone: {} differs: {}\n", path.string(), first_difference(text, read_file(path)));
+        }
+    }
+    return changed > 0 ? fails : any_undecided ? undecided : holds;
+}
+
+} // namespace
+
+void add_table(CLI::App& app, Run& run)
+{
+    auto* command = app.add_subcommand("table", "Certified tables: touchstone table archard_K, touchstone table all --out DIR");
+    auto o = std::make_shared<TableOptions>();
+    command->add_option("names", o->names, "Table names, or all: " + fmt::format("{}", fmt::join(table_names(), " ")))->required();
+    command->add_option("--digits", o->digits, "Significant digits, 1 to 10000 (default: each table's own)");
+    command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")->check(CLI::IsMember(table_formats()))->capture_default_str();
+    command->add_option("--out", o->out, "Folder for the files; without it one table goes to standard output");
+    command->add_option("--jobs", o->jobs, "Threads")->check(CLI::Range(1u, 1024u));
+    command->add_flag("--check", o->check, "Write nothing: regenerate and compare with the files in --out, byte for byte");
+    command->callback([&run, o] { run = [o] { return make_tables(*o); }; });
+}
+
+} // namespace touchstone::program
