@@ -122,7 +122,6 @@ Ball profile_by_scaling(const Rational& x, const Rational& D, const Rational& ga
 Exact profile_exact(const Rational& x, const Rational& D, const Rational& gamma)
 {
     if (gamma.get_den() != 1) throw NotExact();
-    const Exact r = Exact(gamma).power(D - 2);
     constexpr std::size_t longest_orbit = 64; // angles with rational cosines have orbits of a few steps
     std::map<Rational, std::size_t> seen;
     std::vector<Exact> cosines;
@@ -134,13 +133,16 @@ Exact profile_exact(const Rational& x, const Rational& D, const Rational& gamma)
         phase = fraction(phase * gamma);
     }
     const std::size_t start = seen[phase];
-    Exact z, cycle, amplitude(1);
+    const long period = static_cast<long>(cosines.size() - start);
+    // r = gamma^(D-2) is asked for only where a cosine is not zero: at x = 1/4 and gamma = 5 none is
+    const auto amplitude = [&](long n) { return n == 0 ? Exact(1) : Exact(gamma).power((D - 2) * n); };
+    Exact z, cycle;
     for (std::size_t n = 0; n < cosines.size(); ++n) {
+        if (cosines[n].is_zero()) continue;
         Exact& sum = n < start ? z : cycle;
-        sum = sum + amplitude * cosines[n];
-        amplitude = amplitude * r;
+        sum = sum + amplitude(static_cast<long>(n)) * cosines[n];
     }
-    return z + cycle / (Exact(1) - r.power(Rational(static_cast<long>(cosines.size() - start))));
+    return cycle.is_zero() ? z : z + cycle / (Exact(1) - amplitude(period));
 }
 
 } // namespace touchstone::weierstrass

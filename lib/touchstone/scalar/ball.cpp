@@ -54,12 +54,14 @@ Ball Ball::parse(const std::string& dumped)
 
 Ball at_most(const Ball& x, const Ball& bound)
 {
-    return detail::ball_of(arb_min, x, bound);
+    if (arb_ge(x.get(), bound.get())) return bound; // itself, not a ball around it
+    return arb_le(x.get(), bound.get()) ? x : detail::ball_of(arb_min, x, bound);
 }
 
 Ball at_least(const Ball& x, const Ball& bound)
 {
-    return detail::ball_of(arb_max, x, bound);
+    if (arb_le(x.get(), bound.get())) return bound;
+    return arb_ge(x.get(), bound.get()) ? x : detail::ball_of(arb_max, x, bound);
 }
 
 ComplexBall atan2(const ComplexBall& y, const ComplexBall& x)
