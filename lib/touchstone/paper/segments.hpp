@@ -15,14 +15,14 @@ template <Scalar T>
 T segments(long n, const T& load, const T& D, const T& gamma, const T& K_before)
 {
     const T e = 1 - power_of_two<T>(-n);
-    return K_before * pow(gamma, T((2 - D) * integer<T>(n) + 2 * ((D - 1) * e))) * pow(load, e);
+    return K_before * pow_product(gamma, T(2 - D), integer<T>(n)) * pow_product(gamma, T(2 * (D - 1)), e) * pow(load, e);
 }
 
 /// (8.3)  its limiting form at large n: K_inf gamma^((2-D)n + 2(D-1)) load.
 template <Scalar T>
 T segments_limit(long n, const T& load, const T& D, const T& gamma, const T& K_inf)
 {
-    return K_inf * pow(gamma, T((2 - D) * integer<T>(n) + 2 * (D - 1))) * load;
+    return K_inf * pow_product(gamma, T(2 - D), integer<T>(n)) * pow(gamma, T(2 * (D - 1))) * load;
 }
 
 } // namespace touchstone::archard

@@ -32,7 +32,8 @@ T bound(const T& D, const T& gamma)
 /// The first `terms` terms of (3.1), z(x)/g0 = sum gamma^((D-2)n) cos(2 pi gamma^n x).
 /// What is left out is below amplitude_ratio^terms * bound in absolute value.
 /// The phase gamma^n x carries an error that grows like gamma^n: a ball needs n log2(gamma)
-/// extra bits, and a `double` or `Mpfr` result means as much as the rounding of x leaves it.
+/// extra bits, and in `double` a few terms already have no right digit: use profile(double, double, double)
+/// of weierstrass_profile.hpp, or the enclosures there.
 template <Scalar T>
 T profile_sum(const T& x, const T& D, const T& gamma, long terms)
 {

@@ -2,9 +2,11 @@
 #include "touchstone/paper/weierstrass_profile.hpp"
 
 #include "touchstone/paper/weierstrass.hpp"
+#include "touchstone/rounding/decimal.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -49,27 +51,28 @@ Ball profile_by_terms(const Rational& x, const Rational& D, const Rational& gamm
     const double growth = log2_of(gamma);
     const WorkingPrecision precision(bits);
     const Ball r = amplitude_ratio<Ball>(Ball(D), Ball(gamma));
+    // An integer gamma keeps whole turns whole: they are dropped and the phase shortens. Any other needs them all.
+    const bool whole = gamma.get_den() == 1;
+    const slong size = 64 + static_cast<slong>(mpz_sizeinbase(x.get_num_mpz_t(), 2)); // of x, generously
     Ball amplitude(1), z(0), phase;
     {
-        const WorkingPrecision full(bits + static_cast<slong>(growth * static_cast<double>(N)) + 64);
-        phase = Ball(Rational(2 * fraction(x)));
+        const WorkingPrecision full(bits + static_cast<slong>(growth * static_cast<double>(N)) + size);
+        phase = Ball(Rational(2 * (whole ? fraction(x) : x)));
     }
     for (long n = 0; n < N; ++n) {
+        const slong length = bits + static_cast<slong>(growth * static_cast<double>(whole ? N - n : N)) + size;
+        const WorkingPrecision full(length);
         // subtract the nearest even integer, exactly, so that the cosine works at `bits` only
-        const slong remaining = bits + static_cast<slong>(growth * static_cast<double>(N - n)) + 64;
-        Ball reduced = phase;
-        {
-            const WorkingPrecision full(remaining);
-            arf_t even;
-            arf_init(even);
-            arf_mul_2exp_si(even, arb_midref(phase.get()), -1);
-            arf_floor(even, even);
-            arf_mul_2exp_si(even, even, 1);
-            arb_sub_arf(phase.get(), phase.get(), even, remaining);
-            arf_clear(even);
-            reduced = phase;
-            phase *= Ball(gamma);
-        }
+        arf_t even;
+        arf_init(even);
+        arf_mul_2exp_si(even, arb_midref(phase.get()), -1);
+        arf_floor(even, even);
+        arf_mul_2exp_si(even, even, 1);
+        Ball reduced;
+        arb_sub_arf(reduced.get(), phase.get(), even, length);
+        arf_clear(even);
+        phase = (whole ? reduced : phase) * Ball(gamma);
+        const WorkingPrecision back(bits);
         z += amplitude * cos_pi(reduced);
         amplitude *= r;
     }
@@ -87,12 +90,14 @@ Ball profile_by_scaling(const Rational& x, const Rational& D, const Rational& ga
     const Ball log_r = Ball(Rational(D - 2)) * log(Ball(gamma));
     const Ball r = exp(log_r);
 
-    // gamma = a/b, x = p/q: gamma^n x mod 1 is a^n p/(b^n q), its numerator kept modulo its denominator
+    // gamma = a/b, x = p/q: gamma^n x = a^n p/(b^n q), whole turns dropped only where gamma is an integer
+    const bool whole = gamma.get_den() == 1;
     Integer numerator = x.get_num(), denominator = x.get_den();
-    mpz_fdiv_r(numerator.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
     const auto next_cosine = [&] {
-        // floor(2 phase 2^(bits + 8)), so the phase is known to 2^-(bits + 8)
-        Integer q = 2 * numerator;
+        // floor(2 phase 2^(bits + 8)) less whole turns, so the phase is known to 2^-(bits + 8)
+        Integer q;
+        mpz_fdiv_r(q.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
+        q *= 2;
         mpz_mul_2exp(q.get_mpz_t(), q.get_mpz_t(), static_cast<mp_bitcnt_t>(bits + 8));
         Integer remainder;
         mpz_fdiv_qr(q.get_mpz_t(), remainder.get_mpz_t(), q.get_mpz_t(), denominator.get_mpz_t());
@@ -101,7 +106,7 @@ Ball profile_by_scaling(const Rational& x, const Rational& D, const Rational& ga
         arb_mul_2exp_si(phase.get(), phase.get(), -(bits + 8));
         numerator *= gamma.get_num();
         denominator *= gamma.get_den();
-        mpz_fdiv_r(numerator.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
+        if (whole) mpz_fdiv_r(numerator.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
         return cos_pi(phase);
     };
 
@@ -119,30 +124,111 @@ Ball profile_by_scaling(const Rational& x, const Rational& D, const Rational& ga
     return z;
 }
 
-Exact profile_exact(const Rational& x, const Rational& D, const Rational& gamma)
+double profile(double x, double D, double gamma)
 {
+    const Rational X = exact_rational(x), d = exact_rational(D), g = exact_rational(gamma);
+    try {
+        for (slong bits = 80; bits <= 4096; bits *= 2) {
+            const WorkingPrecision precision(bits);
+            if (const auto z = nearest_double(profile_by_terms(X, d, g))) return *z;
+        }
+        return profile_exact(X, d, g).is_zero() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    }
+    catch (const std::length_error&) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    catch (const NotExact&) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+namespace {
+
+/// The phases gamma^n x mod 1 for an integer gamma: distinct up to where they run into a cycle.
+struct Orbit {
+    std::vector<Rational> phases;
+    std::size_t start = 0; ///< of the cycle
+    long period() const { return static_cast<long>(phases.size() - start); }
+};
+
+Orbit orbit_of(const Rational& x, const Rational& gamma)
+{
+    constexpr std::size_t longest = 64;
     if (gamma.get_den() != 1) throw NotExact();
-    constexpr std::size_t longest_orbit = 64; // angles with rational cosines have orbits of a few steps
     std::map<Rational, std::size_t> seen;
-    std::vector<Exact> cosines;
+    Orbit orbit;
     Rational phase = fraction(x);
     while (!seen.contains(phase)) {
-        if (seen.size() > longest_orbit) throw NotExact();
-        seen[phase] = cosines.size();
-        cosines.push_back(cos_pi(Exact(Rational(2 * phase))));
+        if (seen.size() > longest) throw NotExact();
+        seen[phase] = orbit.phases.size();
+        orbit.phases.push_back(phase);
         phase = fraction(phase * gamma);
     }
-    const std::size_t start = seen[phase];
-    const long period = static_cast<long>(cosines.size() - start);
-    // r = gamma^(D-2) is asked for only where a cosine is not zero: at x = 1/4 and gamma = 5 none is
-    const auto amplitude = [&](long n) { return n == 0 ? Exact(1) : Exact(gamma).power((D - 2) * n); };
-    Exact z, cycle;
-    for (std::size_t n = 0; n < cosines.size(); ++n) {
-        if (cosines[n].is_zero()) continue;
-        Exact& sum = n < start ? z : cycle;
-        sum = sum + amplitude(static_cast<long>(n)) * cosines[n];
+    orbit.start = seen[phase];
+    return orbit;
+}
+
+/// Whether z(x) = 0, proven. With s = gamma^(1/q), D = p/q, r = s^-t, t = 2q - p, and L the period,
+///     N = 2 s^(t M) [ (1 - r^L) sum_{n<start} r^n c_n + sum_{n>=start} r^n c_n ],  M = number of phases,
+/// is z times a positive number. The 2 c_n are algebraic integers and no power of s in N is negative, so N
+/// is an algebraic integer, of degree at most d = q m, m the denominator of x. Every conjugate of s has the modulus
+/// of s and every conjugate of 2 c_n is at most 2 in modulus, so every conjugate of N is at most B, the sum with
+/// absolute values. The product of all conjugates of a nonzero N is an integer: |N| >= B^-(d-1).
+bool vanishes(const Orbit& orbit, const Rational& x, const Rational& D, const Rational& gamma)
+{
+    constexpr double bit_limit = 20'000;
+    if (x.get_den() > 1000 || D.get_den() > 1000) throw NotExact();
+    const double d = Rational(x.get_den() * D.get_den()).get_d();
+    const Rational e = 2 - D;
+    const auto size = static_cast<long>(orbit.phases.size());
+    const auto evaluate_N = [&](bool absolute) {
+        const Ball r = pow(Ball(gamma), Ball(Rational(-e)));
+        Ball before(0), cycle(0), amplitude(1);
+        for (std::size_t n = 0; n < orbit.phases.size(); ++n) {
+            (n < orbit.start ? before : cycle) += amplitude * (absolute ? Ball(1) : cos_pi(Ball(Rational(2 * orbit.phases[n]))));
+            amplitude *= r;
+        }
+        Ball rL(1);
+        for (long k = 0; k < orbit.period(); ++k) rL *= r;
+        return 2 * pow(Ball(gamma), Ball(Rational(e * size))) * ((absolute ? 1 + rL : 1 - rL) * before + cycle);
+    };
+    double bits_needed = 0;
+    {
+        const WorkingPrecision precision(64);
+        if (!evaluate_N(false).contains_zero()) return false; // the ordinary case
+        const Ball B = evaluate_N(true);
+        bits_needed = (d - 1) * std::max(1.0, static_cast<double>(mpz_sizeinbase(Integer(gamma.get_num()).get_mpz_t(), 2)) * Rational(e * size).get_d() + std::log2(2.0 * static_cast<double>(size) + 2));
+        if (!B.is_finite() || bits_needed > bit_limit) throw NotExact();
     }
-    return cycle.is_zero() ? z : z + cycle / (Exact(1) - amplitude(period));
+    const WorkingPrecision precision(static_cast<slong>(bits_needed) + 128);
+    const Ball N = abs(evaluate_N(false));
+    const Ball smallest = pow(evaluate_N(true), Ball(Rational(1) - Rational(x.get_den() * D.get_den())));
+    if (certainly(less(N, smallest))) return true;
+    if (N.contains_zero()) throw NotExact();
+    return false;
+}
+
+} // namespace
+
+Exact profile_exact(const Rational& x, const Rational& D, const Rational& gamma)
+{
+    const Orbit orbit = orbit_of(x, gamma);
+    try {
+        // r^n is asked for only where a cosine is not zero: at x = 1/4 and gamma = 5 none is
+        const auto amplitude = [&](long n) { return n == 0 ? Exact(1) : Exact(gamma).power((D - 2) * n); };
+        Exact z, cycle;
+        for (std::size_t n = 0; n < orbit.phases.size(); ++n) {
+            const Exact cosine = cos_pi(Exact(Rational(2 * orbit.phases[n])));
+            if (cosine.is_zero()) continue;
+            Exact& sum = n < orbit.start ? z : cycle;
+            sum = sum + amplitude(static_cast<long>(n)) * cosine;
+        }
+        return cycle.is_zero() ? z : z + cycle / (Exact(1) - amplitude(orbit.period()));
+    }
+    catch (const NotExact&) {
+        if (vanishes(orbit, x, D, gamma)) return Exact(0);
+        throw;
+    }
 }
 
 } // namespace touchstone::weierstrass

@@ -39,7 +39,7 @@ T pressure_full(const T& x, const T& load)
 template <Scalar T>
 T pressure_partial(const T& x, const T& load)
 {
-    return 2 * (cos_pi(x) * sqrt_positive_part(minus_square(load, sin_pi(x))));
+    return 2 * (cos_pi(x) * sqrt_minus_sin_pi_square(load, x));
 }
 
 /// (2.4) at the distance d = a - x inside the contact edge, 0 <= d <= a: accurate however small d is.
@@ -94,7 +94,7 @@ template <Scalar T>
 T exceedance_partial(const T& p, const T& load)
 {
     const T R = hypot_of(T(1 - load), p);
-    return 2 * atan2(sqrt_positive_part(minus_square(T(4 * load), p)), sqrt(2 * (1 - load) + (2 * R + p * p))) / pi<T>();
+    return 2 * atan2(sqrt_minus_square(T(4 * load), p), sqrt(2 * (1 - load) + (2 * R + p * p))) / pi<T>();
 }
 
 /// (2.11)-(2.18)  Q(p), the share of the wavelength on which the pressure exceeds p >= 0.
@@ -120,19 +120,19 @@ T density_full(const T& p, const T& load)
 }
 
 /// (2.19) q p* in partial contact, load <= 1, 0 <= p < 2 sqrt(load), with the distance to the
-/// upper edge given as `defect` = 4 load - p^2 by a caller who knows it better than p:
-/// q p* = p/(pi R) sqrt((1 + load + R)/((1 - load + R) defect)).
+/// upper edge given as `root` = sqrt(4 load - p^2) by a caller who knows it better than p:
+/// q p* = p/(pi R root) sqrt((1 + load + R)/(1 - load + R)).
 template <Scalar T>
-T density_partial(const T& p, const T& load, const T& defect)
+T density_partial(const T& p, const T& load, const T& root)
 {
     const T R = hypot_of(T(1 - load), p);
-    return p / (pi<T>() * R) * sqrt((1 + load + R) / ((1 - load + R) * defect));
+    return p / (pi<T>() * R * root) * sqrt((1 + load + R) / (1 - load + R));
 }
 
 template <Scalar T>
 T density_partial(const T& p, const T& load)
 {
-    return density_partial(p, load, minus_square(T(4 * load), p));
+    return density_partial(p, load, sqrt_minus_square(T(4 * load), p));
 }
 
 /// (2.15), (2.16), (2.19), (2.20)  the density q p* of the pressure at p >= 0; 0 outside the support.
@@ -144,8 +144,8 @@ T density(const T& p, const T& load)
     return across_seam(
         load, integer<T>(1),
         [&p](const T& s) {
-            const T defect = minus_square(T(4 * s), p);
-            return certainly(less(defect, integer<T>(0))) ? integer<T>(0) : density_partial(p, s, defect);
+            const bool outside = certainly(less(T(2 * sqrt(s)), p));
+            return outside ? integer<T>(0) : density_partial(p, s);
         },
         [&p](const T& s) {
             const bool outside = certainly(less(above_lowest(p, s), integer<T>(0)))
@@ -170,7 +170,7 @@ T half_width(const T& load)
 template <Scalar T>
 T pressure(const T& x, const T& load)
 {
-    return 2 * sqrt_positive_part(minus_square(load, T(pi<T>() * x)));
+    return 2 * sqrt_minus_pi_square(load, x);
 }
 
 } // namespace touchstone::hertz

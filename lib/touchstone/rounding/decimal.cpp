@@ -25,7 +25,9 @@ private:
 /// The two ends of the ball, widened by less than a part in 2^64 of it.
 void ends(Mpfr_& low, Mpfr_& high, const Ball& b)
 {
-    const slong bits = std::max<slong>(arf_bits(arb_midref(b.get())), 0) + 128;
+    // a short midpoint (1/2) may have a tiny radius: the ends need bits for both
+    const slong accuracy = b.is_exact() ? 0 : std::max<slong>(b.relative_bits(), 0);
+    const slong bits = std::max<slong>(arf_bits(arb_midref(b.get())), accuracy) + 128;
     mpfr_set_prec(low.get(), bits);
     mpfr_set_prec(high.get(), bits);
     arb_get_interval_mpfr(low.get(), high.get(), b.get());

@@ -123,14 +123,13 @@ Ball at_least(const Ball& x, const Ball& bound); ///< encloses max(x, bound)
 std::ostream& operator<<(std::ostream&, const Ball&);
 
 template <>
-struct ScalarTraits<Ball> {
+struct ScalarTraits<Ball> : ComposedTraits<Ball> {
     static Ball integer(long n) { return Ball(n); }
     static Ball quotient(long p, long q) { return Ball(p) / Ball(q); }
     static Ball pi() { Ball r; arb_const_pi(r.get(), WorkingPrecision::bits()); return r; }
     static Ball sin_pi(const Ball& x) { return detail::ball_of(arb_sin_pi, x); }
     static Ball cos_pi(const Ball& x) { return detail::ball_of(arb_cos_pi, x); }
     static Ball powm1(const Ball& x, const Ball& y) { return detail::ball_of(arb_expm1, y * log(x)); }
-    static Ball minus_square(const Ball& a, const Ball& b) { return a - b * b; }
     static Ball sqrt_positive_part(const Ball& x) { return detail::ball_of(arb_sqrtpos, at_least(x, Ball(0))); }
     static Ball hypot(const Ball& a, const Ball& b) { return detail::ball_of(arb_hypot, a, b); }
     static Ball power_of_two(long e) { Ball r(1); arb_mul_2exp_si(r.get(), r.get(), e); return r; }
@@ -200,14 +199,13 @@ inline Ball abs(const ComplexBall& z) { Ball r; acb_abs(r.get(), z.get(), Workin
 ComplexBall atan2(const ComplexBall& y, const ComplexBall& x);
 
 template <>
-struct ScalarTraits<ComplexBall> {
+struct ScalarTraits<ComplexBall> : ComposedTraits<ComplexBall> {
     static ComplexBall integer(long n) { return ComplexBall(n); }
     static ComplexBall quotient(long p, long q) { return ComplexBall(Ball(p) / Ball(q)); }
     static ComplexBall pi() { return ComplexBall(ScalarTraits<Ball>::pi()); }
     static ComplexBall sin_pi(const ComplexBall& z) { return detail::complex_ball_of(acb_sin_pi, z); }
     static ComplexBall cos_pi(const ComplexBall& z) { return detail::complex_ball_of(acb_cos_pi, z); }
     static ComplexBall powm1(const ComplexBall& z, const ComplexBall& w) { return detail::complex_ball_of(acb_expm1, w * log(z)); }
-    static ComplexBall minus_square(const ComplexBall& a, const ComplexBall& b) { return a - b * b; }
     /// For complex arguments there is no part to cut off: the square root itself.
     static ComplexBall sqrt_positive_part(const ComplexBall& z) { return sqrt(z); }
     static ComplexBall hypot(const ComplexBall& a, const ComplexBall& b) { return sqrt(a * a + b * b); }

@@ -69,14 +69,13 @@ inline Exact at_most(const Exact& x, const Exact& bound) { return certainly(less
 inline Exact at_least(const Exact& x, const Exact& bound) { return certainly(less(x, bound)) ? bound : x; }
 
 template <>
-struct ScalarTraits<Exact> {
+struct ScalarTraits<Exact> : ComposedTraits<Exact> {
     static Exact integer(long n) { return Exact(n); }
     static Exact quotient(long p, long q) { return Exact(Rational(p) / q); }
     static Exact pi();
     static Exact sin_pi(const Exact& x) { return cos_pi(Exact(Rational(1, 2)) - x); }
     static Exact cos_pi(const Exact& x);
     static Exact powm1(const Exact& x, const Exact& y) { return pow(x, y) - 1; }
-    static Exact minus_square(const Exact& a, const Exact& b) { return a - b * b; }
     static Exact sqrt_positive_part(const Exact& x) { return x.sign() > 0 ? sqrt(x) : Exact(0); }
     static Exact hypot(const Exact& a, const Exact& b) { return sqrt(a * a + b * b); }
     static Exact power_of_two(long e);

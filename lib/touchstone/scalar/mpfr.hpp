@@ -15,14 +15,11 @@ namespace touchstone {
 
 using Mpfr = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
-inline Truth less(const Mpfr& x, const Mpfr& y) { return truth(x < y); }
-inline Mpfr hull(const Mpfr& x, const Mpfr& y) { return x == y ? x : std::numeric_limits<Mpfr>::quiet_NaN(); }
-inline Mpfr at_most(const Mpfr& x, const Mpfr& bound) { return x < bound ? x : bound; }
-inline Mpfr at_least(const Mpfr& x, const Mpfr& bound) { return x < bound ? bound : x; }
-
 template <>
-struct ScalarTraits<Mpfr> {
+struct ScalarTraits<Mpfr> : ComposedTraits<Mpfr> {
     static Mpfr integer(long n) { return Mpfr(n); }
+    static Truth less(const Mpfr& x, const Mpfr& y) { return truth(x < y); }
+    static Mpfr hull(const Mpfr& x, const Mpfr& y) { return x == y ? x : std::numeric_limits<Mpfr>::quiet_NaN(); }
     static Mpfr quotient(long p, long q) { return Mpfr(p) / q; }
     static Mpfr pi()
     {
@@ -51,12 +48,6 @@ struct ScalarTraits<Mpfr> {
         Mpfr r = y * log(x);
         mpfr_expm1(r.backend().data(), r.backend().data(), MPFR_RNDN);
         return r;
-    }
-    static Mpfr minus_square(const Mpfr& a, const Mpfr& b)
-    {
-        Mpfr r;
-        mpfr_fms(r.backend().data(), b.backend().data(), b.backend().data(), a.backend().data(), MPFR_RNDN);
-        return -r;
     }
     static Mpfr sqrt_positive_part(const Mpfr& x) { return x > 0 ? sqrt(x) : Mpfr(0); }
     static Mpfr hypot(const Mpfr& a, const Mpfr& b)

@@ -53,21 +53,28 @@ inline double acos(double x) { return std::acos(x); }
 inline double atan2(double y, double x) { return std::atan2(y, x); }
 inline double pow(double x, double y) { return std::pow(x, y); }
 
-inline Truth less(double x, double y) { return truth(x < y); }
-inline double hull(double x, double y) { return x == y ? x : std::numeric_limits<double>::quiet_NaN(); }
-inline double at_most(double x, double bound) { return std::min(x, bound); }
-inline double at_least(double x, double bound) { return std::max(x, bound); }
 
 /// Customisation point: how a Scalar makes constants, and the few compound
 /// operations that some arithmetics do better than by composing the others.
 template <class T>
 struct ScalarTraits;
 
+/// The compound operations as their composition: what an arithmetic gets that has no better way.
+template <class T>
+struct ComposedTraits {
+    static T pow_product(const T& x, const T& a, const T& b) { return pow(x, T(a * b)); }
+    static T sqrt_minus_square(const T& a, const T& b) { return ScalarTraits<T>::sqrt_positive_part(a - b * b); }
+    static T sqrt_minus_pi_square(const T& a, const T& x) { return sqrt_minus_square(a, T(ScalarTraits<T>::pi() * x)); }
+    static T sqrt_minus_sin_pi_square(const T& a, const T& x) { return sqrt_minus_square(a, ScalarTraits<T>::sin_pi(x)); }
+};
+
 template <>
 struct ScalarTraits<double> {
     static double integer(long n) { return static_cast<double>(n); }
     static double quotient(long p, long q) { return static_cast<double>(p) / static_cast<double>(q); }
     static double pi() { return std::numbers::pi; }
+    static Truth less(double x, double y) { return truth(x < y); }
+    static double hull(double x, double y) { return x == y ? x : std::numeric_limits<double>::quiet_NaN(); }
     /// error < 1 ulp: reduced exactly to [0, 1/4], so no digit is lost near a zero.
     static double sin_pi(double x)
     {
@@ -85,14 +92,61 @@ struct ScalarTraits<double> {
         return a > 0.5 ? -c : c;
     }
     static double powm1(double x, double y) { return std::expm1(y * std::log(x)); }
-    /// a - b*b with one rounding.
-    static double minus_square(double a, double b) { return std::fma(-b, b, a); }
     static double sqrt_positive_part(double x) { return x > 0 ? std::sqrt(x) : 0.0; }
+    /// sqrt(max(a - b^2, 0)), the difference with one rounding and safe from underflow.
+    static double sqrt_minus_square(double a, double b)
+    {
+        const int e = scale(a);
+        return std::ldexp(sqrt_positive_part(std::fma(-std::ldexp(b, e), std::ldexp(b, e), std::ldexp(a, 2 * e))), -e);
+    }
+    /// sqrt(max(a - (pi x)^2, 0)) with pi x carried to twice the precision.
+    static double sqrt_minus_pi_square(double a, double x)
+    {
+        const int e = scale(a);
+        return std::ldexp(sqrt_positive_part(minus_pi_square(std::ldexp(a, 2 * e), std::ldexp(x, e))), -e);
+    }
+    /// sqrt(max(a - sin^2(pi x), 0)) for 0 <= a <= 1, |x| <= 1/2. Above x = 1/4 as cos^2 - (1 - a), below as
+    /// a - y^2 + (y^2 - sin^2 y), y = pi x: each difference that can cancel is taken between accurate terms.
+    static double sqrt_minus_sin_pi_square(double a, double x)
+    {
+        const double r = std::fabs(x);
+        if (r > 0.25) return sqrt_positive_part(-minus_sin_square(1.0 - a, 0.5 - r)); // 1 - a exact where it matters: a > 1/2
+        const int e = scale(a);
+        if (e != 0) return sqrt_minus_pi_square(a, x); // sin y = y to all digits
+        return sqrt_positive_part(minus_sin_square(a, r));
+    }
     /// sqrt(a*a + b*b) without overflow, underflow or cancellation.
     static double hypot(double a, double b) { return std::hypot(a, b); }
     static double power_of_two(long e) { return std::ldexp(1.0, static_cast<int>(std::clamp(e, -5000L, 5000L))); }
     /// Gamma(x) for x > 0.
     static double gamma(double x) { return std::tgamma(x); }
+    /// x^(a b): what the rounded exponent leaves out is put back to first order.
+    static double pow_product(double x, double a, double b)
+    {
+        const double e = a * b;
+        return std::pow(x, e) * (1.0 + std::fma(a, b, -e) * std::log(x));
+    }
+
+private:
+    /// A power of two (its exponent) by which numbers whose square is near tiny `a` are scaled, 0 where none is needed.
+    static int scale(double a) { return a > 0 && a < 0x1p-800 ? 500 : 0; }
+    /// a - (pi x)^2
+    static double minus_pi_square(double a, double x)
+    {
+        const double y = std::numbers::pi * x;
+        const double low = std::fma(std::numbers::pi, x, -y) + 1.2246467991473532e-16 * x; // pi - fl(pi)
+        return std::fma(-y, y, a) - 2 * y * low;
+    }
+    /// a - sin^2(pi x) for |x| <= 1/4: y^2 - sin^2 y = y^4/3 - 2 y^6/45 + ..., the terms 2^(2k-1) y^(2k)/(2k)!
+    static double minus_sin_square(double a, double x)
+    {
+        const double z = (std::numbers::pi * x) * (std::numbers::pi * x);
+        double tail = 1;
+        for (int k = 11; k >= 2; --k) tail = 1 - z * tail * 4 / ((2 * k + 1) * (2 * k + 2));
+        return minus_pi_square(a, x) + z * z * tail / 3;
+    }
+
+public:
 };
 
 /// The integer n as a T, exactly.
@@ -109,11 +163,22 @@ T pi() { return ScalarTraits<T>::pi(); }
 template <class T> T sin_pi(const T& x) { return ScalarTraits<T>::sin_pi(x); }   ///< sin(pi x)
 template <class T> T cos_pi(const T& x) { return ScalarTraits<T>::cos_pi(x); }   ///< cos(pi x)
 template <class T> T powm1(const T& x, const T& y) { return ScalarTraits<T>::powm1(x, y); } ///< x^y - 1
-template <class T> T minus_square(const T& a, const T& b) { return ScalarTraits<T>::minus_square(a, b); } ///< a - b^2
+template <class T> T pow_product(const T& x, const T& a, const T& b) { return ScalarTraits<T>::pow_product(x, a, b); } ///< x^(a b)
+template <class T> T sqrt_minus_square(const T& a, const T& b) { return ScalarTraits<T>::sqrt_minus_square(a, b); } ///< sqrt(max(a - b^2, 0))
+template <class T> T sqrt_minus_pi_square(const T& a, const T& x) { return ScalarTraits<T>::sqrt_minus_pi_square(a, x); } ///< sqrt(max(a - (pi x)^2, 0))
+template <class T> T sqrt_minus_sin_pi_square(const T& a, const T& x) { return ScalarTraits<T>::sqrt_minus_sin_pi_square(a, x); } ///< sqrt(max(a - sin(pi x)^2, 0))
 template <class T> T sqrt_positive_part(const T& x) { return ScalarTraits<T>::sqrt_positive_part(x); } ///< sqrt(max(x, 0))
 template <class T> T hypot_of(const T& a, const T& b) { return ScalarTraits<T>::hypot(a, b); } ///< sqrt(a^2 + b^2)
 template <class T> T power_of_two(long e) { return ScalarTraits<T>::power_of_two(e); } ///< 2^e
 template <class T> T gamma_function(const T& x) { return ScalarTraits<T>::gamma(x); }  ///< Euler's Gamma(x)
+
+// Order, for arithmetics whose type is not of this namespace (ADL would not find overloads).
+template <class T>
+concept OrderedByTraits = requires(const T x, const T y) { { ScalarTraits<T>::less(x, y) } -> std::same_as<Truth>; };
+template <OrderedByTraits T> Truth less(const T& x, const T& y) { return ScalarTraits<T>::less(x, y); }
+template <OrderedByTraits T> T hull(const T& x, const T& y) { return ScalarTraits<T>::hull(x, y); }
+template <OrderedByTraits T> T at_most(const T& x, const T& bound) { return ScalarTraits<T>::less(bound, x) == Truth::yes ? bound : x; }
+template <OrderedByTraits T> T at_least(const T& x, const T& bound) { return ScalarTraits<T>::less(x, bound) == Truth::yes ? bound : x; }
 
 template <class T>
 concept Scalar = std::copyable<T> && requires(const T x, const T y, long n) {
@@ -143,7 +208,8 @@ concept OrderedScalar = Scalar<T> && requires(const T x, const T y) {
 /// The value of a function that is given by `below()` where x < seam and by
 /// `above()` where x >= seam, and is **continuous** at the seam. An enclosure
 /// that straddles the seam gets the hull of both branches; each branch is handed
-/// the part of x on its side, so neither leaves its domain.
+/// the part of x on its side, rounded outward (so a branch that ends at the seam
+/// takes its root with sqrt_positive_part).
 template <OrderedScalar T, class Below, class Above>
 T across_seam(const T& x, const T& seam, Below&& below, Above&& above)
 {

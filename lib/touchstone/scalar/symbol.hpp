@@ -14,14 +14,13 @@ namespace touchstone {
 using Symbol = GiNaC::ex;
 
 template <>
-struct ScalarTraits<Symbol> {
+struct ScalarTraits<Symbol> : ComposedTraits<Symbol> {
     static Symbol integer(long n) { return GiNaC::numeric(n); }
     static Symbol quotient(long p, long q) { return GiNaC::numeric(p, q); }
     static Symbol pi() { return GiNaC::Pi; }
     static Symbol sin_pi(const Symbol& x) { return GiNaC::sin(GiNaC::Pi * x); }
     static Symbol cos_pi(const Symbol& x) { return GiNaC::cos(GiNaC::Pi * x); }
     static Symbol powm1(const Symbol& x, const Symbol& y) { return GiNaC::pow(x, y) - 1; }
-    static Symbol minus_square(const Symbol& a, const Symbol& b) { return a - GiNaC::pow(b, 2); }
     /// The branch in which x is positive: a symbol has no sign to ask for.
     static Symbol sqrt_positive_part(const Symbol& x) { return GiNaC::sqrt(x); }
     static Symbol hypot(const Symbol& a, const Symbol& b) { return GiNaC::sqrt(GiNaC::pow(a, 2) + GiNaC::pow(b, 2)); }
