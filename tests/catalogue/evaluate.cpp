@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/catalogue/evaluate.hpp"
+
+#include <doctest/doctest.h>
+
+#include <thread>
+
+using namespace touchstone;
+
+namespace {
+
+Inputs inputs(std::initializer_list<std::pair<const char*, const char*>> list)
+{
+    std::map<std::string, Rational> values;
+    for (const auto& [key, text] : list) values[key] = *parse_rational(text);
+    return Inputs(values);
+}
+
+Evaluation eval(const char* name, const Inputs& in, EvaluationOptions options = {})
+{
+    const Quantity* q = find_quantity(name);
+    REQUIRE(q != nullptr);
+    return evaluate(*q, in, options);
+}
+
+/// One ordinary argument list for every quantity; a quantity without one fails the tests below.
+Inputs typical(const Quantity& q)
+{
+    static const std::map<std::string, Inputs> all{
+        {"westergaard.half_width", inputs({{"load", "0.3"}})},
+        {"westergaard.pressure", inputs({{"x", "0.1"}, {"load", "0.3"}})},
+        {"westergaard.exceedance", inputs({{"p", "0.7"}, {"load", "0.3"}})},
+        {"westergaard.density", inputs({{"p", "0.7"}, {"load", "0.3"}})},
+        {"hertz.half_width", inputs({{"load", "0.3"}})},
+        {"hertz.pressure", inputs({{"x", "0.1"}, {"load", "0.3"}})},
+        {"weierstrass.profile", inputs({{"x", "0.13"}, {"D", "1.5"}, {"gamma", "5"}})},
+        {"weierstrass.bound", inputs({{"D", "1.3"}, {"gamma", "5"}})},
+        {"peaks.f", inputs({{"x", "0.3"}})},
+        {"peaks.iterate", inputs({{"n", "7"}, {"load", "0.3"}, {"G", "2.7"}})},
+        {"peaks.fixed_point", inputs({{"D", "1.3"}, {"gamma", "5"}})},
+        {"archard.K", inputs({{"n", "7"}})},
+        {"archard.K_inf", inputs({})},
+        {"archard.delta", inputs({{"n", "7"}})},
+        {"archard.alpha", inputs({{"n", "7"}, {"D", "1.3"}})},
+        {"archard.area", inputs({{"n", "7"}, {"load", "0.3"}, {"G", "2.7"}})},
+        {"archard.segments", inputs({{"n", "7"}, {"load", "0.3"}, {"D", "1.3"}, {"gamma", "5"}})},
+        {"archard.segments_limit", inputs({{"n", "7"}, {"load", "0.3"}, {"D", "1.3"}, {"gamma", "5"}})},
+        {"segments.max_half_width", inputs({{"n", "7"}, {"load", "0.3"}, {"G", "2.7"}})},
+    };
+    const auto it = all.find(q.name);
+    REQUIRE_MESSAGE(it != all.end(), "no typical arguments for " << q.name);
+    return it->second;
+}
+
+} // namespace
+
+TEST_CASE("every quantity answers at 1, 50 and 1000 digits, by two routes")
+{
+    for (const auto& q : catalogue()) {
+        CAPTURE(q.name);
+        CHECK(q.routes.size() >= 2);
+        CHECK_FALSE(q.description.empty());
+        std::string longest;
+        for (const long digits : {1000L, 50L, 1L}) {
+            const Evaluation e = evaluate(q, typical(q), {.digits = digits});
+            CHECK((e.status == Status::certified || e.status == Status::exact));
+            REQUIRE(e.binary64.has_value());
+            // fewer digits are the rounding of more: the double nearest to 50 digits is the one reported
+            if (digits == 1000) longest = e.value;
+            else {
+                const Rational difference = abs(*parse_rational(e.value) - *parse_rational(longest));
+                CHECK(difference <= *parse_rational(e.error_bound) + power(Rational(10), -900));
+            }
+            CHECK(nearest_double(*parse_rational(longest)) == *e.binary64);
+        }
+    }
+}
+
+TEST_CASE("digits do not depend on the precision a search starts from, nor on the thread")
+{
+    for (const auto& q : catalogue()) {
+        CAPTURE(q.name);
+        const Evaluation reference = evaluate(q, typical(q), {.digits = 60});
+        for (const slong start : {2L, 33L, 64L, 300L, 1111L}) {
+            Evaluation e;
+            std::jthread([&] { e = evaluate(q, typical(q), {.digits = 60, .start_bits = start, .limit_bits = 10000}); }).join();
+            CHECK(e.value == reference.value);
+            CHECK(e.status == reference.status);
+            CHECK(e.binary64 == reference.binary64);
+        }
+    }
+}
+
+TEST_CASE("exact values are recognised as exact")
+{
+    CHECK(eval("peaks.fixed_point", inputs({{"gamma", "4"}, {"D", "1.5"}})).status == Status::exact);
+    CHECK(eval("peaks.fixed_point", inputs({{"gamma", "4"}, {"D", "1.5"}})).value == "1");
+    CHECK(eval("peaks.f", inputs({{"x", "0.25"}})).value == "1");
+    CHECK(eval("weierstrass.profile", inputs({{"x", "1/3"}, {"gamma", "4"}, {"D", "1.5"}})).value == "-1");
+    CHECK(eval("weierstrass.profile", inputs({{"x", "0.25"}, {"gamma", "5"}, {"D", "1.05"}})).status == Status::exact);
+    CHECK(eval("weierstrass.profile", inputs({{"x", "0.25"}, {"gamma", "5"}, {"D", "1.05"}})).value == "0");
+    // zero without any term being zero: cos 36 degrees = sum of 5^(-n/2), n >= 1
+    CHECK(eval("weierstrass.profile", inputs({{"x", "0.1"}, {"gamma", "5"}, {"D", "1.5"}})).status == Status::exact);
+    CHECK(eval("weierstrass.profile", inputs({{"x", "0.1"}, {"gamma", "5"}, {"D", "1.5"}})).value == "0");
+    CHECK(eval("weierstrass.profile", inputs({{"x", "0.1"}, {"gamma", "5"}, {"D", "1.500000001"}})).status == Status::certified);
+    CHECK(eval("westergaard.half_width", inputs({{"load", "0.5"}})).value == "0.25");
+    CHECK(eval("westergaard.pressure", inputs({{"x", "1/6"}, {"load", "1/4"}})).value == "0"); // the contact edge
+    CHECK(eval("archard.delta", inputs({{"n", "2"}})).value == "0.875");
+    CHECK(eval("archard.alpha", inputs({{"n", "2"}, {"D", "1.5"}})).value == "-0.625");
+    CHECK(eval("segments.max_half_width", inputs({{"n", "3"}, {"load", "10"}, {"G", "1.1"}})).value.starts_with("0.5"));
+    // 1/6 has no finite expansion: certified, not exact
+    CHECK(eval("westergaard.half_width", inputs({{"load", "0.25"}})).status == Status::certified);
+}
+
+TEST_CASE("exact ties round to even, and are not mistaken for undecidable")
+{
+    // f(x) = 1 + x for x > 1: 2.125 at 3 digits is a tie
+    const Evaluation tie = eval("peaks.f", inputs({{"x", "1.125"}}), {.digits = 3});
+    CHECK(tie.value == "2.12");
+    CHECK(tie.status == Status::certified);
+    // a tie of the double rounding: 2 + 2^-52 lies between two binary64 numbers
+    CHECK(*eval("peaks.f", inputs({{"x", "0x1.0000000000001p0"}})).binary64 == 2.0);
+}
+
+TEST_CASE("what cannot be decided within the limit is undecided, with what is known")
+{
+    // 1 - 10^-60 from 2: x_n approaches 1/4 from one side only, so one digit of 0.25 is decided late
+    const Inputs in = inputs({{"n", "900"}, {"load", "1"}, {"G", "4"}});
+    const Evaluation e = eval("peaks.iterate", in, {.digits = 1, .start_bits = 64, .limit_bits = 256});
+    CHECK(e.status == Status::undecided);
+    CHECK_FALSE(e.note.empty());
+    const Evaluation decided = eval("peaks.iterate", in, {.digits = 1, .limit_bits = 4000});
+    CHECK(decided.status == Status::certified);
+    CHECK(decided.value == "0.3"); // from above
+}
+
+TEST_CASE("extremes: tiny loads, loads next to 1, many digits, huge n")
+{
+    CHECK(eval("westergaard.half_width", inputs({{"load", "1e-300"}}), {.digits = 5}).value == "3.1831e-151");
+    CHECK(eval("westergaard.half_width", inputs({{"load", "0x1.fffffffffffffp-1"}}), {.digits = 12}).value == "0.499999996646");
+    CHECK(eval("archard.K", inputs({{"n", "1000000"}}), {.digits = 30}).value == eval("archard.K_inf", inputs({}), {.digits = 30}).value);
+    CHECK(eval("archard.area", inputs({{"n", "1000000"}, {"load", "0.1"}, {"G", "2"}}), {.digits = 5}).status == Status::certified);
+    CHECK(eval("weierstrass.profile", inputs({{"x", "0.1"}, {"D", "1.95"}, {"gamma", "1.5"}}), {.digits = 30}).status == Status::certified);
+    CHECK(eval("weierstrass.profile", inputs({{"x", "0.1"}, {"D", "1.999999999"}, {"gamma", "1.5"}}), {.digits = 30}).status == Status::undecided);
+}
+
+TEST_CASE("out of domain is one line that says what would be right")
+{
+    const auto fails = [](const char* name, const Inputs& in, const char* expected) {
+        CHECK_THROWS_WITH_AS(eval(name, in), doctest::Contains(expected), DomainError);
+    };
+    fails("archard.K", inputs({{"n", "-1"}}), "n = -1: must be an integer from 0");
+    fails("archard.K", inputs({{"n", "1.5"}}), "must be an integer");
+    fails("westergaard.half_width", inputs({{"load", "0"}}), "load = 0: must be > 0");
+    fails("westergaard.half_width", inputs({{"load", "1.5"}}), "<= 1");
+    fails("westergaard.pressure", inputs({{"x", "0.6"}, {"load", "0.5"}}), "x = 3/5");
+    fails("westergaard.density", inputs({{"p", "1"}, {"load", "0.25"}}), "edges of the support");
+    fails("weierstrass.bound", inputs({{"D", "2"}, {"gamma", "5"}}), "D = 2: must be > 1 and < 2");
+    fails("weierstrass.bound", inputs({{"D", "1.5"}, {"gamma", "1"}}), "gamma = 1: must be > 1");
+    fails("peaks.fixed_point", inputs({{"G", "1"}}), "G = 1: must be > 1");
+    CHECK_THROWS_AS(eval("archard.K_inf", inputs({}), {.digits = 0}), DomainError);
+    CHECK_THROWS_AS(eval("archard.K_inf", inputs({}), {.digits = 10001}), DomainError);
+}
+
+TEST_CASE("routes that disagree are a hard failure")
+{
+    Quantity broken = *find_quantity("hertz.half_width");
+    broken.exact = {};
+    broken.routes[1].ball = [](const Inputs& in) { return sqrt(Ball(in.real("load"))) / 3; }; // 3 for pi
+    CHECK_THROWS_AS(evaluate(broken, inputs({{"load", "0.3"}})), RoutesDisagree);
+    // and one that is right but too loose to decide the digits does not count as a second route
+    broken.routes[1].ball = [](const Inputs& in) {
+        Ball b = sqrt(Ball(in.real("load"))) / pi<Ball>();
+        arb_add_error(b.get(), power_of_two<Ball>(-20).get());
+        return b;
+    };
+    CHECK(evaluate(broken, inputs({{"load", "0.3"}})).status == Status::undecided);
+}
+
+TEST_CASE("G is compared exactly")
+{
+    CHECK(inputs({{"gamma", "4"}, {"D", "1.5"}}).compare_G(2) == 0);
+    CHECK(inputs({{"gamma", "4"}, {"D", "1.49999999999999999999999999999999"}}).compare_G(2) == -1);
+    CHECK(inputs({{"gamma", "256"}, {"D", "1.25"}}).compare_G(4) == 0);
+    CHECK(inputs({{"gamma", "10"}, {"D", "0x1.0cccccccccccdp+0"}}).compare_G(2) == -1);
+}

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The touchstone program from outside: output, exit codes, one line per error, nothing half-written.
+
+usage: test_program.py TOUCHSTONE
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = sys.argv.pop(1)
+
+
+def run(*words, **options):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120, **options)
+
+
+class Program(unittest.TestCase):
+    def refuses(self, code, expected, *words):
+        r = run(*words)
+        self.assertEqual(r.returncode, code, (words, r.stderr))
+        self.assertEqual(r.stdout, "")
+        self.assertEqual(r.stderr.count("\n"), 1, r.stderr)
+        self.assertTrue(r.stderr.startswith("touchstone: "), r.stderr)
+        self.assertIn(expected, r.stderr)
+
+    def value(self, *words):
+        r = run("eval", *words, "--json")
+        self.assertIn(r.returncode, (0, 2), r.stderr)
+        return json.loads(r.stdout)
+
+    def test_the_documented_example(self):
+        j = self.value("archard.K", "n=3", "--digits", "30")
+        self.assertEqual(j["quantity"], "archard.K")
+        self.assertEqual(j["inputs"], {"n": "3"})
+        self.assertEqual(j["value"], "0.416550371832813487722720256733")
+        self.assertEqual((j["digits"], j["status"]), (30, "certified"))
+        self.assertEqual(j["binary64"], "0x1.aa8c2e40a2612p-2")
+        self.assertEqual(j["routes"], ["gamma-product", "log-gamma-series"])
+
+    def test_inputs_are_exact(self):
+        self.assertEqual(self.value("peaks.f", "x=0x1.8p-3")["value"], self.value("peaks.f", "x=3/16")["value"])
+        self.assertNotEqual(self.value("hertz.half_width", "load=0.1", "--digits", "40")["value"],
+                            self.value("hertz.half_width", "load=0x1.999999999999ap-4", "--digits", "40")["value"])
+        self.assertEqual(self.value("peaks.fixed_point", "G=2")["value"], "1")
+        self.assertEqual(self.value("peaks.fixed_point", "gamma=4", "D=1.5")["status"], "exact")
+
+    def test_digits_do_not_depend_on_how_they_are_found(self):
+        for q in (["archard.K_inf"], ["westergaard.density", "p=0.1", "load=0.3"], ["weierstrass.profile", "x=0.3", "D=1.5", "gamma=7"]):
+            values = {self.value(*q, "--digits", "77", "--start-precision", str(b))["value"] for b in (2, 50, 500, 5000)}
+            self.assertEqual(len(values), 1)
+
+    def test_undecided_is_exit_2_and_prints_only_what_is_known(self):
+        r = run("eval", "peaks.iterate", "n=900", "load=1", "G=4", "--digits", "1", "--max-precision", "256", "--json")
+        self.assertEqual(r.returncode, 2)
+        self.assertEqual(json.loads(r.stdout)["status"], "undecided")
+
+    def test_usage_errors(self):
+        self.refuses(64, "nearest is 'archard.K'", "eval", "arhcard.K", "n=3")
+        self.refuses(64, "missing key 'n'", "eval", "archard.K")
+        self.refuses(64, "given twice", "eval", "archard.K", "n=3", "n=4")
+        self.refuses(64, "unknown key 'm'", "eval", "archard.K", "m=3")
+        self.refuses(64, "not KEY=VALUE", "eval", "archard.K", "3")
+        self.refuses(64, "either G or D and gamma", "eval", "peaks.fixed_point", "G=3", "D=1.5", "gamma=4")
+        self.refuses(64, "D and gamma", "eval", "peaks.fixed_point", "D=1.5")
+        self.refuses(64, "G does not determine", "eval", "weierstrass.bound", "G=3")
+        self.refuses(64, "nearest is 'archard_K'", "table", "archrd_K")
+        self.refuses(64, "--out", "table", "all")
+        self.refuses(64, "xls", "table", "archard_K", "--format", "xls")
+        self.refuses(64, "--help", "nonsense")
+        self.refuses(64, "--help")
+
+    def test_bad_input(self):
+        self.refuses(65, "not a number", "eval", "archard.K", "n=three")
+        self.refuses(65, "not a number", "eval", "hertz.half_width", "load=1/0")
+        self.refuses(65, "not a number", "eval", "hertz.half_width", "load=")
+        self.refuses(65, "must be an integer", "eval", "archard.K", "n=-1")
+        self.refuses(65, "must be > 0", "eval", "hertz.half_width", "load=0")
+        self.refuses(65, "must be > 1", "eval", "weierstrass.bound", "D=1.5", "gamma=1")
+        self.refuses(65, "must be > 1 and < 2", "eval", "weierstrass.bound", "D=2", "gamma=5")
+        self.refuses(65, "from 1 to 10000", "eval", "archard.K_inf", "--digits", "0")
+        self.refuses(65, "from 1 to 10000", "eval", "archard.K_inf", "--digits", "10001")
+        self.refuses(65, "from 1 to 10000", "table", "archard_K", "--digits", "10001")
+
+    def test_list(self):
+        j = json.loads(run("list", "--json").stdout)
+        self.assertGreaterEqual(len(j), 19)
+        for q in j:
+            self.assertEqual(set(q) & {"name", "equation", "unit", "domain", "inputs", "description"},
+                             {"name", "equation", "unit", "domain", "inputs", "description"})
+        text = run("list").stdout
+        for q in j:
+            self.assertIn(q["name"], text)
+
+    def test_tables_are_whole_or_absent_and_checked_byte_for_byte(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = os.path.join(folder, "new")
+            self.assertEqual(run("table", "archard_K", "archard_delta", "--out", out).returncode, 0)
+            self.assertEqual(sorted(os.listdir(out)), ["archard_K.txt", "archard_delta.txt"])
+            self.assertEqual(run("table", "archard_K", "--out", out, "--check").returncode, 0)
+            path = os.path.join(out, "archard_K.txt")
+            with open(path) as f:
+                text = f.read()
+            with open(path, "w") as f:
+                f.write(text.replace("0.41655", "0.41656"))
+            r = run("table", "archard_K", "--out", out, "--check")
+            self.assertEqual(r.returncode, 1)
+            self.assertIn("archard_K.txt differs: line", r.stderr)
+            self.assertEqual(run("table", "archard_delta", "--out", os.path.join(folder, "none"), "--check").returncode, 66)
+
+    def test_cannot_write(self):
+        with tempfile.TemporaryDirectory() as folder:
+            blocker = os.path.join(folder, "file")
+            with open(blocker, "w") as f:
+                f.write("x")
+            self.refuses(73, "cannot write", "table", "archard_K", "--out", os.path.join(blocker, "sub"))
+        with open("/dev/full", "w") as full:
+            r = subprocess.run([PROGRAM, "eval", "archard.K_inf"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(r.returncode, 73)
+
+    def test_a_table_reads_with_the_standard_library_alone(self):
+        rows = [line.split() for line in run("table", "westergaard_half_width").stdout.splitlines() if not line.startswith("#")]
+        self.assertGreater(len(rows), 100)
+        for load, value, error in rows:
+            self.assertTrue(0 < float(load) <= 1 and 0 < float(value) <= 0.5 and float(error) >= 0)
+
+    def test_paper(self):
+        j = json.loads(run("paper", "--json").stdout)
+        ids = {e["id"]: e for e in j}
+        for n in range(20):
+            self.assertEqual(ids[f"table1.n{n:02d}"]["verdict"], "verified")
+        for e in j:
+            self.assertLessEqual({"id", "verdict", "method", "statement", "reason", "correction"}, set(e))
+
+    def test_no_progress_when_stderr_is_not_a_terminal(self):
+        self.assertEqual(run("table", "archard_K").stderr, "")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/paper/archard_constants.hpp"
+
+#include "touchstone/paper/archard.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+
+TEST_CASE("both routes of K_n enclose the plain recursion (7.13), tightly")
+{
+    for (const slong bits : {64L, 200L, 1000L, 3400L}) {
+        const WorkingPrecision precision(bits);
+        for (const long n : {0L, 1L, 2L, 3L, 7L, 19L, 64L, 200L}) {
+            CAPTURE(bits);
+            CAPTURE(n);
+            if (n > 20 && bits > 1000) continue;
+            Ball plain;
+            {
+                const WorkingPrecision more(bits + 64);
+                plain = archard::K_by_recursion<Ball>(n);
+            }
+            const Ball a = archard::K_gamma_product(n), b = archard::K_eta_series(n);
+            CHECK(a.overlaps(plain));
+            CHECK(b.overlaps(plain));
+            CHECK(a.relative_bits() > bits);
+            CHECK(b.relative_bits() > bits);
+        }
+    }
+}
+
+TEST_CASE("K_n descends to K_inf at the rate the recursion gives")
+{
+    const WorkingPrecision precision(400);
+    const Ball limit = archard::K_gamma_product(archard::infinity);
+    CHECK(limit.overlaps(archard::K_eta_series(archard::infinity)));
+    Ball before = archard::K_gamma_product(0);
+    for (long n = 1; n <= 100; ++n) {
+        const Ball K = archard::K_gamma_product(n);
+        CHECK(certainly(less(K, before)));
+        CHECK(certainly(less(limit, K)));
+        before = K;
+    }
+    // log step(delta_i) = -2^-(i+2) + ..., so log K_n - log K_inf ~ 2^-(n+1)
+    const Ball rate = log(archard::K_gamma_product(100) / limit) * power_of_two<Ball>(101);
+    CHECK(abs(rate - 1).relative_bits() > 0);
+    CHECK(certainly(less(abs(rate - 1), power_of_two<Ball>(-90))));
+}
+
+TEST_CASE("huge n costs no more and is told from the limit")
+{
+    const WorkingPrecision precision(128);
+    CHECK(archard::K_gamma_product(1'000'000).overlaps(archard::K_eta_series(1'000'000)));
+    const WorkingPrecision more(400);
+    CHECK_FALSE(archard::K_gamma_product(300).overlaps(archard::K_gamma_product(archard::infinity)));
+}
+
+TEST_CASE("eta: the accelerated sum keeps its proven error bound")
+{
+    const WorkingPrecision precision(300);
+    for (const long k : {1L, 2L, 3L, 10L})
+        for (const long N : {5L, 10L, 40L, 80L}) {
+            // (1 - 2^{1-k}) zeta(k) from Arb; log 2 for k = 1
+            Ball eta = log(Ball(2));
+            if (k > 1) {
+                arb_zeta_ui(eta.get(), static_cast<ulong>(k), 300);
+                eta *= 1 - power_of_two<Ball>(1 - k);
+            }
+            const Ball error = abs(archard::eta<Ball>(k, N) - eta);
+            const Ball bound = 2 / pow(3 + sqrt(Ball(8)), Ball(N));
+            CHECK(certainly(less(error, bound)));
+            CHECK(possibly(less(bound / 1000000, error))); // and the bound is not empty talk
+        }
+}

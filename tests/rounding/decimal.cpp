@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/rounding/decimal.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace touchstone;
+
+namespace {
+
+Ball around(const Rational& mid, const Rational& radius)
+{
+    Ball b(mid);
+    arb_add_error(b.get(), Ball(radius).get());
+    return b;
+}
+
+} // namespace
+
+TEST_CASE("digits are given only when the whole ball rounds to them")
+{
+    const WorkingPrecision precision(200);
+    const Rational tiny = power(Rational(10), -30);
+    CHECK(round_to_digits(around(Rational(1, 3), tiny), 20)->text() == "0.33333333333333333333");
+    CHECK_FALSE(round_to_digits(around(Rational(1, 3), tiny), 40));
+    // just under, just over and astride the midpoint between 0.12 and 0.13
+    CHECK(round_to_digits(around(Rational(125, 1000) - 2 * tiny, tiny), 2)->text() == "0.12");
+    CHECK(round_to_digits(around(Rational(125, 1000) + 2 * tiny, tiny), 2)->text() == "0.13");
+    CHECK_FALSE(round_to_digits(around(Rational(125, 1000), tiny), 2));
+    CHECK_FALSE(round_to_digits(around(Rational(0), tiny), 5)); // a sign is not known
+    CHECK(round_to_digits(Ball(0), 5)->text() == "0");
+    CHECK_FALSE(round_to_digits(Ball::indeterminate(), 5));
+    // a midpoint of one bit with a tiny radius
+    CHECK(round_to_digits(around(Rational(1, 2), power(Rational(2), -199)), 50)->text() == "0.50000000000000000000000000000000000000000000000000");
+    // a ball around a power of ten is not astride anything
+    CHECK(round_to_digits(around(Rational(1), tiny), 10)->text() == "1.000000000");
+}
+
+TEST_CASE("exact ties round to even")
+{
+    CHECK(round_to_digits(Rational(125, 1000), 2).text() == "0.12");
+    CHECK(round_to_digits(Rational(375, 1000), 2).text() == "0.38");
+    CHECK(round_to_digits(Rational(-125, 1000), 2).text() == "-0.12");
+    CHECK(round_to_digits(Rational(99999), 3).text() == "1.00e+05");
+    CHECK(round_to_digits(Rational(2, 3), 5).text() == "0.66667");
+    CHECK(round_to_digits(power(Rational(10), -300), 4).text() == "1.000e-300");
+    CHECK(round_to_digits(power(Rational(10), 300) - 1, 4).text() == "1.000e+300");
+}
+
+TEST_CASE("text form: plain near one, scientific far from it, and it reads back")
+{
+    for (const Rational& r : {Rational(1), Rational(-12345), Rational(1, 3), Rational(1, 20000), Rational(1, 3000000), power(Rational(7), 99), power(Rational(7), -99)}) {
+        const Decimal d = round_to_digits(r, 12);
+        CHECK(*parse_rational(d.text()) == d.value());
+        CHECK(abs(d.value() - r) <= *parse_rational(d.half_unit()));
+    }
+    CHECK(round_to_digits(Rational(12345), 5).text() == "12345");
+    CHECK(round_to_digits(Rational(12345), 7).text() == "12345.00");
+    CHECK(round_to_digits(Rational(1, 16), 3).half_unit() == "5e-05");
+}
+
+TEST_CASE("nearest double of a ball: decided or not given")
+{
+    const WorkingPrecision precision(200);
+    const Rational tiny = power(Rational(2), -150);
+    CHECK(*nearest_double(around(Rational(1, 3), tiny)) == 1.0 / 3.0);
+    CHECK_FALSE(nearest_double(around(1 + power(Rational(2), -53), tiny))); // astride a tie
+    CHECK(*nearest_double(Ball(1 + power(Rational(2), -53))) == 1.0);       // the tie itself: to even
+    CHECK(*nearest_double(Ball(power(Rational(2), -1074))) == std::numeric_limits<double>::denorm_min());
+    CHECK(*nearest_double(Ball(3 * power(Rational(2), -1075))) == 2 * std::numeric_limits<double>::denorm_min());
+    CHECK(*nearest_double(Ball(power(Rational(2), -1076))) == 0.0);
+    CHECK(std::signbit(*nearest_double(Ball(-power(Rational(2), -1076)))));
+    CHECK(*nearest_double(Ball(power(Rational(2), 1024))) == std::numeric_limits<double>::infinity());
+    CHECK_FALSE(nearest_double(Ball::indeterminate()));
+}
+
+TEST_CASE("hexfloats are C99's, whatever the C library prints")
+{
+    CHECK(hexfloat(0.1) == "0x1.999999999999ap-4");
+    CHECK(hexfloat(-1.0) == "-0x1p+0");
+    CHECK(std::strtod(hexfloat(5e-324).c_str(), nullptr) == 5e-324);
+    CHECK(hexfloat(std::numeric_limits<double>::infinity()) == "inf");
+    CHECK(hexfloat(std::nan("")) == "nan");
+    CHECK(shortest(0.1) == "0.1");
+}
