@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <future>
+
 namespace touchstone {
 namespace {
 
@@ -33,6 +35,27 @@ std::optional<Exact> exact_result(const Quantity& q, const Inputs& in)
         return std::nullopt;
     }
 }
+
+/// The other routes' balls: computed on threads of their own beside the first route where that pays
+/// (many digits), on demand where it does not.
+class OtherRoutes {
+public:
+    OtherRoutes(const Quantity& q, const Inputs& in, bool at_once)
+    {
+        const auto policy = at_once ? std::launch::async : std::launch::deferred;
+        for (std::size_t i = 1; i < q.routes.size(); ++i)
+            balls_.push_back(std::async(policy, [&route = q.routes[i], &in, at_once, bits = WorkingPrecision::bits()] {
+                const WorkingPrecision precision(bits);
+                Ball b = route.ball(in);
+                if (at_once) flint_cleanup(); // the thread's caches of constants end with it
+                return b;
+            }));
+    }
+    Ball get(std::size_t route) { return balls_[route - 1].get(); }
+
+private:
+    std::vector<std::future<Ball>> balls_;
+};
 
 /// As many digits as the ball decides, up to `digits`; may be none.
 void show_what_is_known(Evaluation& e, long digits)
@@ -72,6 +95,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
     if (exact && exact->is_rational()) return from_rational(exact->rational(), options.digits, {"exact-arithmetic"});
 
     Evaluation e;
+    e.ball = Ball::indeterminate();
     for (const auto& r : q.routes) e.routes.push_back(r.name);
     const slong natural = bits_for_digits(options.digits) + 48;
     const slong limit = options.limit_bits > 0 ? options.limit_bits : 16 * natural + 8192;
@@ -79,13 +103,14 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
         const WorkingPrecision precision(bits);
         try {
             e.bits = bits;
+            OtherRoutes others(q, in, options.digits >= 300);
             e.ball = q.routes.front().ball(in);
             if (const auto r = exact_value(e.ball)) return from_rational(*r, options.digits, e.routes);
             const auto decimal = round_to_digits(e.ball, options.digits);
             if (!decimal) continue;
             bool agreed = true;
             for (std::size_t i = 1; i < q.routes.size() && agreed; ++i) {
-                const Ball other = q.routes[i].ball(in);
+                const Ball other = others.get(i);
                 if (!other.overlaps(e.ball))
                     throw RoutesDisagree(fmt::format("{}: routes '{}' and '{}' give disjoint balls {} and {}", q.name,
                                                      q.routes[0].name, q.routes[i].name, e.ball.to_string(), other.to_string()));
