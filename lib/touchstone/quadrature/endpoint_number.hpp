@@ -444,6 +444,8 @@ struct ScalarTraits<quadrature::EndpointNumber<V>> {
     static N cos_pi(const N& x) { return x.map([](const V& v) { return ScalarTraits<V>::cos_pi(v); }); }
     static N powm1(const N& x, const N& y) { return pow(x, y) - N(1); }
     static N minus_square(const N& a, const N& b) { return a - b * b; }
+    /// Off the positive axis there is no part to cut off: the square root, continued.
+    static N sqrt_positive_part(const N& x) { return sqrt(x); }
     static N hypot(const N& a, const N& b) { return sqrt(a * a + b * b); }
     static N power_of_two(long e) { return N(ScalarTraits<Ball>::power_of_two(e)); }
     static N gamma(const N& x) { return x.map([](const V& v) { return ScalarTraits<V>::gamma(v); }); }

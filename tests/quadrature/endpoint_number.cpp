@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/nodes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+using N = EndpointNumber<ComplexBall>;
+
+N left(const Frame<ComplexBall>& frame) { return {&frame, {1, 0}, {}, ComplexBall(1)}; }
+N right(const Frame<ComplexBall>& frame) { return {&frame, {}, {1, 0}, ComplexBall(1)}; }
+
+ComplexBall at(double x, double y) { return {Ball::exactly(x), Ball::exactly(y)}; }
+
+/// u, r, log u, log r at the point t, from the definition, following log(1 + E) from the real axis.
+struct Point {
+    ComplexBall u, r, log_u, log_r;
+    Point(double x, double y)
+    {
+        const WorkingPrecision precision(200);
+        const ComplexBall t = at(x, y);
+        const ComplexBall w = ComplexBall(pi<Ball>()) * (exp(t) - exp(-t)) / 2;
+        u = 1 / (1 + exp(-w));
+        r = 1 / (1 + exp(w));
+        log_u = x >= 0 ? -log(1 + exp(-w)) : w - log(1 + exp(w));
+        log_r = log_u - w;
+    }
+};
+
+} // namespace
+
+TEST_CASE("a piece of the strip encloses the map at each of its points")
+{
+    const unsigned seed = 1974;
+    MESSAGE("seed " << seed);
+    std::mt19937_64 random(seed);
+    const auto uniform = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    int finite = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Side side = i % 2 ? Side::left : Side::right;
+        const double x1 = uniform(0, 3), x2 = x1 + uniform(0, 0.2), y1 = uniform(0, 1.4), y2 = y1 + uniform(0, 0.1);
+        const StripPiece& piece = StripPiece::at(side, x1, x2, y1, y2);
+        const Point p((side == Side::left ? -1 : 1) * uniform(x1, x2), uniform(y1, y2));
+        CHECK(piece.distance(Side::left).overlaps(p.u));
+        CHECK(piece.distance(Side::right).overlaps(p.r));
+        CHECK(piece.logarithm(Side::left).overlaps(p.log_u));
+        CHECK(piece.logarithm(Side::right).overlaps(p.log_r));
+        // tight: pieces this small are bounded away from nothing but the singular points +-i pi/2
+        if (piece.distance(Side::left).is_finite() && piece.distance(Side::right).is_finite()) ++finite;
+    }
+    CHECK(finite > 1900);
+}
+
+TEST_CASE("a half-infinite piece encloses powers and logarithms at points however far out")
+{
+    std::mt19937_64 random(5);
+    const auto uniform = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    const WorkingPrecision precision(128);
+    for (int i = 0; i < 400; ++i) {
+        const double edge = uniform(1, 2.5), d = uniform(0.1, 1.2);
+        const Side side = i % 2 ? Side::left : Side::right;
+        const StripPiece& piece = StripPiece::at(side, edge, std::numeric_limits<double>::infinity(), 0, d);
+        const double x = edge + (i % 3 ? uniform(0, 0.01) : uniform(0, 2)), y = uniform(0, d);
+        const Point p(side == Side::left ? -x : x, y);
+        const ComplexBall near_log = side == Side::left ? p.log_u : p.log_r;
+        const Ball rho = pi<Ball>() * (Ball::exactly(x).is_exact() ? [&] { Ball s; arb_sinh(s.get(), Ball::exactly(x).get(), 128); return s; }() : Ball(0)) * cos(Ball::exactly(y));
+        for (const auto& [e, k] : {std::pair(Exponent(1), Exponent(0)), {Exponent(1, 3), Exponent(2)}, {Exponent(2), Exponent(-1, 2)}, {Exponent(1, 50), Exponent(3)}, {Exponent(0), Exponent(-2)}}) {
+            const ComplexBall exact = exp(ComplexBall(e.ball()) * near_log) * ComplexBall(pow(rho, k.ball()));
+            CHECK(piece.vanishing(side, e.ball(), k).overlaps(exact));
+        }
+        CHECK(piece.logarithm_over_rho(side).overlaps(near_log / ComplexBall(rho)));
+        CHECK(piece.distance(side).overlaps(side == Side::left ? p.u : p.r));
+        const Side other = side == Side::left ? Side::right : Side::left;
+        CHECK(piece.distance(other).overlaps(other == Side::left ? p.u : p.r));
+        CHECK(piece.logarithm(other).overlaps(other == Side::left ? p.log_u : p.log_r));
+    }
+}
+
+TEST_CASE("a formula of the distances encloses its continuation along the strip, not its principal value")
+{
+    // far out on the strip the image has wound once around the right end
+    const double x = 1.5, y = 1.2;
+    const StripPiece& piece = StripPiece::at(Side::right, x, x, y, y);
+    const Point p(x, y);
+    CHECK(arb_gt(touchstone::abs(p.log_r.imag()).get(), pi<Ball>().get()));
+    const ComplexBall continued = exp(p.log_r / 2);
+    CHECK(sqrt(right(piece)).value().overlaps(continued));
+    CHECK_FALSE(touchstone::sqrt(p.r).overlaps(continued)); // here the principal root has the other sign
+    CHECK(sqrt(right(piece) * (1 + left(piece))).value().overlaps(continued * touchstone::sqrt(1 + p.u)));
+}
+
+TEST_CASE("sums keep the smaller exponent, products add, all exactly")
+{
+    const StripPiece& piece = StripPiece::at(Side::left, 0.5, 0.6, 0, 0.1);
+    const N l = left(piece), r = right(piece);
+    const N s = to_power(l, Rational(1, 3)) + to_power(l, Rational(1, 2)) * r;
+    CHECK(s.left().power == Exponent(1, 3));
+    CHECK(s.right().power == Exponent(0));
+    const N q = sqrt(l * l * l / r);
+    CHECK(q.left().power == Exponent(3, 2));
+    CHECK(q.right().power == Exponent(-1, 2));
+    CHECK(sin(l).left().power == Exponent(1));
+    CHECK(cos(l).left().power == Exponent(0));
+    CHECK_THROWS_AS(Exponent(1L << 62) * Exponent(4), DomainError);
+}
+
+TEST_CASE("nothing finite comes from nothing: every function of an unknown number is unknown")
+{
+    for (const N& x : {left(StripPiece::everywhere()).map([](const ComplexBall& v) { return v; }), N(ComplexBall(Ball::indeterminate())),
+                       N([] { ComplexBall z; mag_inf(arb_radref(acb_realref(z.get()))); mag_inf(arb_radref(acb_imagref(z.get()))); return z; }())}) {
+        CHECK_FALSE(x.factor().is_finite());
+        for (const N& y : {exp(x), sin(x), cos(x), sqrt(x), log(x), abs(x), sgn(x), atan(x), asin(x), acos(x), x * 0, x - x, x / x, 1 / x, x + 1, to_power(x, Rational(1, 3)), to_power(x, Rational(-2)),
+                           pow(x, Ball(1) / Ball(3)), gamma_function(x), sin_pi(x), cos_pi(x)})
+            CHECK_FALSE(y.value().is_finite());
+    }
+}
+
+TEST_CASE("functions are non-finite on balls that meet their cuts, finite just beside them")
+{
+    const auto ball = [](double re, double im, double radius) {
+        ComplexBall z = at(re, im);
+        mag_t m;
+        mag_init(m);
+        mag_set_d(m, radius);
+        acb_add_error_mag(z.get(), m);
+        mag_clear(m);
+        return N(z);
+    };
+    for (const bool on : {true, false}) {
+        const double off = on ? 0.05 : 0.15;
+        CHECK(sqrt(ball(-1, off, 0.1)).factor().is_finite() != on);
+        CHECK(log(ball(-1, off, 0.1)).factor().is_finite() != on);
+        CHECK(to_power(ball(-1, off, 0.1), Rational(1, 3)).factor().is_finite() != on);
+        CHECK(asin(ball(2, off, 0.1)).factor().is_finite() != on);
+        CHECK(asin(ball(-2, -off, 0.1)).factor().is_finite() != on);
+        CHECK(acos(ball(2, off, 0.1)).factor().is_finite() != on);
+        CHECK(atan(ball(off, 2, 0.1)).factor().is_finite() != on);
+        CHECK(atan(ball(-off, -2, 0.1)).factor().is_finite() != on);
+        CHECK(abs(ball(off, 1, 0.1)).factor().is_finite() != on);
+        CHECK(sgn(ball(off, 1, 0.1)).factor().is_finite() != on);
+        CHECK((1 / ball(off, 0, 0.1)).factor().is_finite() != on);
+    }
+}
+
+TEST_CASE("cached nodes are the map at t = k h")
+{
+    for (const long m : {3L, 7L, 40L}) {
+        const auto table = NodeTable::get(m, 3 * m, 300, 0.5);
+        const WorkingPrecision precision(400);
+        for (long k = 0; k <= 3 * m; k += 5) {
+            const Node node(*table, k, Side::right);
+            Ball log2;
+            arb_const_log2(log2.get(), 400);
+            const Ball t = log2 * k / m;
+            const Ball w = pi<Ball>() * (exp(t) - exp(-t)) / 2;
+            CHECK(node.distance(Side::right).overlaps(1 / (1 + exp(w))));
+            CHECK(node.distance(Side::left).overlaps(1 / (1 + exp(-w))));
+            CHECK(node.logarithm(Side::right).overlaps(-log(1 + exp(w))));
+            CHECK(node.cosh().overlaps((exp(t) + exp(-t)) / 2));
+            CHECK(node.distance(Side::right).relative_bits() > 60);
+            if (k < m) CHECK(node.distance(Side::right).relative_bits() > 290);
+            const Exponent p(5, 4), q(-2, 7);
+            CHECK(node.monomial(p, q).overlaps(exp(p.ball() * node.logarithm(Side::left) + q.ball() * node.logarithm(Side::right))));
+        }
+    }
+}
