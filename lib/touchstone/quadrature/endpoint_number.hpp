@@ -91,6 +91,11 @@ private:
     }
     static Exponent make(Wide n, Wide d)
     {
+        constexpr Wide small = Wide(1) << 62;
+        if (n < small && n > -small && d < small) {
+            const long g = std::gcd(static_cast<long>(n), static_cast<long>(d));
+            return raw(static_cast<long>(n) / g, static_cast<long>(d) / g);
+        }
         Wide x = n < 0 ? -n : n, y = d;
         while (y != 0) { const Wide t = x % y; x = y; y = t; }
         if (x == 0) return Exponent(0);

@@ -5,9 +5,10 @@
 #include "touchstone/quadrature/strip.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
 #include <sstream>
+#include <tuple>
 
 namespace touchstone::quadrature {
 
@@ -154,6 +155,7 @@ private:
     Ball piece_bound(Side side, double x1, double x2, double d);
     Ball tail(const End& e, double d) const;
     Ball strip_integral(double d, const End& left, const End& right);
+    Ball strip_integral_by_pieces(double d, const End& left, const End& right);
     void fail(const StripPiece& piece, const char* what);
 
     const PanelFunction<ComplexBall>& f_;
@@ -269,6 +271,28 @@ Ball StripProof::tail(const End& e, double d) const
 
 Ball StripProof::strip_integral(double d, const End& left, const End& right)
 {
+    if (!is_constant_) return strip_integral_by_pieces(d, left, right);
+    // |c| times an integral that depends on the exponents alone: keep it for the next integrand of this kind
+    using Key = std::tuple<long, long, long, long, double, double, double, double>;
+    thread_local std::map<Key, Ball> known;
+    const auto& p = constant_.left().power;
+    const auto& q = constant_.right().power;
+    const Key key{p.num(), p.den(), q.num(), q.den(), d, left.edge, right.edge, slack_};
+    const Ball size = upper_ball(constant_.factor());
+    if (const auto found = known.find(key); found != known.end()) return upper_ball(size * found->second);
+    if (known.size() > 1000) known.clear();
+    const EndpointNumber<ComplexBall> own = constant_;
+    constant_ = EndpointNumber<ComplexBall>(own.frame(), own.left(), own.right(), ComplexBall(1));
+    End unit_left = left, unit_right = right;
+    unit_left.bound = unit_right.bound = Ball(1);
+    const Ball unit = strip_integral_by_pieces(d, unit_left, unit_right);
+    constant_ = own;
+    known[key] = unit;
+    return upper_ball(size * unit);
+}
+
+Ball StripProof::strip_integral_by_pieces(double d, const End& left, const End& right)
+{
     const Ball half = line(Side::left, 0, left.edge, d, 12, nullptr) + line(Side::right, 0, right.edge, d, 12, nullptr) + tail(left, d) + tail(right, d);
     return upper_ball(half);
 }
@@ -301,7 +325,7 @@ bool StripProof::run(Panel& panel, double bits)
             if (!e.proved || !(Exponent(0) < e.here)) { report_end(e, s); return false; }
         }
         budget_ = std::min(total, pieces + allowance);
-        const double smallest = (c.d - below) / 16;
+        const double smallest = (c.d - below) / 32;
         const bool yes = is_constant_ || (layer(Side::left, 0, c.left.edge, below, c.d, smallest) && layer(Side::right, 0, c.right.edge, below, c.d, smallest));
         budget_ = total;
         return yes;
@@ -317,7 +341,7 @@ bool StripProof::run(Panel& panel, double bits)
             else failed = d;
         }
     };
-    descend(1, 1.0 / 64, 300 + static_cast<long>(nodes_cost / 8));
+    descend(1, 1.0 / 64, 150 + static_cast<long>(nodes_cost / 4));
     if (proved.empty() && failure_u >= 0) descend(0.125, 1e-4, total);
     if (proved.empty()) return false;
     while (proved.size() < 6) {
