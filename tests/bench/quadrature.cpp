@@ -34,7 +34,7 @@ const auto root = [](auto, auto, auto r) { return sqrt(r); };
 const auto area = [](auto p, auto, auto r) {
     using T = decltype(p);
     const T s(load), top = 2 * sqrt(s);
-    return westergaard::density_partial(p, s, T(r * (top + p))) * 2 * asin(sqrt(p / T(G))) / pi<T>();
+    return westergaard::density_partial(p, s, T(sqrt(r * (top + p)))) * 2 * asin(sqrt(p / T(G))) / pi<T>();
 };
 
 struct Timed {
@@ -161,7 +161,7 @@ int main(int count, char** words)
         const auto m_root = [](const Mpfr&, const Mpfr&, const Mpfr& r) { return Mpfr(sqrt(r)); };
         const auto m_area = [](const Mpfr& p, const Mpfr&, const Mpfr& r) {
             const Mpfr s = Mpfr(1) / 10, top = 2 * sqrt(s);
-            return Mpfr(westergaard::density_partial(p, s, Mpfr(r * (top + p))) * 2 * asin(Mpfr(sqrt(p / 4))) / pi<Mpfr>());
+            return Mpfr(westergaard::density_partial(p, s, Mpfr(sqrt(r * (top + p)))) * 2 * asin(Mpfr(sqrt(p / 4))) / pi<Mpfr>());
         };
         if (which == "profile") t = by(m_profile, Interval::finite(-1, 1));
         else if (which == "pole") t = by(m_pole, Interval::finite(0, 1));

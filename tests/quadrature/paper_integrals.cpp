@@ -22,7 +22,7 @@ struct AreaAtScaleOne {
     T operator()(const T& p, const T&, const T& to_edge) const
     {
         const T s(load), edge = 2 * sqrt(s);
-        return westergaard::density_partial(p, s, T(to_edge * (edge + p))) * 2 * asin(sqrt(p / G)) / pi<T>();
+        return westergaard::density_partial(p, s, T(sqrt(to_edge * (edge + p)))) * 2 * asin(sqrt(p / G)) / pi<T>();
     }
     Interval support() const
     {
@@ -85,7 +85,7 @@ TEST_CASE("(2.19): the density integrates to the contact area (2.5) and its mean
         const auto density = [s](auto p, auto to_edge) {
             using T = decltype(p);
             const T load_t(s), edge = 2 * sqrt(load_t);
-            return westergaard::density_partial(p, load_t, T(to_edge * (edge + p)));
+            return westergaard::density_partial(p, load_t, T(sqrt(to_edge * (edge + p))));
         };
         const Interval support = Interval::finite(0, Endpoint([s] { return 2 * sqrt(Ball(s)); }));
         check_integral([density](auto p, auto, auto r) { return density(p, r); }, support, digits, [s] { return 2 * asin(sqrt(Ball(s))) / pi<Ball>(); });

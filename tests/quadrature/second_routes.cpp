@@ -140,7 +140,7 @@ TEST_CASE("(6.7) at n = 1: Arb's integrator on the recursion, ours on the densit
     const Enclosure density = ours([&](auto p, auto, auto r) {
         using T = decltype(p);
         const T s(load), edge = 2 * sqrt(s);
-        return westergaard::density_partial(p, s, T(r * (edge + p))) * 2 * asin(sqrt(p / G)) / pi<T>();
+        return westergaard::density_partial(p, s, T(sqrt(r * (edge + p)))) * 2 * asin(sqrt(p / G)) / pi<T>();
     }, Interval::finite(0, Endpoint([&] { return 2 * sqrt(Ball(load)); })), digits);
     CHECK(recursion->overlaps(density.value));
 }

@@ -73,6 +73,8 @@ public:
     friend Exponent operator*(const Exponent& a, const Exponent& b)
     {
         if (a.n_ == 0 || b.n_ == 0) return Exponent(0);
+        if (a.n_ == 1 && a.d_ == 1) return b;
+        if (b.n_ == 1 && b.d_ == 1) return a;
         return make(static_cast<Wide>(a.n_) * b.n_, static_cast<Wide>(a.d_) * b.d_);
     }
     friend bool operator==(const Exponent& a, const Exponent& b) { return a.n_ == b.n_ && a.d_ == b.d_; }
@@ -280,7 +282,7 @@ public:
 
     friend EndpointNumber operator*(const EndpointNumber& a, const EndpointNumber& b)
     {
-        return {common(a, b), a.p_ + b.p_, a.q_ + b.q_, a.c_ * b.c_};
+        return {common(a, b), a.p_ + b.p_, a.q_ + b.q_, analytic::is_one(b.c_) ? a.c_ : a.c_ * b.c_};
     }
     friend EndpointNumber operator/(const EndpointNumber& a, const EndpointNumber& b)
     {
@@ -440,7 +442,7 @@ namespace touchstone {
 
 /// So that a formula written over Scalar is an integrand as it stands.
 template <class V>
-struct ScalarTraits<quadrature::EndpointNumber<V>> {
+struct ScalarTraits<quadrature::EndpointNumber<V>> : ComposedTraits<quadrature::EndpointNumber<V>> {
     using N = quadrature::EndpointNumber<V>;
     static N integer(long n) { return N(n); }
     static N quotient(long p, long q) { return N(V(Ball(p) / Ball(q))); }
@@ -448,7 +450,6 @@ struct ScalarTraits<quadrature::EndpointNumber<V>> {
     static N sin_pi(const N& x) { return sin(N(ScalarTraits<Ball>::pi()) * x); }
     static N cos_pi(const N& x) { return x.map([](const V& v) { return ScalarTraits<V>::cos_pi(v); }); }
     static N powm1(const N& x, const N& y) { return pow(x, y) - N(1); }
-    static N minus_square(const N& a, const N& b) { return a - b * b; }
     /// Off the positive axis there is no part to cut off: the square root, continued.
     static N sqrt_positive_part(const N& x) { return sqrt(x); }
     static N hypot(const N& a, const N& b) { return sqrt(a * a + b * b); }

@@ -31,6 +31,7 @@ int dyadic_degree(long d)
 /// floor(e) and e - floor(e).
 std::pair<long, Exponent> split(const Exponent& e)
 {
+    if (e.is_integer()) return {e.num(), Exponent(0)};
     long whole = e.num() / e.den();
     if (whole * e.den() > e.num()) --whole;
     return {whole, e - Exponent(whole)};
@@ -63,13 +64,15 @@ NodeTable::NodeTable(long m, long count, slong bits, double decay) : m_(m), coun
     entries_.resize(static_cast<std::size_t>(count + 1));
     for (long k = 0; k <= count; ++k) {
         Entry& entry = entries_[static_cast<std::size_t>(k)];
-        const double w = M_PI * std::sinh(static_cast<double>(k) * M_LN2 / static_cast<double>(m));
-        entry.bits = std::max<slong>(64, std::min<slong>(bits, bits - static_cast<slong>(decay * w / M_LN2) + k / m + 16) + 8);
+        entry.depth = M_PI * std::sinh(static_cast<double>(k) * M_LN2 / static_cast<double>(m));
+        entry.bits = std::max<slong>(64, std::min<slong>(bits, bits - static_cast<slong>(decay * entry.depth / M_LN2) + k / m + 16) + 8);
         if (k >= m) arb_sqr(down[static_cast<std::size_t>(k)].get(), down[static_cast<std::size_t>(k - m)].get(), entry.bits + 2 * octaves + 8);
         const WorkingPrecision p(entry.bits + 8);
         entry.e = down[static_cast<std::size_t>(k)] * up_at(-k);
         entry.far = Ball(1) / (Ball(1) + entry.e);
         entry.near = entry.e * entry.far;
+        entry.cosh = shifted(power_of_two_at(k) + power_of_two_at(-k), -1);
+        entry.weight = entry.cosh * (entry.near * entry.far);
     }
 }
 
@@ -81,9 +84,7 @@ void NodeTable::logs(long k) const
     Ball l;
     arb_log1p(l.get(), entry.e.get(), entry.bits + 8);
     entry.log_far = -l;
-    const long q = k / m_, i = k % m_;
-    const Ball up = shifted(root_[static_cast<std::size_t>(i)], q);
-    const Ball low = i == 0 ? shifted(Ball(1), -q) : shifted(root_[static_cast<std::size_t>(m_ - i)], -q - 1);
+    const Ball up = power_of_two_at(k), low = power_of_two_at(-k);
     entry.minus_w = shifted(pi<Ball>(), -1) * (low - up);
     entry.has_log = true;
 }
@@ -101,13 +102,26 @@ Ball Node::logarithm(Side s) const
     return s == side_ ? entry.minus_w + entry.log_far : entry.log_far;
 }
 
-Ball Node::cosh() const
+const Ball& Node::cosh() const { return table_.entries_[static_cast<std::size_t>(k_)].cosh; }
+
+double Node::depth() const { return table_.entries_[static_cast<std::size_t>(k_)].depth; }
+
+Ball NodeTable::power_of_two_at(long k) const
 {
-    const long m = table_.m_;
-    const long q = k_ / m, i = k_ % m;
-    const Ball up = shifted(table_.root_[static_cast<std::size_t>(i)], q);
-    const Ball low = i == 0 ? shifted(Ball(1), -q) : shifted(table_.root_[static_cast<std::size_t>(m - i)], -q - 1);
-    return shifted(up + low, -1);
+    long q = k / m_, i = k % m_;
+    if (i < 0) {
+        i += m_;
+        --q;
+    }
+    return shifted(root_[static_cast<std::size_t>(i)], q);
+}
+
+Ball Node::weighted(const Exponent& p, const Exponent& q) const
+{
+    // u^(p+1) r^(q+1) costs no division where p or q is negative
+    if (p < Exponent(0) || q < Exponent(0)) return monomial(p + Exponent(1), q + Exponent(1)) * cosh();
+    const Ball& weight = table_.entries_[static_cast<std::size_t>(k_)].weight;
+    return p.is_zero() && q.is_zero() ? weight : monomial(p, q) * weight;
 }
 
 Ball Node::power_by_log(Side s, const Exponent& e) const

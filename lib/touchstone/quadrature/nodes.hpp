@@ -28,7 +28,11 @@ public:
     Ball distance(Side s) const override;
     Ball logarithm(Side s) const override;
     Ball monomial(const Exponent& p, const Exponent& q) const override;
-    Ball cosh() const;
+    /// u^p r^q cosh(t) u r.
+    Ball weighted(const Exponent& p, const Exponent& q) const;
+    const Ball& cosh() const;
+    /// pi sinh(kh), about.
+    double depth() const;
 
 private:
     Ball power_by_log(Side s, const Exponent& e) const override;
@@ -52,12 +56,15 @@ private:
 
     struct Entry {
         Ball near, far;               // E/(1 + E), 1/(1 + E)
+        Ball cosh, weight;            // cosh(kh), cosh(kh) near far
+        double depth = 0;             // pi sinh(kh), about
         mutable Ball minus_w, log_far;
         mutable bool has_log = false;
         Ball e;
         slong bits = 0;
     };
     void logs(long k) const;
+    Ball power_of_two_at(long k) const; // 2^(k/m)
 
     long m_, count_;
     slong bits_;

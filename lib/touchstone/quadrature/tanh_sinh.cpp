@@ -475,14 +475,13 @@ Ball evaluate(ProvedPanel& proved, double log2_tolerance, slong& precision)
     const WorkingPrecision full(bits);
     proved.f.prepare();
     Ball sum(0);
+    const double alpha = p.alpha.to_double(), beta = p.beta.to_double();
     const auto add = [&](long k, Side side) {
-        const double alpha = (side == Side::left ? p.alpha : p.beta).to_double();
-        const double w = M_PI * std::sinh(static_cast<double>(k) * M_LN2 / static_cast<double>(p.m));
-        const WorkingPrecision here(std::max<slong>(40, std::min<slong>(bits, bits - static_cast<slong>(alpha * w / M_LN2) + k / p.m + 4)));
         const Node node(*table, k, side);
+        const slong lost = static_cast<slong>((side == Side::left ? alpha : beta) * node.depth() / M_LN2);
+        const WorkingPrecision here(std::max<slong>(40, std::min<slong>(bits, bits - lost + k / p.m + 4)));
         const EndpointNumber<Ball> g = proved.f.at_node(node);
-        const Ball term = g.factor() * node.monomial(g.left().power + Exponent(1), g.right().power + Exponent(1)) * node.cosh();
-        arb_add(sum.get(), sum.get(), term.get(), bits);
+        arb_addmul(sum.get(), g.factor().get(), node.weighted(g.left().power, g.right().power).get(), bits);
     };
     add(0, Side::right);
     for (long k = 1; k <= p.right_nodes; ++k) add(k, Side::right);
