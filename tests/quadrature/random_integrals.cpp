@@ -74,7 +74,9 @@ TEST_CASE("2000 random integrals of eight families contain their closed forms an
     for (int i = 0; i < 2000; ++i) {
         CAPTURE(seed);
         CAPTURE(i);
-        const Rational a = draw.exponent(), b = draw.exponent();
+        const Rational a = draw.exponent();
+        Rational b = draw.exponent();
+        while (i % 8 == 2 && b.get_den() == 1) b = draw.exponent(); // where the oracle's connection formulas degenerate
         // few digits put the proven terms to the test, many the rounding
         const long digits = i % 40 == 0 ? draw.between(100, 250) : draw.between(1, 50);
         CAPTURE(a.get_str());
@@ -91,7 +93,7 @@ TEST_CASE("2000 random integrals of eight families contain their closed forms an
         case 1: { // a branch point or pole outside, on the left
             const Rational d = draw.distance();
             Rational c = draw.exponent();
-            // where the oracle's connection formulas degenerate
+            // here too
             while (Rational(c - a).get_den() == 1 || Rational(c - b).get_den() == 1) c = draw.exponent();
             e = check_integral([p, q, c, d](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q) * to_power(1 + l / d, Rational(-c)); }, Interval::finite(0, 1), digits,
                                [&] { return beta(Ball(a), Ball(b)) * hypergeometric_2f1(Ball(c), Ball(a), Ball(Rational(a + b)), Ball(Rational(-1 / d))); });
