@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/strip.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 
 namespace touchstone::quadrature {
@@ -35,6 +38,46 @@ std::pair<Ball, Ball> cos_sin(double y) { return {cos(exactly(y)), sin(exactly(y
 Ball sinh_of(double x) { Ball r; arb_sinh(r.get(), exactly(x).get(), strip_bits); return r; }
 Ball cosh_of(double x) { Ball r; arb_cosh(r.get(), exactly(x).get(), strip_bits); return r; }
 
+ComplexBall hull(const ComplexBall& a, const ComplexBall& b)
+{
+    ComplexBall z;
+    acb_union(z.get(), a.get(), b.get(), strip_bits);
+    return z;
+}
+
+struct FarAndNear {
+    ComplexBall far, near, log_one_plus_e; // 1/(1 + E), E/(1 + E), log(1 + E)
+};
+
+/// For E = exp(-w), Re w in [re1, re2] (>= 0), Im w in [im1, im2]. With e = |E|, c = cos Im w, s = sin Im w:
+/// 1 + E = 1 + e c - i e s, D = |1 + E|^2; real and imaginary parts apart, on parts of w small enough for balls.
+FarAndNear far_and_near(const Ball& re1, const Ball& re2, const Ball& im1, const Ball& im2)
+{
+    const auto parts = [](const Ball& a, const Ball& b) {
+        const double width = arf_get_d(arb_midref((b - a).get()), ARF_RND_UP);
+        return std::clamp(static_cast<long>(std::ceil(width / 0.5)), 1L, 4L);
+    };
+    const auto part = [](const Ball& a, const Ball& b, long i, long n) {
+        return touchstone::hull(a + (b - a) * Ball(i) / Ball(n), a + (b - a) * Ball(i + 1) / Ball(n));
+    };
+    const long n = parts(re1, re2), m = parts(im1, im2);
+    std::optional<FarAndNear> all;
+    for (long i = 0; i < n; ++i) {
+        // exp is monotone: from the ends of the part
+        const Ball e = touchstone::hull(exp(-(re1 + (re2 - re1) * Ball(i) / Ball(n))), exp(-(re1 + (re2 - re1) * Ball(i + 1) / Ball(n))));
+        for (long j = 0; j < m; ++j) {
+            const Ball angle = part(im1, im2, j, m);
+            const Ball ec = e * cos(angle), es = e * sin(angle), a = Ball(1) + ec;
+            const Ball d = a * a + es * es;
+            if (!arb_is_positive(d.get())) return {ComplexBall::indeterminate(), ComplexBall::indeterminate(), ComplexBall::indeterminate()};
+            const FarAndNear here{ComplexBall(a / d, es / d), ComplexBall((ec + e * e) / d, -es / d), analytic::log(ComplexBall(a, -es))};
+            if (!all) all = here;
+            else all = FarAndNear{hull(all->far, here.far), hull(all->near, here.near), hull(all->log_one_plus_e, here.log_one_plus_e)};
+        }
+    }
+    return *all;
+}
+
 struct Key {
     std::array<double, 4> corner;
     Side side;
@@ -62,13 +105,12 @@ StripPiece StripPiece::finite(Side side, double x1, double x2, double y1, double
     const auto [c2, s2] = cos_sin(y2);
     const Ball sh1 = sinh_of(x1), sh2 = sinh_of(x2), ch1 = cosh_of(x1), ch2 = cosh_of(x2);
     // every factor is monotone and non-negative on the piece
-    const ComplexBall w(hull(pi * sh1 * c2, pi * sh2 * c1), hull(pi * ch1 * s1, pi * ch2 * s2));
-    const ComplexBall e = exp(-w);
-    const ComplexBall one_plus_e = ComplexBall(1) + e;
-    const ComplexBall log_far = -analytic::log(one_plus_e);
-    const ComplexBall far = ComplexBall(1) / one_plus_e;
+    const Ball re1 = pi * sh1 * c2, re2 = pi * sh2 * c1, im1 = pi * ch1 * s1, im2 = pi * ch2 * s2;
+    const ComplexBall w(hull(re1, re2), hull(im1, im2));
+    const FarAndNear map = far_and_near(re1, re2, im1, im2);
+    const ComplexBall &far = map.far, &near = map.near;
+    const ComplexBall log_far = -map.log_one_plus_e;
     const ComplexBall log_near = log_far - w;
-    const ComplexBall near = e * far;
     const bool left = side == Side::left;
     piece.far_ = left ? conjugate(far) : far;
     piece.near_ = left ? conjugate(near) : near;
