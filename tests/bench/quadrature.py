@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Time tanh-sinh quadrature against others on endpoint-singular integrals.
 
-    python3 tests/bench/quadrature.py BUILD/tests/bench/bench_quadrature [--digits 50,300,3000] [--limit SECONDS]
+    python3 tests/bench/quadrature.py BUILD/tests/bench/bench_quadrature [--digits 50,300,3000] [--limit SECONDS] [--cases ...] [--tools ...]
 
 Needs gp (PARI) and python3-mpmath for their rows; without them those rows say so. Each row is one fresh process: `cold`
 is its first call, tables of nodes included, `warm` the mean of later ones (PARI: with the table of intnuminit).
@@ -85,6 +85,7 @@ def main():
     parser.add_argument("--digits", default="50,300,3000")
     parser.add_argument("--limit", type=float, default=120, help="seconds for one row")
     parser.add_argument("--cases", default=",".join(CASES))
+    parser.add_argument("--tools", default="ours,mpfr,boost,arb,pari,mpmath")
     options = parser.parse_args()
     try:
         from mpmath import mp, mpf, gamma, sqrt, pi
@@ -99,7 +100,8 @@ def main():
                 body = PARI_RUN.replace("BODY", PARI[case]).replace("DIGITS", str(digits))
                 tools["pari"] = ([gp, "-q", "-f", "-s", "1G"], "\n".join(body.splitlines()))
             tools["mpmath"] = ([sys.executable, "-c", MPMATH_RUN.replace("DIGITS", str(digits)).replace("CASE", case)], None)
-            rows = {name: run(command, text, options.limit) for name, (command, text) in tools.items()}
+            wanted = options.tools.split(",")
+            rows = {name: run(command, text, options.limit) for name, (command, text) in tools.items() if name in wanted}
             reference = {"profile": lambda: sqrt(pi) * gamma(mpf(11) / 8) / gamma(mpf(15) / 8), "pole": lambda: mpf(10),
                          "root": lambda: mpf(2) / 3, "area": lambda: None}[case]()
             if reference is None:  # the certified value, of 20 digits more
