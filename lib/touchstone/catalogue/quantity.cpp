@@ -45,6 +45,7 @@ const std::vector<Quantity>& catalogue()
         add_westergaard(q);
         add_weierstrass(q);
         add_peaks(q);
+        add_contact(q);
         add_archard(q);
         add_segments(q);
         return q;

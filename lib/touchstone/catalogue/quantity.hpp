@@ -80,6 +80,7 @@ std::vector<std::string> quantity_names();
 void add_westergaard(std::vector<Quantity>&);
 void add_weierstrass(std::vector<Quantity>&);
 void add_peaks(std::vector<Quantity>&);
+void add_contact(std::vector<Quantity>&);
 void add_archard(std::vector<Quantity>&);
 void add_segments(std::vector<Quantity>&);
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/contact.hpp"
+
+#include "touchstone/catalogue/quantity.hpp"
+
+#include <cmath>
+#include <list>
+#include <memory>
+#include <numbers>
+
+namespace touchstone::transfer {
+namespace {
+
+constexpr std::size_t memory_limit = 300'000'000;
+
+struct Kept {
+    Scheme scheme;
+    double accuracy;
+    std::string G; ///< the ball of G: a discretisation is valid for every G in it
+    std::shared_ptr<Discretisation> made;
+};
+std::mutex kept_mutex;
+std::list<Kept> kept; // most recently used first
+
+std::shared_ptr<Discretisation> discretisation(Scheme scheme, double accuracy, const std::function<Ball()>& G_at)
+{
+    std::string G;
+    {
+        const WorkingPrecision precision(Discretisation::bits_for(accuracy));
+        G = G_at().dump();
+    }
+    const std::lock_guard lock(kept_mutex); // also keeps two threads from building the same one
+    for (auto it = kept.begin(); it != kept.end(); ++it)
+        if (it->scheme == scheme && it->accuracy == accuracy && it->G == G) {
+            kept.splice(kept.begin(), kept, it);
+            return it->made;
+        }
+    auto made = std::make_shared<Discretisation>(scheme, G_at, accuracy);
+    kept.push_front({scheme, accuracy, G, made});
+    std::size_t held = 0, count = 0;
+    for (auto it = kept.begin(); it != kept.end();) {
+        held += it->made->memory();
+        it = ++count > 2 && held > memory_limit ? kept.erase(it) : std::next(it);
+    }
+    return made;
+}
+
+/// The accuracy, in nats, that F is to be known with for the value to have the digits the thread's precision asks for.
+double accuracy_wanted(const Ball& load)
+{
+    const double base = std::max(20.0, static_cast<double>(WorkingPrecision::bits() - 48) * std::numbers::ln2);
+    const Ball minus_log = -log(load);
+    const double s = arf_get_d(arb_midref(minus_log.get()), ARF_RND_UP);
+    // an error of F weighs load^(-1/4) in the value; and rows must reach load
+    const double light = s <= 32 ? 10 : 8 * std::ceil((s / 4 + 2) / 8);
+    const double reach = s > 30 ? 8 * std::ceil(s / 1.15 / 8) : 0;
+    return std::max(base + light, reach);
+}
+
+struct Prepared {
+    std::shared_ptr<Discretisation> on;
+    Ball load, G;
+};
+Prepared prepare(Scheme scheme, const Arguments& a)
+{
+    const Ball load = a.load();
+    if (!certainly(less(Ball(0), load)) || !certainly(less(load, Ball(2)))) throw BeyondReach("load must be above 0 and at most 1");
+    Prepared p;
+    p.on = discretisation(scheme, accuracy_wanted(load), a.G);
+    const WorkingPrecision precision(p.on->bits());
+    p.load = a.load();
+    p.G = a.G();
+    if (!arb_is_one(p.load.get()) && !certainly(less(p.load, Ball(1)))) throw BeyondReach("load must be at most 1");
+    return p;
+}
+
+} // namespace
+
+Ball area(Scheme scheme, long n, const Arguments& a)
+{
+    const Prepared p = prepare(scheme, a);
+    const Ball F = p.on->force_share(n, p.load);
+    const WorkingPrecision precision(p.on->bits());
+    Ball scale;
+    arb_pow_ui(scale.get(), p.G.get(), static_cast<ulong>(n), precision.bits());
+    return sqrt(p.load) * F / scale;
+}
+
+std::string area_certificate(Scheme scheme, long n, const Arguments& a)
+{
+    return prepare(scheme, a).on->certificate(n);
+}
+
+} // namespace touchstone::transfer

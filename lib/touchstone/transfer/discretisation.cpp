@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/discretisation.hpp"
+
+#include "touchstone/catalogue/quantity.hpp"
+
+#include <flint/fmpz_mat.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace touchstone::transfer {
+namespace {
+
+using Traits = ScalarTraits<Ball>;
+constexpr long longest_chain = 10'000; // levels for which c_m is provided for; c_m increases to its limit
+constexpr long paired_from = 24;       // level from which errors go two steps at a time
+constexpr double up = 1 + 1e-9;        // covers the roundings of any of the double sums below, of < 10^6 terms
+
+double approximate(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
+double upper_double(const Ball& b)
+{
+    const Ball u = upper(b);
+    return arf_get_d(arb_midref(u.get()), ARF_RND_UP);
+}
+/// An upper bound of the radius, as an exact ball.
+Ball radius(const Ball& b)
+{
+    Ball r;
+    arf_set_mag(arb_midref(r.get()), arb_radref(b.get()));
+    return r;
+}
+Ball larger(const Ball& a, const Ball& b) { return certainly(less(a, b)) ? b : a; }
+
+} // namespace
+
+FixedFormat Discretisation::format_for(double accuracy) { return FixedFormat(static_cast<long>(accuracy / std::numbers::ln2 + 40 + 3 * std::log2(std::max(accuracy / 136, 1.0)))); }
+slong Discretisation::bits_for(double accuracy) { return format_for(accuracy).fraction() + 24; }
+
+Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy)
+    : scheme_(scheme), accuracy_(accuracy),
+      format_(format_for(accuracy)), bits_(bits_for(accuracy))
+{
+    const WorkingPrecision precision(bits_);
+    G_ = G_at();
+    if (!certainly(less(Ball(2), G_))) throw BeyondReach("G = gamma^(D-1) must be above 2");
+    if (!certainly(less(G_, Ball(1'000'000'000)))) throw BeyondReach("G = gamma^(D-1) must be below 10^9");
+    log_half_G_ = log(G_ / 2);
+    const double s0 = approximate(log_half_G_);
+
+    {
+        // c_m increases to its limit within 64 levels up to a relative 2^-60; later ones are bounded by that
+        const WorkingPrecision coarse(96);
+        c_ = magnitudes(G_, 128);
+        for (Ball& c : c_) c = upper(c * (1 + Traits::power_of_two(-60)));
+        scale_ = Ball(1);
+        while (!certainly(less(c_.back(), scale_))) scale_ = scale_ * 2;
+    }
+    error_unit_ = static_cast<long>(accuracy / std::numbers::ln2);
+
+    // the grid: from -log x = log(G/2), a little below, to s_last
+    const Ratios all{2 / G_, false};
+    const double V = cut_off(all, accuracy) * (scheme == Scheme::area ? 1.04 : 1);
+    const double s_last = (scheme == Scheme::area ? 1.1 : 1) * std::max(2 * V, accuracy + 4) + 2 * s0 + 2;
+    const double s_first = s0 * (1 - std::ldexp(1.0, -40));
+    if (scheme == Scheme::force_weighted) {
+        const double t0 = std::log(s_first), t1 = std::log(s_last), half = (t1 - t0) / 2 * (1 + 1e-12);
+        const double b = std::numbers::pi / 2 / half; // semi-minor axis: |Im t| < pi/2 keeps Re s > 0
+        const double rho = (b + std::sqrt(1 + b * b)) * (1 - 1e-12);
+        const long p = static_cast<long>(std::ceil((accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
+        blocks_.push_back({(t0 + t1) / 2, half, rho, p, 0});
+    }
+    else {
+        const double blocks = std::ceil(std::log(s_last / s_first) / std::log(4.0));
+        const double ratio = std::pow(s_last / s_first, 1 / blocks), root = std::sqrt(ratio);
+        const double rho = (root + 1) / (root - 1) * (1 - 1e-9); // the ellipse about [s, ratio s] that reaches 0
+        const long p = static_cast<long>(std::ceil((accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
+        double lo = s_first;
+        for (double k = 0; k < blocks; ++k) {
+            const double hi = k + 1 == blocks ? s_last : lo * ratio;
+            blocks_.push_back({(lo + hi) / 2, (hi - lo) / 2, rho, p, blocks_.size() * static_cast<std::size_t>(p)});
+            lo = hi;
+        }
+    }
+    const std::size_t N = blocks_.back().first + static_cast<std::size_t>(blocks_.back().points);
+    if (N > 4000) throw BeyondReach("so many digits this near G = 2 would need more than 4000 nodes");
+    for (const Block& b : blocks_) { // what the bounds assume of a block
+        const WorkingPrecision coarse(96);
+        const Ball half = Ball::exactly(b.half), rho = Ball::exactly(b.rho);
+        const bool inside = scheme == Scheme::force_weighted
+                              ? certainly(less(half * (rho - 1 / rho), Traits::pi()))
+                              : certainly(less(half * (rho + 1 / rho), 2 * Ball::exactly(b.mid)));
+        if (!inside) throw std::logic_error("transfer: an ellipse of interpolation leaves Re s > 0");
+    }
+
+    for (const Block& b : blocks_)
+        for (long i = 0; i < b.points; ++i) {
+            const Ball tau = Traits::cos_pi(Ball(2 * i + 1) / Ball(2 * b.points));
+            Ball s = Ball::exactly(b.mid) + Ball::exactly(b.half) * tau;
+            if (scheme == Scheme::force_weighted) s = exp(s);
+            nodes_.push_back({exp(-s), s});
+        }
+
+    rule_ = scheme == Scheme::force_weighted ? double_exponential_rule(G_, all, accuracy, V) : gauss_panel_rule(G_, all, accuracy, V);
+
+    std::vector<mp_limb_t> moments;
+    moments.reserve(N * N * static_cast<std::size_t>(format_.limbs()));
+    std::vector<Row> rows;
+    for (const Node& n : nodes_) {
+        Row r = row(n.x, n.s, rule_);
+        moments.insert(moments.end(), r.moments.begin(), r.moments.end());
+        r.moments = {};
+        rows.push_back(std::move(r));
+    }
+    matrix_ = nodal(moments, N);
+    moments = {};
+
+    modulus_.resize(N * N);
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    for (std::size_t k = 0; k < N * N; ++k) { // the leading two words, rounded away
+        const mp_limb_t* w = &matrix_[k * limbs];
+        const bool negative = w[limbs - 1] >> 63;
+        const auto magnitude = [&](std::size_t i) { return static_cast<double>(negative ? ~w[i] : w[i]); };
+        modulus_[k] = (std::ldexp(magnitude(limbs - 1), FixedFormat::headroom - 64)
+                       + (limbs > 1 ? std::ldexp(magnitude(limbs - 2) + 2, FixedFormat::headroom - 128) : 0)) * up;
+    }
+    for (std::size_t i = 0; i < N; ++i) {
+        const Budget b = budget(rows[i], nodes_[i].x, rule_);
+        step_error_.push_back(to_error_units(b.total()));
+        worst_.rule = larger(worst_.rule, b.rule);
+        worst_.truncation = larger(worst_.truncation, b.truncation);
+        worst_.interpolation = larger(worst_.interpolation, b.interpolation);
+        worst_.abscissae = larger(worst_.abscissae, b.abscissae);
+        worst_.weights = larger(worst_.weights, b.weights);
+        worst_.entries = larger(worst_.entries, b.entries);
+    }
+}
+
+double Discretisation::to_error_units(const Ball& error) const
+{
+    const double d = upper_double(error * Traits::power_of_two(error_unit_));
+    return (d + 1e-300) * up;
+}
+
+/// The weights and abscissae of the step (R1) at ratio x = e^-s, and its moments sum_q W_q T_k(tau_q).
+Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule& rule) const
+{
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    const std::size_t N = nodes_.size();
+    Row r;
+    r.moments.assign(N * limbs, 0);
+    r.tau_error = r.weight_error = r.total = Ball(0);
+    const Ball gap = 1 - x;
+    const Ball half_G = G_ / 2, root_of_x = sqrt(x), outer = half_G * root_of_x, inner = root_of_x / half_G;
+    std::vector<mp_limb_t> tau(limbs), a(limbs), b(limbs), c(limbs), scratch(2 * limbs);
+    for (const Rule::Node& q : rule.nodes) {
+        const Ball root = sqrt(1 + gap * q.sinh_squared);
+        Ball s_y, weight;
+        if (scheme_ == Scheme::force_weighted) { // g of (R1), with x/y = (G/2) x^(1/2) cosh^2 v / root
+            s_y = log_half_G_ + s / 2 + 2 * q.log_cosh - log(root);
+            weight = q.force_weight * sqrt(outer / root);
+        }
+        else { // (C2) with B = G^-m y^(1/2) F and du = sech^2 v dv
+            const Ball y = inner * root * q.sech_squared;
+            s_y = -log(y);
+            weight = q.area_weight * half_G * sqrt(y) / root;
+        }
+        const double s_near = approximate(s_y);
+        const Block* block = &blocks_.front();
+        for (const Block& candidate : blocks_) {
+            if (scheme_ == Scheme::area && s_near > candidate.mid + candidate.half) continue;
+            block = &candidate;
+            break;
+        }
+        const Ball variable = scheme_ == Scheme::force_weighted ? log(s_y) : s_y;
+        const Ball t = (variable - Ball::exactly(block->mid)) / Ball::exactly(block->half);
+        // tau is taken inside [-1, 1]; what that moves it by counts as error
+        const Ball t_used = certainly(less(Ball(1), t)) ? Ball(1) : certainly(less(t, Ball(-1))) ? Ball(-1) : t;
+        const Ball moved = upper(2 * radius(t) + abs(t_used - t));
+        if (!certainly(less(moved, Traits::power_of_two(-30))))
+            throw BeyondReach("the load is below the reach of the grid");
+        r.tau_error = larger(r.tau_error, moved);
+        r.weight_error = larger(r.weight_error, upper(radius(weight)));
+        r.total += weight;
+        ++r.terms;
+
+        format_.put(tau.data(), at_least(at_most(t_used, Ball(1)), Ball(-1)));
+        format_.put(a.data(), weight);
+        // U_k = W T_k(tau): U_0 = W, U_1 = tau W, U_{k+1} = 2 tau U_k - U_{k-1}
+        mp_limb_t *before = a.data(), *now = b.data(), *next = c.data(), *sum = &r.moments[block->first * limbs];
+        const auto n = static_cast<mp_size_t>(limbs);
+        format_.multiply(now, before, tau.data(), 0, scratch.data());
+        mpn_add_n(sum, sum, before, n);
+        if (block->points > 1) mpn_add_n(sum + n, sum + n, now, n);
+        sum += 2 * n;
+        for (long k = 2; k < block->points; ++k, sum += n) {
+            format_.multiply(next, now, tau.data(), 1, scratch.data());
+            mpn_sub_n(next, next, before, n);
+            mpn_add_n(sum, sum, next, n);
+            mp_limb_t* const free = before;
+            before = now, now = next, next = free;
+        }
+    }
+    return r;
+}
+
+/// Row vectors of moments times, block by block, the matrix C_kj = (2 - [k = 0]) T_k(tau_j)/p: nodal rows.
+std::vector<mp_limb_t> Discretisation::nodal(const std::vector<mp_limb_t>& moments, std::size_t rows) const
+{
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    const std::size_t N = nodes_.size();
+    std::vector<mp_limb_t> result(moments.size());
+    fmpz_t units;
+    fmpz_init(units);
+    for (const Block& block : blocks_) {
+        const slong p = block.points, half = (p + 1) / 2;
+        std::vector<mp_limb_t> cosines(static_cast<std::size_t>(4 * p) * limbs);
+        for (slong m = 0; m < 4 * p; ++m)
+            format_.put(&cosines[static_cast<std::size_t>(m) * limbs], 2 * Traits::cos_pi(Ball(m) / Ball(2 * p)) / Ball(p));
+        // tau_{p-1-j} = -tau_j: the sums over even and over odd k give both values, added and subtracted
+        fmpz_mat_t part[2];
+        for (slong odd : {0, 1}) {
+            const slong terms = (p + 1 - odd) / 2;
+            fmpz_mat_t M, C;
+            fmpz_mat_init(M, static_cast<slong>(rows), terms);
+            fmpz_mat_init(C, terms, half);
+            fmpz_mat_init(part[odd], static_cast<slong>(rows), half);
+            for (std::size_t i = 0; i < rows; ++i)
+                for (slong k = 0; k < terms; ++k)
+                    format_.get(fmpz_mat_entry(M, static_cast<slong>(i), k),
+                                &moments[(i * N + block.first + static_cast<std::size_t>(2 * k + odd)) * limbs]);
+            for (slong k = 0; k < terms; ++k)
+                for (slong j = 0; j < half; ++j) {
+                    const slong m = (2 * k + odd) * (2 * j + 1) % (4 * p);
+                    format_.get(fmpz_mat_entry(C, k, j), &cosines[static_cast<std::size_t>(m) * limbs]);
+                    if (k + odd == 0) fmpz_fdiv_q_2exp(fmpz_mat_entry(C, k, j), fmpz_mat_entry(C, k, j), 1);
+                }
+            fmpz_mat_mul(part[odd], M, C);
+            fmpz_mat_clear(M);
+            fmpz_mat_clear(C);
+        }
+        const auto store = [&](std::size_t i, slong j) {
+            fmpz_fdiv_q_2exp(units, units, static_cast<ulong>(format_.fraction()));
+            format_.put(&result[(i * N + block.first + static_cast<std::size_t>(j)) * limbs], units);
+        };
+        for (std::size_t i = 0; i < rows; ++i)
+            for (slong j = 0; j < half; ++j) {
+                const fmpz *even = fmpz_mat_entry(part[0], static_cast<slong>(i), j), *odd = fmpz_mat_entry(part[1], static_cast<slong>(i), j);
+                fmpz_add(units, even, odd);
+                store(i, j);
+                fmpz_sub(units, even, odd);
+                if (p - 1 - j != j) store(i, p - 1 - j);
+            }
+        fmpz_mat_clear(part[0]);
+        fmpz_mat_clear(part[1]);
+    }
+    fmpz_clear(units);
+    return result;
+}
+
+Budget Discretisation::budget(const Row& r, const Ball& x, const Rule& rule) const
+{
+    const WorkingPrecision coarse(64);
+    Ball interpolation(0), slope(0);
+    long p = 0;
+    for (const Block& b : blocks_) {
+        const Ball rho = Ball::exactly(b.rho);
+        interpolation = larger(interpolation, upper(4 * pow(rho, Ball(1 - b.points)) / (rho - 1)));
+        slope = larger(slope, upper(1 / ((rho + 1 / rho) / 2 - 1 - Traits::power_of_two(-29))));
+        p = std::max(p, b.points);
+    }
+    const Ball u = format_.unit(), total = upper(r.total + r.terms * r.weight_error);
+    Budget b;
+    const Ball fourth_root = sqrt(sqrt(x));
+    b.rule = upper(rule.discretisation * fourth_root);
+    b.truncation = upper(rule.truncation * fourth_root);
+    b.interpolation = upper(total * interpolation);
+    b.abscissae = upper(total * (r.tau_error + u) * slope);
+    b.weights = upper(r.terms * (r.weight_error + u));
+    // moments: u p^2 a term; nodal entries: sum_k |C_kj| <= 2 times that, the C_kj off by 2u, and the last rounding
+    const Ball moment = r.terms * u * p * p;
+    const Ball entry = 2 * moment + (p * (total + moment) * 2 + 2) * u;
+    b.entries = upper(static_cast<long>(nodes_.size()) * entry);
+    return b;
+}
+
+void Discretisation::extend_to(long n)
+{
+    const WorkingPrecision precision(bits_);
+    const std::size_t N = nodes_.size();
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    if (n > longest_chain) throw BeyondReach("n must be at most 10000");
+    if (levels_.empty()) { // F_0 = (2/pi) arcsin(sqrt x)/sqrt x
+        Level l;
+        l.values.resize(N * limbs);
+        for (std::size_t i = 0; i < N; ++i) {
+            const Ball root = sqrt(nodes_[i].x);
+            const Ball F = 2 * asin(root) / (Traits::pi() * root) / scale_;
+            format_.put(&l.values[i * limbs], F);
+            l.errors.push_back(to_error_units(scale_ * (radius(F) + format_.unit())));
+        }
+        levels_.push_back(std::move(l));
+    }
+    const double rounding = to_error_units(scale_ * format_.unit());
+    while (static_cast<long>(levels_.size()) <= n) {
+        const std::size_t m = levels_.size() - 1; // from level m to m + 1
+        const Level& last = levels_.back();
+        Level l;
+        l.values.resize(N * limbs);
+        l.errors.resize(N);
+        for (std::size_t i = 0; i < N; ++i) format_.put(&l.values[i * limbs], format_.dot(&matrix_[i * N * limbs], last.values.data(), N));
+        const auto c_of = [&](std::size_t level) { return upper_double(c_[std::min(level, c_.size() - 1)]); };
+        // what a step adds at node i: its budget, the rounding of the stored value, and the weight of the computed values
+        const auto added = [&](std::size_t level, std::size_t i) { return (step_error_[i] * c_of(level) + rounding) * up; };
+        const auto apply = [&](const std::vector<double>& matrix, const std::vector<double>& v, std::size_t i) {
+            double sum = 0;
+            for (std::size_t j = 0; j < N; ++j) sum += matrix[i * N + j] * v[j];
+            return sum * up;
+        };
+        if (static_cast<long>(m) + 1 < paired_from) {
+            for (std::size_t i = 0; i < N; ++i) l.errors[i] = (apply(modulus_, last.errors, i) + added(m, i)) * up;
+        }
+        else {
+            if (square_modulus_.empty()) {
+                // signed doubles near B, each within a relative 2^-52 and 2^-60 absolutely of it
+                std::vector<double> near(N * N), square(N * N), all(N * N);
+                for (std::size_t k = 0; k < N * N; ++k) near[k] = matrix_[(k + 1) * limbs - 1] >> 63 ? -modulus_[k] : modulus_[k];
+                for (std::size_t i = 0; i < N; ++i)
+                    for (std::size_t k = 0; k < N; ++k)
+                        for (std::size_t j = 0; j < N; ++j) {
+                            square[i * N + j] += near[i * N + k] * near[k * N + j];
+                            all[i * N + j] += modulus_[i * N + k] * modulus_[k * N + j];
+                        }
+                // modulus_ exceeds |B| by a relative 2e-9 at most, plus 2^-100: |sum - (BB)_ij| <= 1e-8 sum |B||B| + tiny
+                for (std::size_t k = 0; k < N * N; ++k) square[k] = std::fabs(square[k]) + 1e-8 * all[k] + 1e-20;
+                square_modulus_ = std::move(square);
+            }
+            const Level& two_back = levels_[m - 1];
+            std::vector<double> middle(N);
+            for (std::size_t i = 0; i < N; ++i) middle[i] = added(m - 1, i);
+            for (std::size_t i = 0; i < N; ++i)
+                l.errors[i] = (apply(square_modulus_, two_back.errors, i) + apply(modulus_, middle, i) + added(m, i)) * up;
+        }
+        levels_.push_back(std::move(l));
+    }
+}
+
+const Rule& Discretisation::rule_for(const Ball& x)
+{
+    if (certainly(less(x, 2 / G_))) return rule_;
+    const Ratios one{x, true};
+    const std::string key = x.dump();
+    if (!last_rule_ || last_rule_->first != key) {
+        const double V = cut_off(one, accuracy_);
+        last_rule_.emplace(key, scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, one, accuracy_, V)
+                                                                  : gauss_panel_rule(G_, one, accuracy_, V));
+    }
+    return last_rule_->second;
+}
+
+Ball Discretisation::force_share(long n, const Ball& x)
+{
+    const WorkingPrecision precision(bits_);
+    if (n == 0) return 2 * asin(sqrt(x)) / (Traits::pi() * sqrt(x));
+    const std::lock_guard lock(mutex_);
+    extend_to(n - 1);
+    const Rule& rule = rule_for(x);
+    const Row r = row(x, -log(x), rule);
+    const auto weights = nodal(r.moments, 1);
+    const Level& level = levels_[static_cast<std::size_t>(n - 1)];
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    Ball F = scale_ * format_.dot(weights.data(), level.values.data(), nodes_.size());
+
+    const WorkingPrecision coarse(64);
+    const std::size_t m = std::min(static_cast<std::size_t>(n - 1), c_.size() - 1);
+    Ball error = c_[m] * budget(r, x, rule).total();
+    for (std::size_t j = 0; j < nodes_.size(); ++j) {
+        fmpz_t units;
+        fmpz_init(units);
+        format_.get(units, &weights[j * limbs]);
+        Ball w;
+        arb_set_fmpz(w.get(), units);
+        fmpz_clear(units);
+        error += abs(w) * Traits::power_of_two(-format_.fraction() - error_unit_) * Ball::exactly(level.errors[j]);
+    }
+    arb_add_error(F.get(), upper(error).get());
+    return F;
+}
+
+std::size_t Discretisation::memory() const
+{
+    return 8 * (matrix_.size() + modulus_.size() + square_modulus_.size())
+         + (levels_.empty() ? 0 : levels_.size() * 8 * (levels_[0].values.size() + levels_[0].errors.size()));
+}
+
+std::string Discretisation::certificate(long n)
+{
+    const std::lock_guard lock(mutex_);
+    extend_to(std::max(n - 1, 0L));
+    const auto show = [](const Ball& b) { return Ball(b).to_string(3); };
+    std::string text = fmt::format("{}: {} nodes in {} block(s) of {}, ellipse rho = {:.4g}; {}\n",
+                                   scheme_ == Scheme::force_weighted ? "force-weighted" : "area", nodes_.size(), blocks_.size(),
+                                   blocks_[0].points, blocks_[0].rho, rule_.text);
+    text += fmt::format("  one step adds at most, relative to |F_m| <= c_m: rule {}, cut-off {}, interpolation {}, abscissae {}, weights {}, entries {}\n",
+                        show(worst_.rule), show(worst_.truncation), show(worst_.interpolation), show(worst_.abscissae),
+                        show(worst_.weights), show(worst_.entries));
+    for (long m = 0; m < std::max(n, 1L); ++m) {
+        const auto& e = levels_[static_cast<std::size_t>(m)].errors;
+        text += fmt::format("  level {}: |F_{}| <= {}, error <= {} at every node\n", m, m, show(c_[std::min(static_cast<std::size_t>(m), c_.size() - 1)]),
+                            show(Ball::exactly(*std::max_element(e.begin(), e.end())) * Traits::power_of_two(-error_unit_)));
+    }
+    return text;
+}
+
+} // namespace touchstone::transfer

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The transfer operator of one G, made finite, with everything it leaves out bounded.
+///
+/// F_m = x^(1/2) h_m (chain.hpp) is kept by its values at the N Chebyshev points of one or more blocks of
+/// x_min <= x <= 2/G. One step is the N x N matrix B, B_ij = sum_q W_iq l_j(tau_iq): a quadrature rule (rule.hpp) on
+/// row x_i, its values taken from the interpolant. Two discretisations that have no grid, rule, form or x_min in common:
+///
+/// | scheme         | form of the step       | variable     | blocks               | rule                   |
+/// |----------------|------------------------|--------------|----------------------|------------------------|
+/// | force_weighted | average (C3) of h      | log(-log x)  | one, degree ~ digits | trapezoid, v = c sinh r |
+/// | area           | integral (C2) of B     | -log x       | [s, 4s], [4s, 16s],..| Gauss-Legendre panels   |
+///
+/// **Error of one step.** Let |F_m| <= c_m (Lemma 2, for Re s > 0). Then |(B F_m)_i - F_{m+1}(x_i)| <= eta, the sum of
+///  1. the rule's discretisation and truncation, bounds of rule.hpp times c_m;
+///  2. interpolation, R_i 4 c_m rho^-(p-1)/(rho - 1), R_i = sum_q W_iq: the p Chebyshev points of a block whose ellipse
+///     E_rho lies in Re s > 0 (coefficients <= 2 c_m rho^-k, each k >= p aliased once);
+///  3. the point where the interpolant is evaluated, off by dtau: R_i dtau c_m/((rho + 1/rho)/2 - 1), Cauchy's bound of F';
+///  4. the weights, off by dW: (number of nodes) dW c_m;
+///  5. the matrix entries' rounding: N dB max|F|, from the counts in fixed.hpp and the recurrence of T_k:
+///     an error u in each step contributes at most u (k - j + 1), so sum_q W T_k is off by (nodes) u p^2.
+/// All five are computed for every row and added up in balls.
+///
+/// **Errors over n steps.** e_{m+1} = B e_m + (what the step adds), so |e_{m+1}| <= |B| |e_m| + eta. The spectral
+/// radius of |B| is a little over 1; from level 24 on, |e_{m+2}| <= |B B| |e_m| + |B| eta + eta, whose radius is nearly 1,
+/// keeps the growth negligible. No stability theory is used: the vectors are computed, rounding up.
+///
+/// **Cost.** Rows: N x nodes x p products of fixed-point numbers; then N^2 products for each level and N x nodes
+/// for each load. N and the nodes grow like the number of digits.
+#pragma once
+
+#include "touchstone/transfer/fixed.hpp"
+#include "touchstone/transfer/rule.hpp"
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchstone::transfer {
+
+enum class Scheme { force_weighted, area };
+
+/// How the error bound of one value is made up; each part bounds |error of F|.
+struct Budget {
+    Ball rule, truncation, interpolation, abscissae, weights, entries;
+    Ball total() const { return rule + truncation + interpolation + abscissae + weights + entries; }
+};
+
+class Discretisation {
+public:
+    /// \param G_at encloses G > 2 at the thread's precision, any precision
+    /// \param accuracy F_m is wanted to about e^-accuracy, relative to c_m
+    Discretisation(Scheme, const std::function<Ball()>& G_at, double accuracy);
+
+    /// The precision in bits that G and loads should be given with.
+    slong bits() const { return bits_; }
+    static slong bits_for(double accuracy);
+
+    /// F_n(x) = x^(1/2) h_n(x) for 0 < x <= 1, n >= 0. Thread-safe; levels are computed once.
+    /// \throws BeyondReach where x is below the reach of the grid
+    Ball force_share(long n, const Ball& x);
+
+    /// The certificate: parameters, error budget of a row, and the proven error level by level up to n.
+    std::string certificate(long n);
+
+    std::size_t size() const { return nodes_.size(); }
+    /// Bytes held.
+    std::size_t memory() const;
+
+private:
+    struct Block {
+        double mid, half; ///< of the variable
+        double rho;       ///< ellipse proven inside Re s > 0
+        long points;
+        std::size_t first; ///< index of its first node
+    };
+    struct Row {
+        std::vector<mp_limb_t> moments; ///< sum_q W T_k(tau), by block
+        Ball total;                     ///< sum_q W
+        Ball tau_error, weight_error;
+        long terms = 0;
+    };
+    struct Level {
+        std::vector<mp_limb_t> values; ///< F_m/scale at the nodes
+        std::vector<double> errors;    ///< bounds of their errors in units 2^-error_unit_
+    };
+
+    static FixedFormat format_for(double accuracy);
+    Row row(const Ball& x, const Ball& s, const Rule&) const;
+    /// The row's error bound, divided by c_m, apart from what the level's values carry.
+    Budget budget(const Row&, const Ball& x, const Rule&) const;
+    std::vector<mp_limb_t> nodal(const std::vector<mp_limb_t>& moments, std::size_t rows) const;
+    void extend_to(long n);
+    const Rule& rule_for(const Ball& x);
+    double to_error_units(const Ball&) const;
+
+    Scheme scheme_;
+    double accuracy_;
+    FixedFormat format_;
+    slong bits_;
+    Ball G_, log_half_G_;
+    Rule rule_;
+    std::vector<Block> blocks_;
+    struct Node { Ball x, s; };
+    std::vector<Node> nodes_;
+    std::vector<mp_limb_t> matrix_;       ///< B, N x N fixed-point numbers
+    std::vector<double> modulus_;         ///< |B|, rounded up
+    std::vector<double> square_modulus_;  ///< |B B|, rounded up; made when needed
+    std::vector<double> step_error_;      ///< eta_i/c_m in error units
+    Budget worst_;                        ///< componentwise largest over the rows
+    std::vector<Ball> c_;
+    Ball scale_;                          ///< power of two >= every c_m in use
+    long error_unit_;
+    std::vector<Level> levels_;
+    std::optional<std::pair<std::string, Rule>> last_rule_; ///< of the last load above 2/G
+    std::mutex mutex_;
+};
+
+} // namespace touchstone::transfer
