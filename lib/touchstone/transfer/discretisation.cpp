@@ -15,7 +15,7 @@ namespace {
 
 using Traits = ScalarTraits<Ball>;
 constexpr long longest_chain = 10'000; // levels for which c_m is provided for; c_m increases to its limit
-constexpr long paired_from = 24;       // level from which errors go two steps at a time
+constexpr std::size_t most_powers = 7;  // |B|, |B^2|, ... |B^64|
 constexpr double up = 1 + 1e-9;        // covers the roundings of any of the double sums below, of < 10^6 terms
 
 double approximate(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
@@ -116,18 +116,25 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     matrix_ = nodal(moments, N);
     moments = {};
 
-    modulus_.resize(N * N);
+    near_power_.resize(N * N);
     const auto limbs = static_cast<std::size_t>(format_.limbs());
-    for (std::size_t k = 0; k < N * N; ++k) { // the leading two words, rounded away
+    for (std::size_t k = 0; k < N * N; ++k) { // the leading two words: a relative 2^-51 and, in all, 2^-110 from the entry
         const mp_limb_t* w = &matrix_[k * limbs];
         const bool negative = w[limbs - 1] >> 63;
-        const auto magnitude = [&](std::size_t i) { return static_cast<double>(negative ? ~w[i] : w[i]); };
-        modulus_[k] = (std::ldexp(magnitude(limbs - 1), FixedFormat::headroom - 64)
-                       + (limbs > 1 ? std::ldexp(magnitude(limbs - 2) + 2, FixedFormat::headroom - 128) : 0)) * up;
+        const auto word = [&](std::size_t i) { return static_cast<double>(negative ? ~w[i] : w[i]); };
+        const double magnitude = std::ldexp(word(limbs - 1), FixedFormat::headroom - 64)
+                               + (limbs > 1 ? std::ldexp(word(limbs - 2), FixedFormat::headroom - 128) : 0);
+        near_power_[k] = negative ? -magnitude : magnitude;
     }
+    near_error_ = std::ldexp(1.0, -50);
+    majorant_ = near_power_;
+    for (double& m : majorant_) m = std::fabs(m) * up + 1e-30;
+    powers_.push_back(majorant_);
+    const Ball c_limit = c_.back();
+    const Ball rounding = scale_ * format_.unit();
     for (std::size_t i = 0; i < N; ++i) {
         const Budget b = budget(rows[i], nodes_[i].x, rule_);
-        step_error_.push_back(to_error_units(b.total()));
+        step_error_.push_back(to_error_units(c_limit * b.total() + 2 * rounding));
         worst_.rule = larger(worst_.rule, b.rule);
         worst_.truncation = larger(worst_.truncation, b.truncation);
         worst_.interpolation = larger(worst_.interpolation, b.interpolation);
@@ -285,78 +292,100 @@ Budget Discretisation::budget(const Row& r, const Ball& x, const Rule& rule) con
     return b;
 }
 
+/// From |B^p| to |B^2p|. near_power_ = B^p + D with |D| <= near_error_ majorant_, majorant_ = |B|^p:
+/// the product of two such is off by (2 near_error_ + near_error_^2) majorant_^2 and its own rounding.
+void Discretisation::square_power()
+{
+    const std::size_t N = nodes_.size();
+    std::vector<double> near(N * N), majorant(N * N);
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t k = 0; k < N; ++k) {
+            const double a = near_power_[i * N + k], b = majorant_[i * N + k];
+            for (std::size_t j = 0; j < N; ++j) near[i * N + j] += a * near_power_[k * N + j];
+            for (std::size_t j = 0; j < N; ++j) majorant[i * N + j] += b * majorant_[k * N + j];
+        }
+    near_error_ = 2.1 * near_error_ + static_cast<double>(N + 4) * std::ldexp(1.0, -52);
+    std::vector<double> modulus(N * N);
+    for (std::size_t k = 0; k < N * N; ++k) {
+        majorant[k] *= up;
+        modulus[k] = (std::fabs(near[k]) + near_error_ * majorant[k]) * up;
+    }
+    near_power_ = std::move(near);
+    majorant_ = std::move(majorant);
+    powers_.push_back(std::move(modulus));
+}
+
+/// W(level + 1)
+std::vector<double> Discretisation::errors_of(std::size_t level)
+{
+    const std::size_t terms = level + 1, N = nodes_.size();
+    if (terms == 1) return step_error_;
+    // a further power is worth its cost once the bounds have grown by three digits, four, ...
+    const double growth = *std::max_element(levels_.back().errors.begin(), levels_.back().errors.end())
+                        / *std::max_element(step_error_.begin(), step_error_.end());
+    if (powers_.size() < most_powers && growth > std::pow(10.0, static_cast<double>(powers_.size() + 2)) && terms >= (std::size_t{2} << powers_.size()))
+        square_power();
+    std::size_t r = powers_.size() - 1;
+    while ((std::size_t{1} << r) > terms / 2) --r;
+    const std::size_t p = std::size_t{1} << r;
+    const std::vector<double>& rest = levels_[terms - p - 1].errors; // W(terms - p)
+    const std::vector<double>& sum = levels_[p - 1].errors;          // W(p)
+    std::vector<double> e(N);
+    for (std::size_t i = 0; i < N; ++i) {
+        double total = 0;
+        for (std::size_t j = 0; j < N; ++j) total += powers_[r][i * N + j] * rest[j];
+        e[i] = (total * up + sum[i]) * up;
+    }
+    return e;
+}
+
 void Discretisation::extend_to(long n)
 {
     const WorkingPrecision precision(bits_);
     const std::size_t N = nodes_.size();
     const auto limbs = static_cast<std::size_t>(format_.limbs());
     if (n > longest_chain) throw BeyondReach("n must be at most 10000");
-    if (levels_.empty()) { // F_0 = (2/pi) arcsin(sqrt x)/sqrt x
-        Level l;
-        l.values.resize(N * limbs);
-        for (std::size_t i = 0; i < N; ++i) {
-            const Ball root = sqrt(nodes_[i].x);
-            const Ball F = 2 * asin(root) / (Traits::pi() * root) / scale_;
-            format_.put(&l.values[i * limbs], F);
-            l.errors.push_back(to_error_units(scale_ * (radius(F) + format_.unit())));
-        }
-        levels_.push_back(std::move(l));
-    }
-    const double rounding = to_error_units(scale_ * format_.unit());
     while (static_cast<long>(levels_.size()) <= n) {
-        const std::size_t m = levels_.size() - 1; // from level m to m + 1
-        const Level& last = levels_.back();
         Level l;
         l.values.resize(N * limbs);
-        l.errors.resize(N);
-        for (std::size_t i = 0; i < N; ++i) format_.put(&l.values[i * limbs], format_.dot(&matrix_[i * N * limbs], last.values.data(), N));
-        const auto c_of = [&](std::size_t level) { return upper_double(c_[std::min(level, c_.size() - 1)]); };
-        // what a step adds at node i: its budget, the rounding of the stored value, and the weight of the computed values
-        const auto added = [&](std::size_t level, std::size_t i) { return (step_error_[i] * c_of(level) + rounding) * up; };
-        const auto apply = [&](const std::vector<double>& matrix, const std::vector<double>& v, std::size_t i) {
-            double sum = 0;
-            for (std::size_t j = 0; j < N; ++j) sum += matrix[i * N + j] * v[j];
-            return sum * up;
-        };
-        if (static_cast<long>(m) + 1 < paired_from) {
-            for (std::size_t i = 0; i < N; ++i) l.errors[i] = (apply(modulus_, last.errors, i) + added(m, i)) * up;
-        }
-        else {
-            if (square_modulus_.empty()) {
-                // signed doubles near B, each within a relative 2^-52 and 2^-60 absolutely of it
-                std::vector<double> near(N * N), square(N * N), all(N * N);
-                for (std::size_t k = 0; k < N * N; ++k) near[k] = matrix_[(k + 1) * limbs - 1] >> 63 ? -modulus_[k] : modulus_[k];
-                for (std::size_t i = 0; i < N; ++i)
-                    for (std::size_t k = 0; k < N; ++k)
-                        for (std::size_t j = 0; j < N; ++j) {
-                            square[i * N + j] += near[i * N + k] * near[k * N + j];
-                            all[i * N + j] += modulus_[i * N + k] * modulus_[k * N + j];
-                        }
-                // modulus_ exceeds |B| by a relative 2e-9 at most, plus 2^-100: |sum - (BB)_ij| <= 1e-8 sum |B||B| + tiny
-                for (std::size_t k = 0; k < N * N; ++k) square[k] = std::fabs(square[k]) + 1e-8 * all[k] + 1e-20;
-                square_modulus_ = std::move(square);
+        for (std::size_t i = 0; i < N; ++i)
+            if (levels_.empty()) { // F_0 = (2/pi) arcsin(sqrt x)/sqrt x
+                const Ball root = sqrt(nodes_[i].x);
+                const Ball F = 2 * asin(root) / (Traits::pi() * root) / scale_;
+                format_.put(&l.values[i * limbs], F);
+                if (!certainly(less(radius(F), format_.unit()))) throw std::logic_error("transfer: F_0 is not accurate to a unit");
             }
-            const Level& two_back = levels_[m - 1];
-            std::vector<double> middle(N);
-            for (std::size_t i = 0; i < N; ++i) middle[i] = added(m - 1, i);
-            for (std::size_t i = 0; i < N; ++i)
-                l.errors[i] = (apply(square_modulus_, two_back.errors, i) + apply(modulus_, middle, i) + added(m, i)) * up;
-        }
+            else format_.put(&l.values[i * limbs], format_.dot(&matrix_[i * N * limbs], levels_.back().values.data(), N));
+        l.errors = errors_of(levels_.size());
         levels_.push_back(std::move(l));
     }
 }
 
-const Rule& Discretisation::rule_for(const Ball& x)
+/// The step from the grid to one load, kept until another load is asked for.
+const Discretisation::LastStep& Discretisation::step_to(const Ball& x)
 {
-    if (certainly(less(x, 2 / G_))) return rule_;
-    const Ratios one{x, true};
     const std::string key = x.dump();
-    if (!last_rule_ || last_rule_->first != key) {
+    if (last_step_ && last_step_->load == key) return *last_step_;
+    const auto step = [&](const Rule& rule) {
+        const Row r = row(x, -log(x), rule);
+        last_step_.emplace(key, nodal(r.moments, 1), std::vector<double>{}, budget(r, x, rule).total());
+    };
+    if (certainly(less(x, 2 / G_))) step(rule_);
+    else {
+        const Ratios one{x, true};
         const double V = cut_off(one, accuracy_);
-        last_rule_.emplace(key, scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, one, accuracy_, V)
-                                                                  : gauss_panel_rule(G_, one, accuracy_, V));
+        step(scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, one, accuracy_, V) : gauss_panel_rule(G_, one, accuracy_, V));
     }
-    return last_rule_->second;
+    fmpz_t units;
+    fmpz_init(units);
+    for (std::size_t j = 0; j < nodes_.size(); ++j) {
+        format_.get(units, &last_step_->weights[j * static_cast<std::size_t>(format_.limbs())]);
+        Ball w;
+        arb_set_fmpz(w.get(), units);
+        last_step_->modulus.push_back(upper_double(abs(w) * format_.unit()));
+    }
+    fmpz_clear(units);
+    return *last_step_;
 }
 
 Ball Discretisation::force_share(long n, const Ball& x)
@@ -365,32 +394,21 @@ Ball Discretisation::force_share(long n, const Ball& x)
     if (n == 0) return 2 * asin(sqrt(x)) / (Traits::pi() * sqrt(x));
     const std::lock_guard lock(mutex_);
     extend_to(n - 1);
-    const Rule& rule = rule_for(x);
-    const Row r = row(x, -log(x), rule);
-    const auto weights = nodal(r.moments, 1);
+    const LastStep& step = step_to(x);
     const Level& level = levels_[static_cast<std::size_t>(n - 1)];
-    const auto limbs = static_cast<std::size_t>(format_.limbs());
-    Ball F = scale_ * format_.dot(weights.data(), level.values.data(), nodes_.size());
-
+    Ball F = scale_ * format_.dot(step.weights.data(), level.values.data(), nodes_.size());
+    double carried = 0;
+    for (std::size_t j = 0; j < nodes_.size(); ++j) carried += step.modulus[j] * level.errors[j];
     const WorkingPrecision coarse(64);
     const std::size_t m = std::min(static_cast<std::size_t>(n - 1), c_.size() - 1);
-    Ball error = c_[m] * budget(r, x, rule).total();
-    for (std::size_t j = 0; j < nodes_.size(); ++j) {
-        fmpz_t units;
-        fmpz_init(units);
-        format_.get(units, &weights[j * limbs]);
-        Ball w;
-        arb_set_fmpz(w.get(), units);
-        fmpz_clear(units);
-        error += abs(w) * Traits::power_of_two(-format_.fraction() - error_unit_) * Ball::exactly(level.errors[j]);
-    }
+    const Ball error = c_[m] * step.budget + Ball::exactly(carried * up) * Traits::power_of_two(-error_unit_);
     arb_add_error(F.get(), upper(error).get());
     return F;
 }
 
 std::size_t Discretisation::memory() const
 {
-    return 8 * (matrix_.size() + modulus_.size() + square_modulus_.size())
+    return 8 * (matrix_.size() + (powers_.size() + 2) * near_power_.size())
          + (levels_.empty() ? 0 : levels_.size() * 8 * (levels_[0].values.size() + levels_[0].errors.size()));
 }
 

@@ -21,9 +21,11 @@
 ///     an error u in each step contributes at most u (k - j + 1), so sum_q W T_k is off by (nodes) u p^2.
 /// All five are computed for every row and added up in balls.
 ///
-/// **Errors over n steps.** e_{m+1} = B e_m + (what the step adds), so |e_{m+1}| <= |B| |e_m| + eta. The spectral
-/// radius of |B| is a little over 1; from level 24 on, |e_{m+2}| <= |B B| |e_m| + |B| eta + eta, whose radius is nearly 1,
-/// keeps the growth negligible. No stability theory is used: the vectors are computed, rounding up.
+/// **Errors over n steps.** e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases to its
+/// limit), so e_n is a sum of n + 1 terms B^j a. Let W(k) bound |sum of k such terms|, in every component:
+/// W(1) = alpha and W(k + p) = |B^p| W(k) + W(p), for p the largest power of two up to k that |B^p| is kept for.
+/// |B| alone has a spectral radius of 1.05 to 2 and more, for large G; high powers come down to |rank one|. No stability theory is used:
+/// the |B^p| and the W(k) are computed, in `double`, each rounded up by more than its own rounding errors.
 ///
 /// **Cost.** Rows: N x nodes x p products of fixed-point numbers; then N^2 products for each level and N x nodes
 /// for each load. N and the nodes grow like the number of digits.
@@ -84,16 +86,24 @@ private:
     };
     struct Level {
         std::vector<mp_limb_t> values; ///< F_m/scale at the nodes
-        std::vector<double> errors;    ///< bounds of their errors in units 2^-error_unit_
+        std::vector<double> errors;    ///< W(m + 1): bounds of their errors, in units 2^-error_unit_
     };
 
     static FixedFormat format_for(double accuracy);
+    struct LastStep {
+        std::string load;
+        std::vector<mp_limb_t> weights; ///< the load's row, by nodes
+        std::vector<double> modulus;    ///< its absolute values, rounded up
+        Ball budget;                    ///< its error, divided by c_m
+    };
+    const LastStep& step_to(const Ball& x);
     Row row(const Ball& x, const Ball& s, const Rule&) const;
     /// The row's error bound, divided by c_m, apart from what the level's values carry.
     Budget budget(const Row&, const Ball& x, const Rule&) const;
     std::vector<mp_limb_t> nodal(const std::vector<mp_limb_t>& moments, std::size_t rows) const;
     void extend_to(long n);
-    const Rule& rule_for(const Ball& x);
+    void square_power();
+    std::vector<double> errors_of(std::size_t level);
     double to_error_units(const Ball&) const;
 
     Scheme scheme_;
@@ -106,15 +116,17 @@ private:
     struct Node { Ball x, s; };
     std::vector<Node> nodes_;
     std::vector<mp_limb_t> matrix_;       ///< B, N x N fixed-point numbers
-    std::vector<double> modulus_;         ///< |B|, rounded up
-    std::vector<double> square_modulus_;  ///< |B B|, rounded up; made when needed
-    std::vector<double> step_error_;      ///< eta_i/c_m in error units
+    std::vector<std::vector<double>> powers_; ///< |B^(2^r)|, rounded up; r > 0 made when needed
+    std::vector<double> near_power_;      ///< the last power itself, to a relative near_error_ of majorant_
+    std::vector<double> majorant_;        ///< |B|^(2^r)
+    double near_error_ = 0;
+    std::vector<double> step_error_;      ///< alpha, in error units
     Budget worst_;                        ///< componentwise largest over the rows
     std::vector<Ball> c_;
     Ball scale_;                          ///< power of two >= every c_m in use
     long error_unit_;
     std::vector<Level> levels_;
-    std::optional<std::pair<std::string, Rule>> last_rule_; ///< of the last load above 2/G
+    std::optional<LastStep> last_step_;
     std::mutex mutex_;
 };
 

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/paper/archard.hpp"
+#include "touchstone/paper/archard_constants.hpp"
+#include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/series.hpp"
+
+#include <doctest/doctest.h>
+
+#include <thread>
+
+using namespace touchstone;
+using namespace touchstone::transfer;
+
+namespace {
+
+Rational exactly(const char* text) { return *parse_rational(text); }
+
+Arguments at(const char* load, const char* G)
+{
+    return {[load] { return Ball(exactly(load)); }, [G] { return Ball(exactly(G)); }};
+}
+
+Evaluation eval(const char* name, std::map<std::string, Rational> in, long digits)
+{
+    return evaluate(*find_quantity(name), Inputs(std::move(in)), {.digits = digits});
+}
+
+} // namespace
+
+TEST_CASE("the two discretisations overlap, tightly")
+{
+    for (const char* G : {"2.05", "3.1622776601683795", "16", "1000"})
+        for (const char* load : {"1", "0.999", "0.5", "0.01", "1e-12"})
+            for (const long n : {0L, 1L, 2L, 3L, 10L, 100L}) {
+                CAPTURE(G); CAPTURE(load); CAPTURE(n);
+                const WorkingPrecision precision(128);
+                const Ball a = area(Scheme::force_weighted, n, at(load, G)), b = area(Scheme::area, n, at(load, G));
+                CHECK(a.overlaps(b));
+                CHECK(a.relative_bits() > 44);
+                CHECK(b.relative_bits() > 44);
+            }
+}
+
+TEST_CASE("A_2 against a nested integral taken elsewhere")
+{
+    // A_2 at load 1/10, G = sqrt 10, by PARI's intnum of an intnum at 57 digits (tests/bench/nested_area.gp)
+    const WorkingPrecision precision(bits_for_digits(50) + 48);
+    const Ball a = area(Scheme::force_weighted, 2, {[] { return Ball(exactly("0.1")); }, [] { return sqrt(Ball(10)); }});
+    Ball peer(exactly("0.0147826773391939139551944598126151115015416602963043804"));
+    arb_add_error(peer.get(), Ball(exactly("1e-54")).get());
+    CHECK(a.overlaps(peer));
+}
+
+TEST_CASE("the exact power series, a route without quadrature or interpolation")
+{
+    const WorkingPrecision precision(bits_for_digits(30) + 48);
+    for (const char* G : {"2.05", "3.1622776601683795", "16"})
+        for (const char* load : {"0.5", "0.1", "1e-3", "1e-12"})
+            for (long n = 0; n <= 2; ++n) {
+                CAPTURE(G); CAPTURE(load); CAPTURE(n);
+                const Ball series = area_series(n, Ball(exactly(load)), Ball(exactly(G)));
+                CHECK(series.overlaps(area(Scheme::force_weighted, n, at(load, G))));
+                CHECK(series.relative_bits() > 80);
+            }
+}
+
+TEST_CASE("the same G, the same areas, digit for digit: (D, gamma) = (1.5, 16) and (1.25, 256)")
+{
+    for (const long n : {1L, 4L, 20L}) {
+        const Rational N(n), load = exactly("0.1");
+        const auto a = eval("contact.area", {{"n", N}, {"load", load}, {"D", exactly("1.5")}, {"gamma", 16}}, 30);
+        const auto b = eval("contact.area", {{"n", N}, {"load", load}, {"D", exactly("1.25")}, {"gamma", 256}}, 30);
+        CHECK(a.status == Status::certified);
+        CHECK(a.value == b.value);
+    }
+}
+
+TEST_CASE("areas increase with the load, decrease with the scale, and force is conserved in their slope")
+{
+    const WorkingPrecision precision(128);
+    Ball below_all(0);
+    for (const char* load : {"1e-12", "1e-6", "0.001", "0.01", "0.1", "0.3", "0.7", "0.9", "1"}) {
+        Ball last(2);
+        for (const long n : {0L, 1L, 2L, 5L, 20L}) {
+            const Ball a = area(Scheme::force_weighted, n, at(load, "2.25"));
+            CHECK(certainly(less(a, last)));
+            last = a;
+        }
+        const Ball a5 = area(Scheme::force_weighted, 5, at(load, "2.25"));
+        CHECK(certainly(less(below_all, a5)));
+        below_all = a5;
+    }
+    // A_n G^n/load tends to one constant for all loads
+    const Ball heavy = area(Scheme::force_weighted, 100, at("1", "2.25")), light = area(Scheme::force_weighted, 100, at("0.001", "2.25"));
+    const Ball ratio = heavy / light / 1000;
+    CHECK(certainly(less(abs(ratio - 1), Ball(exactly("1e-20")))));
+}
+
+TEST_CASE("light loads: Archard's law (7.18), with the ratio enclosed")
+{
+    const WorkingPrecision precision(128);
+    for (const long n : {1L, 2L, 5L}) {
+        Ball last_gap(1);
+        for (const char* G : {"1e2", "1e4", "1e6"}) { // the whole chain is Hertzian only as G grows as well
+            const Ball load = Ball(exactly("1e-12")), g(exactly(G));
+            const Ball ratio = area(Scheme::force_weighted, n, at("1e-12", G)) / archard::area(n, load, g, archard::K_gamma_product(n));
+            const Ball gap = abs(ratio - 1);
+            CHECK(certainly(less(gap, last_gap)));
+            last_gap = gap;
+        }
+        CHECK(certainly(less(last_gap, Ball(exactly("1e-10")))));
+    }
+}
+
+TEST_CASE("the first scale is (6.6), exact where it is rational")
+{
+    CHECK(eval("contact.area", {{"n", 0}, {"load", exactly("0.25")}, {"G", 3}}, 20).value == "0.33333333333333333333");
+    CHECK(eval("contact.area", {{"n", 0}, {"load", 1}, {"G", 3}}, 20).status == Status::exact);
+}
+
+TEST_CASE("out of reach is said, not guessed")
+{
+    for (const char* G : {"2", "1.5"}) {
+        const auto e = eval("contact.area", {{"n", 1}, {"load", exactly("0.5")}, {"G", exactly(G)}}, 10);
+        CHECK(e.status == Status::undecided);
+        CHECK(e.value == "nan");
+        CHECK(e.note.find("G = gamma^(D-1) <= 2") != std::string::npos);
+    }
+    CHECK(eval("contact.area", {{"n", 1}, {"load", 2}, {"G", 3}}, 10).note.find("load > 1") != std::string::npos);
+    CHECK_THROWS_AS(eval("contact.area", {{"n", -1}, {"load", 1}, {"G", 3}}, 10), DomainError);
+}
+
+TEST_CASE("threads share an operator and get the same digits")
+{
+    std::string value[4];
+    {
+        std::vector<std::jthread> threads;
+        for (std::string& v : value)
+            threads.emplace_back([&v] { v = eval("contact.area", {{"n", 7}, {"load", exactly("0.3")}, {"G", 5}}, 25).value; });
+    }
+    for (const std::string& v : value) CHECK(v == value[0]);
+}
