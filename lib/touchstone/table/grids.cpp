@@ -235,6 +235,25 @@ Rows area_grid()
     return distinct(rows);
 }
 
+/// Partial contact at every scale: G of (D, gamma) = (1.5, 5), (1.5, 10), (1.5, 16) = (1.25, 256).
+Rows contact_area_grid()
+{
+    Rows rows;
+    for (const double G : {2.2360679774997896, 3.1622776601683795, 4.})
+        for (const double s : {0.001, 0.01, 0.1, 1.})
+            for (int n = 0; n <= 20; ++n) rows.push_back({static_cast<double>(n), s, G});
+    return distinct(rows);
+}
+
+Rows segments_count_grid()
+{
+    Rows rows;
+    for (const double g : {5., 10., 16.})
+        for (const double s : {0.001, 0.01, 0.1, 1.})
+            for (int n = 1; n <= 21; ++n) rows.push_back({static_cast<double>(n), s, 1.5, g});
+    return distinct(rows);
+}
+
 Rows segments_grid()
 {
     Rows rows;
@@ -271,6 +290,7 @@ const std::vector<TableSpec>& table_specs()
         {"peaks_f", "peaks.f", digits, f_grid},
         {"peaks_iterate", "peaks.iterate", digits, iterate_grid},
         {"peaks_fixed_point", "peaks.fixed_point", digits, fixed_point_grid},
+        {"contact_area", "contact.area", digits, contact_area_grid},
         {"archard_K", "archard.K", digits, n_grid},
         {"archard_K_inf", "archard.K_inf", 1000, [] { return Rows{{}}; }},
         {"archard_delta", "archard.delta", digits, n_grid},
@@ -278,6 +298,7 @@ const std::vector<TableSpec>& table_specs()
         {"archard_area", "archard.area", digits, area_grid},
         {"archard_segments", "archard.segments", digits, segments_grid},
         {"archard_segments_limit", "archard.segments_limit", digits, segments_grid},
+        {"segments_count", "segments.count", digits, segments_count_grid},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };
     return all;

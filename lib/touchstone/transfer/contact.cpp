@@ -3,9 +3,12 @@
 
 #include "touchstone/catalogue/quantity.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <list>
 #include <memory>
+#include <mutex>
 #include <numbers>
 
 namespace touchstone::transfer {
@@ -13,14 +16,17 @@ namespace {
 
 constexpr std::size_t memory_limit = 300'000'000;
 
+/// One G at one accuracy: made by the first thread to ask, while others go on with theirs.
 struct Kept {
     Scheme scheme;
     double accuracy;
     std::string G; ///< the ball of G: a discretisation is valid for every G in it
+    std::mutex making;
     std::shared_ptr<Discretisation> made;
+    std::atomic<std::size_t> memory = 0;
 };
 std::mutex kept_mutex;
-std::list<Kept> kept; // most recently used first
+std::list<std::shared_ptr<Kept>> kept; // most recently used first
 
 std::shared_ptr<Discretisation> discretisation(Scheme scheme, double accuracy, const std::function<Ball()>& G_at)
 {
@@ -29,20 +35,32 @@ std::shared_ptr<Discretisation> discretisation(Scheme scheme, double accuracy, c
         const WorkingPrecision precision(Discretisation::bits_for(accuracy));
         G = G_at().dump();
     }
-    const std::lock_guard lock(kept_mutex); // also keeps two threads from building the same one
-    for (auto it = kept.begin(); it != kept.end(); ++it)
-        if (it->scheme == scheme && it->accuracy == accuracy && it->G == G) {
-            kept.splice(kept.begin(), kept, it);
-            return it->made;
+    std::shared_ptr<Kept> mine;
+    {
+        const std::lock_guard lock(kept_mutex);
+        const auto found = std::find_if(kept.begin(), kept.end(), [&](const auto& k) {
+            return k->scheme == scheme && k->accuracy == accuracy && k->G == G;
+        });
+        if (found != kept.end()) kept.splice(kept.begin(), kept, found);
+        else {
+            kept.push_front(std::make_shared<Kept>());
+            kept.front()->scheme = scheme;
+            kept.front()->accuracy = accuracy;
+            kept.front()->G = G;
         }
-    auto made = std::make_shared<Discretisation>(scheme, G_at, accuracy);
-    kept.push_front({scheme, accuracy, G, made});
-    std::size_t held = 0, count = 0;
-    for (auto it = kept.begin(); it != kept.end();) {
-        held += it->made->memory();
-        it = ++count > 2 && held > memory_limit ? kept.erase(it) : std::next(it);
+        mine = kept.front();
+        std::size_t held = 0, count = 0;
+        for (auto it = kept.begin(); it != kept.end();) {
+            held += (*it)->memory;
+            it = ++count > 2 && held > memory_limit ? kept.erase(it) : std::next(it);
+        }
     }
-    return made;
+    const std::lock_guard lock(mine->making);
+    if (!mine->made) {
+        mine->made = std::make_shared<Discretisation>(scheme, G_at, accuracy);
+        mine->memory = mine->made->memory();
+    }
+    return mine->made;
 }
 
 /// The accuracy, in nats, that F is to be known with for the value to have the digits the thread's precision asks for.

@@ -15,6 +15,7 @@ namespace {
 
 using Traits = ScalarTraits<Ball>;
 constexpr long longest_chain = 10'000; // levels for which c_m is provided for; c_m increases to its limit
+constexpr std::size_t steps_kept = 16;
 constexpr std::size_t most_powers = 7;  // |B|, |B^2|, ... |B^64|
 constexpr double up = 1 + 1e-9;        // covers the roundings of any of the double sums below, of < 10^6 terms
 
@@ -361,14 +362,19 @@ void Discretisation::extend_to(long n)
     }
 }
 
-/// The step from the grid to one load, kept until another load is asked for.
-const Discretisation::LastStep& Discretisation::step_to(const Ball& x)
+/// The step from the grid to one load; those of the last few loads are kept.
+const Discretisation::Step& Discretisation::step_to(const Ball& x)
 {
     const std::string key = x.dump();
-    if (last_step_ && last_step_->load == key) return *last_step_;
+    const auto known = std::find_if(steps_.begin(), steps_.end(), [&](const Step& s) { return s.load == key; });
+    if (known != steps_.end()) {
+        steps_.splice(steps_.begin(), steps_, known);
+        return *known;
+    }
     const auto step = [&](const Rule& rule) {
         const Row r = row(x, -log(x), rule);
-        last_step_.emplace(key, nodal(r.moments, 1), std::vector<double>{}, budget(r, x, rule).total());
+        steps_.push_front({key, nodal(r.moments, 1), {}, budget(r, x, rule).total()});
+        if (steps_.size() > steps_kept) steps_.pop_back();
     };
     if (certainly(less(x, 2 / G_))) step(rule_);
     else {
@@ -376,16 +382,17 @@ const Discretisation::LastStep& Discretisation::step_to(const Ball& x)
         const double V = cut_off(one, accuracy_);
         step(scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, one, accuracy_, V) : gauss_panel_rule(G_, one, accuracy_, V));
     }
+    Step& made = steps_.front();
     fmpz_t units;
     fmpz_init(units);
     for (std::size_t j = 0; j < nodes_.size(); ++j) {
-        format_.get(units, &last_step_->weights[j * static_cast<std::size_t>(format_.limbs())]);
+        format_.get(units, &made.weights[j * static_cast<std::size_t>(format_.limbs())]);
         Ball w;
         arb_set_fmpz(w.get(), units);
-        last_step_->modulus.push_back(upper_double(abs(w) * format_.unit()));
+        made.modulus.push_back(upper_double(abs(w) * format_.unit()));
     }
     fmpz_clear(units);
-    return *last_step_;
+    return made;
 }
 
 Ball Discretisation::force_share(long n, const Ball& x)
@@ -394,7 +401,7 @@ Ball Discretisation::force_share(long n, const Ball& x)
     if (n == 0) return 2 * asin(sqrt(x)) / (Traits::pi() * sqrt(x));
     const std::lock_guard lock(mutex_);
     extend_to(n - 1);
-    const LastStep& step = step_to(x);
+    const Step& step = step_to(x);
     const Level& level = levels_[static_cast<std::size_t>(n - 1)];
     Ball F = scale_ * format_.dot(step.weights.data(), level.values.data(), nodes_.size());
     double carried = 0;

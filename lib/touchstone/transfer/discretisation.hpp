@@ -35,8 +35,8 @@
 #include "touchstone/transfer/rule.hpp"
 
 #include <functional>
+#include <list>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -90,13 +90,13 @@ private:
     };
 
     static FixedFormat format_for(double accuracy);
-    struct LastStep {
+    struct Step {
         std::string load;
         std::vector<mp_limb_t> weights; ///< the load's row, by nodes
         std::vector<double> modulus;    ///< its absolute values, rounded up
         Ball budget;                    ///< its error, divided by c_m
     };
-    const LastStep& step_to(const Ball& x);
+    const Step& step_to(const Ball& x);
     Row row(const Ball& x, const Ball& s, const Rule&) const;
     /// The row's error bound, divided by c_m, apart from what the level's values carry.
     Budget budget(const Row&, const Ball& x, const Rule&) const;
@@ -126,7 +126,7 @@ private:
     Ball scale_;                          ///< power of two >= every c_m in use
     long error_unit_;
     std::vector<Level> levels_;
-    std::optional<LastStep> last_step_;
+    std::list<Step> steps_; ///< most recently used first
     std::mutex mutex_;
 };
 
