@@ -46,6 +46,9 @@ Inputs typical(const Quantity& q)
         {"archard.segments", inputs({{"n", "7"}, {"load", "0.3"}, {"D", "1.3"}, {"gamma", "5"}})},
         {"archard.segments_limit", inputs({{"n", "7"}, {"load", "0.3"}, {"D", "1.3"}, {"gamma", "5"}})},
         {"contact.area", inputs({{"n", "3"}, {"load", "0.3"}, {"G", "10"}})},
+        {"contact.exceedance", inputs({{"n", "1"}, {"p", "0.7"}, {"load", "0.3"}, {"G", "10"}})},
+        {"contact.density", inputs({{"n", "1"}, {"p", "0.7"}, {"load", "0.3"}, {"G", "10"}})},
+        {"segments.density", inputs({{"n", "2"}, {"a", "0.01"}, {"load", "0.3"}, {"G", "10"}})},
         {"segments.count", inputs({{"n", "3"}, {"load", "0.3"}, {"D", "1.5"}, {"gamma", "100"}})},
         {"segments.max_half_width", inputs({{"n", "7"}, {"load", "0.3"}, {"G", "2.7"}})},
     };
@@ -55,7 +58,7 @@ Inputs typical(const Quantity& q)
 }
 
 /// Quantities whose cost grows with the cube of the digits: asked for 100 digits here, not 1000.
-bool costly(const Quantity& q) { return q.name.starts_with("contact.") || q.name == "segments.count"; }
+bool costly(const Quantity& q) { return q.name.starts_with("contact.") || q.name == "segments.count" || q.name == "segments.density"; }
 
 } // namespace
 

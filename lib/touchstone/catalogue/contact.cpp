@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/formula.hpp"
+#include "touchstone/paper/peaks.hpp"
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/distribution.hpp"
 
 #include <fmt/format.h>
 
@@ -55,6 +57,57 @@ void check_contact(const Inputs& in)
     require_surface(in);
 }
 
+// ---- distributions
+
+using transfer::Law;
+
+/// The largest scale whose distribution is certified.
+constexpr long largest_distribution_n = 1;
+
+/// p_n^max in p*_0: G^{n+1} x_n by (5.2), (5.6).
+Ball highest_pressure(const Inputs& in, long n)
+{
+    const Ball G = in.G_ball();
+    Ball unit;
+    arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n + 1), WorkingPrecision::bits());
+    return unit * peaks::iterate(n, Ball(in.real("load")), G);
+}
+
+bool above_support(const Inputs& in, long n, const Rational& p)
+{
+    const WorkingPrecision precision(256);
+    return certainly(less(highest_pressure(in, n), Ball(p)));
+}
+
+template <class F>
+std::vector<Route> by_both_laws(F f)
+{
+    const auto route = [f](std::string name, Law law) {
+        return Route{std::move(name), [f, law](const Inputs& in) -> Ball { return f(law, in); }};
+    };
+    return {route("forward-pressures", Law::pressures), route("forward-force-chain", Law::force_chain)};
+}
+
+void require_distribution(const Inputs& in, long n)
+{
+    require_partial_contact(in);
+    if (n > largest_distribution_n)
+        throw BeyondReach("the distribution of pressures is certified for the scales n = 0 and 1 only so far");
+}
+
+void check_pressure(const Inputs& in)
+{
+    check_contact(in);
+    require(in.real("p") >= 0, in, "p", ">= 0");
+}
+
+Ball density(Law law, const Inputs& in, long n, const Ball& p)
+{
+    require_distribution(in, n);
+    const Ball load(in.real("load"));
+    return n == 0 ? westergaard::density(p, load) : transfer::density_1(law, p, load, in.G_ball());
+}
+
 } // namespace
 
 void add_contact(std::vector<Quantity>& all)
@@ -67,6 +120,51 @@ void add_contact(std::vector<Quantity>& all)
                    },
                    by_both_schemes([](Scheme s, const Inputs& in) { return transfer::area(s, in.integer("n"), arguments(in)); }),
                    [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); }});
+
+    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; computed for n <= 1, or p = 0, load <= 1, G > 2",
+                   {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
+                   [](const Inputs& in) -> Exact {
+                       if (in.real("load") <= 1 && in.compare_G(2) > 0 && above_support(in, in.integer("n"), in.real("p"))) return Exact(0);
+                       throw NotExact();
+                   },
+                   [] {
+                       const auto f = [](Law law, Scheme scheme, const Inputs& in) -> Ball {
+                           const long n = in.integer("n");
+                           require_partial_contact(in);
+                           if (in.real("p") == 0) return transfer::area(scheme, n, arguments(in));
+                           require_distribution(in, n);
+                           const Ball p(in.real("p")), load(in.real("load"));
+                           return n == 0 ? westergaard::exceedance(p, load) : transfer::exceedance_1(law, p, load, in.G_ball());
+                       };
+                       return std::vector<Route>{
+                           {"forward-pressures", [f](const Inputs& in) { return f(Law::pressures, Scheme::force_weighted, in); }},
+                           {"forward-force-chain", [f](const Inputs& in) { return f(Law::force_chain, Scheme::area, in); }}};
+                   }()});
+
+    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; computed for n <= 1, load <= 1, G > 2",
+                   {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
+                   [](const Inputs& in) -> Exact {
+                       const bool at_zero = in.real("p") == 0 && (in.integer("n") > 0 || in.real("load") < 1); // q ~ p, (2.19)
+                       if (in.real("load") <= 1 && in.compare_G(2) > 0 && (at_zero || above_support(in, in.integer("n"), in.real("p"))))
+                           return Exact(0);
+                       throw NotExact();
+                   },
+                   by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), Ball(in.real("p"))); })});
+
+    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; computed for n <= 2, load <= 1, G > 2",
+                   {"n", "a", "load", "G"}, "density of segments by half-width a (in lambda_n), N^_n lambda_n",
+                   [](const Inputs& in) {
+                       check_contact(in);
+                       require_integer(in, "n", 1, largest_n);
+                       require(in.real("a") >= 0 && in.real("a") <= Rational(1, 2), in, "a", ">= 0 and <= 1/2");
+                   },
+                   {}, by_both_laws([](Law law, const Inputs& in) {
+                       const long n = in.integer("n");
+                       const Ball a(in.real("a")), s = ScalarTraits<Ball>::sin_pi(a);
+                       Ball unit;
+                       arb_pow_ui(unit.get(), in.G_ball().get(), static_cast<ulong>(n), WorkingPrecision::bits());
+                       return pi<Ball>() * unit * ScalarTraits<Ball>::sin_pi(2 * a) * density(law, in, n - 1, unit * s * s);
+                   })});
 
     all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; computed for load <= 1, G > 2",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",

@@ -119,7 +119,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
 
     near_power_.resize(N * N);
     const auto limbs = static_cast<std::size_t>(format_.limbs());
-    for (std::size_t k = 0; k < N * N; ++k) { // the leading two words: a relative 2^-51 and, in all, 2^-110 from the entry
+    for (std::size_t k = 0; k < N * N; ++k) { // the leading two words: within a relative 2^-51 and an absolute 2^-111 of the entry
         const mp_limb_t* w = &matrix_[k * limbs];
         const bool negative = w[limbs - 1] >> 63;
         const auto word = [&](std::size_t i) { return static_cast<double>(negative ? ~w[i] : w[i]); };
@@ -129,7 +129,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     }
     near_error_ = std::ldexp(1.0, -50);
     majorant_ = near_power_;
-    for (double& m : majorant_) m = std::fabs(m) * up + 1e-30;
+    for (double& m : majorant_) m = std::fabs(m) * up + 1e-18; // > 2^-60, so that near_error_ covers 2^-111 too
     powers_.push_back(majorant_);
     const Ball c_limit = c_.back();
     const Ball rounding = scale_ * format_.unit();
