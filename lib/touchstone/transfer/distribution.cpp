@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/distribution.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
-
 #if __has_include(<flint/acb_calc.h>)
 #include <flint/acb_calc.h>
 #else
 #include <acb_calc.h>
 #endif
 
+#include <algorithm>
 #include <functional>
 
 namespace touchstone::transfer {
@@ -174,13 +173,13 @@ struct ForceChain {
 template <class F>
 Ball by_law(Law law, const Ball& p, const Ball& load, const Ball& G, const F& f)
 {
-    if (!certainly(less(Ball(2), G)) || !certainly(less(Ball(0), load)) || !certainly(less(load, Ball(2))))
-        throw BeyondReach("the distribution needs G > 2 and 0 < load <= 1");
-    const slong goal = bits() - 30;
+    const slong goal = std::max(bits() - 30, slong{10});
     const WorkingPrecision guard(bits() + 40);
     const Ball highest = 2 * sqrt(load);
-    if (!certainly(less(Ball(0), p)) || !certainly(less(p, 2 * sqrt(highest * G))))
-        throw BeyondReach("p must be inside the support, 0 < p < p_1^max");
+    const bool proven = certainly(less(Ball(2), G)) && certainly(less(Ball(0), load))
+                     && (arb_is_one(load.get()) || certainly(less(load, Ball(1))))
+                     && certainly(less(Ball(0), p)) && certainly(less(p, 2 * sqrt(highest * G)));
+    if (!proven) return Ball::indeterminate();
     if (law == Law::pressures) return f(Pressures{load, G, highest, goal}).real();
     const Ball shift = log(G / 2), s_0 = -log(load), s_1 = shift + s_0 / 2;
     return f(ForceChain{load, G, {s_0, s_1, shift + s_1 / 2}, goal}).real();

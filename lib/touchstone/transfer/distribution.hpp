@@ -30,8 +30,7 @@ namespace touchstone::transfer {
 
 enum class Law { pressures, force_chain };
 
-/// (6.1)  q_1(p) p*_0 for 0 < p < p_1^max, 0 < load <= 1, G > 2.
-/// \throws BeyondReach where p is not proven to be inside the support
+/// (6.1)  q_1(p) p*_0 for 0 < p < p_1^max, 0 < load <= 1, G > 2; indeterminate where the balls do not prove that.
 Ball density_1(Law, const Ball& p, const Ball& load, const Ball& G);
 
 /// Share of lambda_0 with p_1 > p; the same domain.
