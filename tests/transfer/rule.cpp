@@ -62,6 +62,33 @@ TEST_CASE("both rules agree with closed forms within their proven bounds")
     }
 }
 
+TEST_CASE("the bounds are not idle: with F_0, singular at y = 1, errors come near them")
+{
+    const WorkingPrecision precision(400);
+    for (const char* g : {"2.05", "3.2", "10"}) {
+        const Ball G(*parse_rational(g));
+        const Ratios all{2 / G, false};
+        const Ball& x = all.highest;
+        const auto apply = [&](const Rule& rule) { // F_0 = (2/pi) arcsin(sqrt y)/sqrt y
+            Ball sum(0);
+            for (const auto& q : rule.nodes) {
+                const Ball y = 2 / G * sqrt(x * (1 + (1 - x) * q.sinh_squared)) * q.sech_squared;
+                sum += q.area_weight * q.sech_squared * sqrt(x / y) * 2 * asin(sqrt(y)) / (sqrt(y) * Traits::pi());
+            }
+            return sum;
+        };
+        const double far = cut_off(all, 120); // no truncation worth the name
+        const Ball reference = apply(gauss_panel_rule(G, all, 120, far));
+        for (const bool gauss : {false, true}) {
+            CAPTURE(g); CAPTURE(gauss);
+            const Rule rule = gauss ? gauss_panel_rule(G, all, 30, far) : double_exponential_rule(G, all, 30, far);
+            const Ball off = abs(apply(rule) - reference), bound = rule.discretisation * sqrt(sqrt(x));
+            CHECK(certainly(less(off, bound)));
+            CHECK(certainly(less(bound, off * 10'000'000)));
+        }
+    }
+}
+
 TEST_CASE("bounds of the chain hold at complex points, for every load ratio in the range")
 {
     const WorkingPrecision precision(128);
