@@ -44,15 +44,15 @@ TEST_CASE("the two discretisations overlap, tightly")
 
 TEST_CASE("a ball at low precision holds the value known from a high one, and is not idly wide")
 {
-    for (const char* G : {"2.05", "3.2", "100"})
+    for (const char* G : {"2.05", "10"})
         for (const Scheme scheme : {Scheme::force_weighted, Scheme::area})
-            for (const long n : {1L, 2L, 20L, 60L}) {
+            for (const long n : {1L, 20L, 60L}) {
                 CAPTURE(G); CAPTURE(n);
                 const auto at_bits = [&](slong bits) {
                     const WorkingPrecision precision(bits);
                     return area(scheme, n, at("0.3", G));
                 };
-                const Ball rough = at_bits(100), fine = at_bits(220);
+                const Ball rough = at_bits(100), fine = at_bits(160);
                 CHECK(rough.contains(fine));
                 Ball off;
                 arb_get_mid_arb(off.get(), rough.get());
