@@ -96,7 +96,8 @@ TEST_CASE("(2.19): the density integrates to the contact area (2.5) and its mean
 TEST_CASE("(6.7) at n = 1 agrees with the recursion")
 {
     for (const auto& [load, G] : {std::pair(Rational(1, 10), Rational(4)), {Rational(1, 1000), Rational(3)}, {Rational(1, 2), Rational(4)}}) {
-        for (const long digits : {30L, 100L}) {
+        for (const long digits : {30L, 100L, 1000L}) {
+            if (digits == 1000 && load != Rational(1, 10)) continue; // a second each
             Options options;
             options.digits = digits;
             const AreaAtScaleOne f{load, G};

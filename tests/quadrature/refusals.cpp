@@ -92,3 +92,9 @@ TEST_CASE("an exhausted proof budget is a refusal, not a guess")
     options.proof_budget = 3;
     check_refused([](auto x, auto, auto) { return exp(x); }, Interval::finite(0, 1), options);
 }
+
+TEST_CASE("an exponent too long for exact arithmetic is refused")
+{
+    const Rational fine = 1 - 1 / power(Rational(2), 70);
+    CHECK(mentions(check_refused([fine](auto, auto l, auto) { return to_power(l, fine); }, Interval::finite(0, 1)), "exponent"));
+}

@@ -539,7 +539,7 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
 } // namespace
 
 Enclosure integrate(const MakePanel& make, const Interval& interval, const Options& options)
-{
+try {
     Enclosure result;
     result.value = Ball::indeterminate();
     result.certificate.interval = interval.to_string();
@@ -596,6 +596,12 @@ Enclosure integrate(const MakePanel& make, const Interval& interval, const Optio
     if (!result.value.is_finite()) return refuse("the integrand is not finite at a node");
     result.status = Status::certified;
     return result;
+}
+catch (const DomainError& error) { // an exponent that Exponent cannot hold
+    Enclosure refused;
+    refused.value = Ball::indeterminate();
+    refused.reason = error.what();
+    return refused;
 }
 
 } // namespace detail
