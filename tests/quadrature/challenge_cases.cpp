@@ -47,6 +47,21 @@ TEST_CASE("1/(x^2 + 1e-4) on [-1, 1]: poles close to the middle")
         check_integral([](auto x, auto, auto) { return 1 / (x * x + Rational(1, 10000)); }, Interval::finite(-1, 1), d, [] { return 200 * atan_of(Ball(100)); });
 }
 
+TEST_CASE("branch points just outside the interval: the strip must not reach across their cuts")
+{
+    const Rational e(1, 1000);
+    for (const long d : {3L, 10L, 30L, 100L}) {
+        check_integral([e](auto x, auto, auto) { return sqrt(x + e); }, Interval::finite(0, 1), d, [e] {
+            const Ball low(e), high(Rational(1 + e));
+            return 2 * (high * sqrt(high) - low * sqrt(low)) / 3;
+        });
+        check_integral([e](auto x, auto, auto) { return log(x + e); }, Interval::finite(0, 1), d, [e] {
+            const Ball low(e), high(Rational(1 + e));
+            return high * log(high) - low * log(low) - 1;
+        });
+    }
+}
+
 TEST_CASE("|x - 1/3| on [-1, 1]: refused whole, right in two parts")
 {
     const Rational third(1, 3);
