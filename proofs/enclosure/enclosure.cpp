@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/enclosure/enclosure.hpp"
+
+#include <deque>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+
+namespace touchstone::proofs {
+
+Point point(const std::string& text)
+{
+    Point p;
+    std::istringstream in(text);
+    for (std::string item; in >> item;) {
+        const std::size_t eq = item.find('=');
+        const auto value = eq == std::string::npos ? std::nullopt : parse_rational(item.substr(eq + 1));
+        if (!value) throw std::invalid_argument("not a point: " + item);
+        p[item.substr(0, eq)] = *value;
+    }
+    return p;
+}
+
+std::string str(const Point& p)
+{
+    std::string s;
+    for (const auto& [name, value] : p) s += (s.empty() ? "" : ", ") + name + " = " + value.get_str();
+    return s;
+}
+
+namespace {
+
+Rational rational_of(const GiNaC::numeric& n)
+{
+    std::ostringstream out;
+    out << n;
+    Rational r(out.str());
+    r.canonicalize();
+    return r;
+}
+
+Ball integer_power(const Ball& base, const Rational& e)
+{
+    Ball r;
+    const mpz_class n = e.get_num();
+    if (n >= 0) {
+        arb_pow_ui(r.get(), base.get(), n.get_ui(), WorkingPrecision::bits());
+        return r;
+    }
+    arb_pow_ui(r.get(), base.get(), mpz_class(-n).get_ui(), WorkingPrecision::bits());
+    return Ball(1) / r;
+}
+
+} // namespace
+
+Ball evaluate(const ex& e, const std::map<std::string, Ball>& values)
+{
+    if (GiNaC::is_a<GiNaC::numeric>(e)) {
+        const auto& n = GiNaC::ex_to<GiNaC::numeric>(e);
+        if (!n.is_rational()) throw std::invalid_argument("not an exact number");
+        return Ball(rational_of(n));
+    }
+    if (GiNaC::is_a<GiNaC::constant>(e)) {
+        if (!e.is_equal(GiNaC::Pi)) throw std::invalid_argument("unknown constant");
+        return ScalarTraits<Ball>::pi();
+    }
+    if (GiNaC::is_a<GiNaC::symbol>(e)) {
+        const auto found = values.find(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
+        if (found == values.end()) throw std::invalid_argument("no value for " + GiNaC::ex_to<GiNaC::symbol>(e).get_name());
+        return found->second;
+    }
+    if (GiNaC::is_a<GiNaC::add>(e)) {
+        Ball sum(0);
+        for (const ex& term : e) sum += evaluate(term, values);
+        return sum;
+    }
+    if (GiNaC::is_a<GiNaC::mul>(e)) {
+        Ball product(1);
+        for (const ex& factor : e) product *= evaluate(factor, values);
+        return product;
+    }
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+        const Ball base = evaluate(e.op(0), values);
+        if (GiNaC::is_a<GiNaC::numeric>(e.op(1))) {
+            const Rational exponent = rational_of(GiNaC::ex_to<GiNaC::numeric>(e.op(1)));
+            if (exponent.get_den() == 1) return integer_power(base, exponent);
+            if (exponent.get_den() == 2) return integer_power(sqrt(base), Rational(exponent.get_num()));
+        }
+        return pow(base, evaluate(e.op(1), values));
+    }
+    if (GiNaC::is_a<GiNaC::function>(e)) {
+        const std::string f = GiNaC::ex_to<GiNaC::function>(e).get_name();
+        const Ball x = evaluate(e.op(0), values);
+        if (f == "sin") return sin(x);
+        if (f == "cos") return cos(x);
+        if (f == "asin") return asin(x);
+        if (f == "acos") return acos(x);
+        if (f == "exp") return exp(x);
+        if (f == "log") return log(x);
+        if (f == "abs") return abs(x);
+        if (f == "tgamma") return ScalarTraits<Ball>::gamma(x);
+        if (f == "atan2") return atan2(x, evaluate(e.op(1), values));
+        if (f == "atan") return atan2(x, Ball(1));
+        if (f == "psi") { Ball r; arb_digamma(r.get(), x.get(), WorkingPrecision::bits()); return r; }
+        throw std::invalid_argument("unknown function " + f);
+    }
+    throw std::invalid_argument("cannot evaluate this expression");
+}
+
+Ball evaluate(const ex& e, const Point& p)
+{
+    std::map<std::string, Ball> values;
+    for (const auto& [name, value] : p) values.emplace(name, Ball(value));
+    return evaluate(e, values);
+}
+
+namespace {
+
+/// The values of the symbols that occur.
+Point relevant(const Point& p, const ex& left, const ex& right)
+{
+    Point used;
+    for (const auto& [name, value] : p)
+        if (left.has(sym(name)) || right.has(sym(name))) used.emplace(name, value);
+    return used;
+}
+std::string at(const Point& p) { return p.empty() ? "" : "at " + str(p) + " "; }
+
+} // namespace
+
+Check compare_at(const ex& left, const ex& right, const Points& points)
+{
+    for (const Point& p : points) {
+        const Ball l = evaluate(left, p), r = evaluate(right, p);
+        if (l.is_finite() && r.is_finite() && !l.overlaps(r))
+            return {Verdict::refuted, at(relevant(p, left, right)) + "it is " + l.to_string(8) + ", not " + r.to_string(8)};
+    }
+    return {Verdict::undecided, "not reduced to zero, and no counterexample at the points tried"};
+}
+
+Check less_at(const ex& left, const ex& right, const Points& points)
+{
+    int n = 0;
+    for (const Point& p : points) {
+        const Ball l = evaluate(left, p), r = evaluate(right, p);
+        const Truth t = less(l, r);
+        if (!possibly(t)) return {Verdict::refuted, "at " + str(p) + " it is " + l.to_string(8) + ", not below " + r.to_string(8)};
+        if (!certainly(t)) return {Verdict::undecided, "not decided at " + str(p)};
+        ++n;
+    }
+    return {Verdict::verified, "at " + std::to_string(n) + " points in balls"};
+}
+
+Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces)
+{
+    std::deque<std::vector<Range>> todo{box};
+    int pieces = 0;
+    const Ball zero(0);
+    while (!todo.empty()) {
+        if (++pieces > most_pieces) return {Verdict::undecided, "undecided after " + std::to_string(most_pieces) + " pieces"};
+        std::vector<Range> piece = std::move(todo.front());
+        todo.pop_front();
+        std::map<std::string, Ball> values, middle;
+        std::size_t widest = 0;
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            values.emplace(piece[i].symbol, hull(Ball(piece[i].low), Ball(piece[i].high)));
+            middle.emplace(piece[i].symbol, Ball(Rational((piece[i].low + piece[i].high) / 2)));
+            if (piece[i].high - piece[i].low > piece[widest].high - piece[widest].low) widest = i;
+        }
+        if (certainly(less(zero, evaluate(e, values)))) continue;
+        const Ball at_middle = evaluate(e, middle);
+        if (at_middle.is_finite() && !possibly(less(zero, at_middle))) {
+            std::string where;
+            for (const auto& r : piece) where += " " + r.symbol + " = " + Rational((r.low + r.high) / 2).get_str();
+            return {Verdict::refuted, "at" + where + " it is " + at_middle.to_string(8)};
+        }
+        const Rational cut = (piece[widest].low + piece[widest].high) / 2;
+        std::vector<Range> upper = piece;
+        upper[widest].low = cut;
+        piece[widest].high = cut;
+        todo.push_back(std::move(piece));
+        todo.push_back(std::move(upper));
+    }
+    std::string where;
+    for (const auto& r : box) where += (where.empty() ? "" : ", ") + r.symbol + " in [" + r.low.get_str() + ", " + r.high.get_str() + "]";
+    return {Verdict::proved, "enclosed for " + where + " in " + std::to_string(pieces) + " pieces"};
+}
+
+Check less_than(const Ball& a, const Ball& b, const std::string& what)
+{
+    const Truth t = less(a, b);
+    const std::string numbers = what + ": " + a.to_string(8) + " < " + b.to_string(8);
+    if (certainly(t)) return {Verdict::proved, numbers + " in balls"};
+    if (!possibly(t)) return {Verdict::refuted, what + ": " + a.to_string(8) + " is not below " + b.to_string(8)};
+    return {Verdict::undecided, numbers + " is not decided"};
+}
+
+} // namespace touchstone::proofs

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/ledger.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <stdexcept>
+
+namespace touchstone::data {
+std::string_view verdicts_text();
+}
+
+namespace touchstone::proofs {
+
+std::string_view name(Verdict v)
+{
+    switch (v) {
+    case Verdict::proved: return "proved";
+    case Verdict::verified: return "verified";
+    case Verdict::refuted: return "refuted";
+    case Verdict::definition: return "definition";
+    case Verdict::qualitative: return "qualitative";
+    case Verdict::undecided: return "undecided";
+    }
+    throw std::logic_error("not a verdict");
+}
+
+Argument& Argument::add(const std::string& lemma, const Check& check)
+{
+    ++checks_;
+    finding_.steps.push_back(lemma + " [" + std::string(name(check.verdict)) + ": " + check.detail + "]");
+    const auto rank = [](Verdict v) { // the weakest link decides, a refuted one before all
+        switch (v) {
+        case Verdict::refuted: return 3;
+        case Verdict::undecided: return 2;
+        case Verdict::verified: return 1;
+        default: return 0;
+        }
+    };
+    const std::string why = lemma + ": " + check.detail;
+    if (rank(check.verdict) > rank(worst_)) {
+        worst_ = check.verdict;
+        if (rank(worst_) >= 2) finding_.reason = why;
+    } else if (check.verdict == Verdict::refuted) {
+        finding_.reason += "; " + why;
+    }
+    return *this;
+}
+
+Argument& Argument::note(const std::string& text)
+{
+    finding_.steps.push_back(text);
+    return *this;
+}
+
+Finding Argument::conclude(const std::string& reason, Verdict passed) const
+{
+    Finding f = finding_;
+    if (worst_ == Verdict::refuted || worst_ == Verdict::undecided) {
+        f.verdict = worst_;
+        return f;
+    }
+    f.reason = reason;
+    f.verdict = passed == Verdict::proved && worst_ == Verdict::verified ? Verdict::verified : passed;
+    if (passed == Verdict::proved && checks_ == 0) throw std::logic_error("a proof without a check");
+    return f;
+}
+
+std::vector<std::string> Entry::surviving() const
+{
+    std::vector<std::string> bad;
+    for (const ControlResult& c : controls)
+        if (c.finding.verdict != Verdict::refuted) bad.push_back("control survives as " + std::string(name(c.finding.verdict)) + ": " + c.what);
+    const bool holds = finding.verdict == Verdict::proved || finding.verdict == Verdict::verified;
+    if (holds && controls.empty()) bad.push_back("no control");
+    if (finding.verdict == Verdict::refuted) {
+        if (!corrected) bad.push_back("refuted without a corrected form");
+        else if (corrected->verdict != Verdict::proved) bad.push_back("the corrected form comes out " + std::string(name(corrected->verdict)));
+    }
+    return bad;
+}
+
+Entry run(const Claim& claim, const Print& print)
+{
+    Entry e;
+    e.claim = &claim;
+    e.print = print;
+    e.finding = claim.judge(print);
+    if (claim.correction) e.corrected = claim.judge(print.edited(claim.correction->edits));
+    for (const Control& c : claim.controls) e.controls.push_back({c.what, claim.judge(print.edited(c.edits))});
+    return e;
+}
+
+Verdict expected_verdict(const std::string& id)
+{
+    static const auto recorded = nlohmann::json::parse(data::verdicts_text()).get<std::map<std::string, std::string>>();
+    const std::string& wanted = recorded.at(id);
+    for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::refuted, Verdict::definition, Verdict::qualitative, Verdict::undecided})
+        if (name(v) == wanted) return v;
+    throw std::out_of_range("not a verdict: " + wanted);
+}
+
+const std::vector<Claim>& claims()
+{
+    static const std::vector<Claim> all = [] {
+        std::map<std::string, Claim> by_id;
+        for (auto* section : {&section_2, &section_3, &section_5, &section_6, &section_7, &section_8, &section_9, &table_1, &sentences})
+            for (Claim& c : section())
+                if (!by_id.emplace(c.id, c).second) throw std::logic_error("two claims for " + c.id);
+        std::vector<Claim> ordered;
+        for (const std::string& id : print_order()) {
+            const auto found = by_id.find(id);
+            if (found == by_id.end()) throw std::logic_error("no claim for " + id);
+            ordered.push_back(std::move(found->second));
+            by_id.erase(found);
+        }
+        if (!by_id.empty()) throw std::logic_error("no print for " + by_id.begin()->first);
+        return ordered;
+    }();
+    return all;
+}
+
+} // namespace touchstone::proofs

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/lemmas/area_bounds.hpp"
+
+#include "proofs/lemmas/fixed_point.hpp"
+#include "proofs/lemmas/k_limit.hpp"
+#include "proofs/symbolic/symbolic.hpp"
+
+#include "touchstone/paper/archard.hpp"
+#include "touchstone/scalar/symbol.hpp"
+
+namespace touchstone::proofs {
+
+namespace {
+
+using GiNaC::lst;
+using GiNaC::Pi;
+
+/// The first check that does not prove, or the summary.
+Check all_of(std::initializer_list<Check> checks, const std::string& summary)
+{
+    for (const Check& c : checks)
+        if (c.verdict != Verdict::proved) return c;
+    return {Verdict::proved, summary};
+}
+
+Check fixed_point() { return unique_fixed_point(prints().at("5.4")("rhs"), prints().at("5.5")("rhs")); }
+
+const ex x = sym("x_load"), G = sym("G"), u = sym("u");
+const Points points{"x_load=1/3 G=3 u=1/2 sin_psi=1/2 cos_theta=1/3"};
+/// G in (1, 2) as 2/(1 + v), v = 1/(1 + u) in (0, 1), u > 0.
+const ex G_below_2 = 2 / (1 + 1 / (1 + u));
+
+} // namespace
+
+Check force_weighting()
+{
+    const ex s = sym("sin_psi"), ct = sym("cos_theta");
+    Ring ring;
+    const ex c = ring.root("cos_psi", 1 - s * s);
+    const ex w = ring.root("w", 1 - x * s * s);
+    const ex wave = prints().at("2.4")("rhs");
+    // sin(pi x/lambda) = sqrt(load) s, sin(pi a/lambda) = sqrt(load) (2.5); pressure in p*_n, then over p*_{n+1}
+    const ex squared = pow(wave, 2);
+    Ring angles;
+    const auto [sine, cosine] = angles.angle("w", Pi * sym("x") / sym("lambda"));
+    const auto [edge, edge_cosine] = angles.angle("e", Pi * sym("a") / sym("lambda"));
+    const ex pressure_squared = angles.rewrite(squared).subs(cosine == sqrt(1 - sine * sine)).subs(lst{sine == sqrt(x) * s, edge == sqrt(x), sym("pbar") == x});
+    const ex y = 2 / G * sqrt(x) * c * w;
+    const ex weight = 2 / Pi * sqrt(x) * c / w;
+    const ex psi = sym("psi");
+    const ex position = asin(sqrt(x) * sin(psi)); // pi x/lambda
+    const ex full_y = (x + ct) / G;
+    return all_of({
+        identity(pressure_squared, pow(G * y, 2), points, ring),                                                                  // (2.4) is y
+        identity(pow(2 / Pi * position.diff(GiNaC::ex_to<GiNaC::symbol>(psi)), 2), (pow(weight, 2)).subs(lst{s == sin(psi), c == cos(psi), w == sqrt(1 - x * pow(sin(psi), 2))}), Points{"x_load=1/3 psi=1/2"}), // share of the wave
+        identity(weight * y * G / x, 4 / Pi * c * c, points, ring),                                                               // force-weighted: semicircle law
+        identity(full_y * G / x, 1 + ct / x, points),                                                                             // full contact
+        identity(prints().at("2.2")("rhs").subs(lst{sym("pbar") == x, sym("pstar") == 1, cos(2 * Pi * sym("x") / sym("lambda")) == ct}), full_y * G, points),
+    }, "five identities by normal form; integrals of (4/pi) cos^2 over (0, pi/2) and of 1 + cos/x over (0, pi) with weight 1/pi are one");
+}
+
+Check inverse_root_moment()
+{
+    const Ball constant = 4 / (pi<Ball>() * sqrt(Ball(2)));
+    return all_of({
+        force_weighting(),
+        identity((1 - x * u * u) - (1 - u * u), (1 - x) * u * u, points),            // so y >= (2/G) sqrt(x) (1 - u^2) in partial contact
+        // E[y^(-1/2)] <= (G/2)^(1/2) x^(-1/4) times the integral of (4/pi) sqrt(1 - u^2) (1 - u^2)^(-1/2), which is 4/pi
+        identity(pow(4 / Pi * sqrt(G / 2), 2), 8 * G / (Pi * Pi), Points{"G=3"}),
+        less_than(constant, Ball(1), "4/(pi sqrt 2)"),                              // so E[y^(-1/2)] <= sqrt(G) x^(-1/4)
+        // full contact: sqrt(G)/x times the mean of (x + cos theta)^(1/2), at most sqrt(x) by Cauchy and Schwarz; x^(-1/2) <= x^(-1/4)
+        power_identity(sqrt(G) / x * sqrt(x), sqrt(G) * pow(x, -ex(1) / 2), points),
+        // m_{n+1} <= sqrt(G m_n) (Jensen), which keeps m <= M for M >= G and drives m below every M > G: the fixed point is G
+        power_identity(sqrt(G * G), G, points),
+    }, "y >= (2/G) sqrt(x)(1 - u^2) in partial contact, Cauchy-Schwarz in full contact, then Jensen: m_{n+1} <= sqrt(G m_n) with m_n = E[x_n^(-1/2)], in partial contact with 8 G/pi^2 in place of G");
+}
+
+Check area_bounds()
+{
+    return all_of({
+        force_weighting(),
+        inverse_root_moment(),
+        fixed_point(), // x_n <= X = max(load, x_P)
+        // h(x) <= x^(-1/2): arcsin is convex on (0, 1), so below its chord from 0 to arcsin 1 = pi/2
+        identity(asin(ex(1)), Pi / 2, Points{}),
+        // h(x) >= 2/pi for x < 1, as arcsin(sqrt x) >= sqrt x >= x; h(x) = 1/x >= 1/X for 1 <= x <= X
+        limit_at_zero(asin(sym("t")) / sym("t"), sym("t"), 1, Points{}),
+    }, "A_n = load G^-n E[h(x_n)] with min(2/pi, 1/X) <= h(x) <= x^(-1/2)");
+}
+
+Check hertz_from_below()
+{
+    const ex s = sym("s"), t = sym("t");
+    // (2/pi)(arcsin sqrt(x))/x >= (2/pi)(x^(-1/2) + x^(1/2)/6): the Taylor coefficients of arcsin are positive
+    const ex arcsine = GiNaC::series_to_poly(asin(t).series(t == 0, 5));
+    // one Hertzian step multiplies x^s by G^-s and the factor of (7.13) with delta = s
+    const ex integral = prints().at("7.13")("J.integrand").subs(sym("delta_n") == s);
+    const ex step_of_power = pow(2 / G, s) / Pi; // times the integral, x^((1+s)/2)
+    const ex from_chain = (1 / G) * pow(2 / G, s - 1) * 2 / Pi; // x/G (2/G)^(s-1) x^((s-1)/2), half the symmetric integral of (4/pi)
+    return all_of({
+        force_weighting(),
+        inverse_root_moment(),
+        K_converges(),
+        identity(arcsine, t + pow(t, 3) / 6, Points{"t=1/2"}),
+        power_identity(step_of_power, from_chain, Points{"G=3 s=1/2"}),
+        power_identity(integral, pow(1 - pow(sym("xi"), 2), s / 2), Points{"s=1/2 xi=1/3"}),
+        power_identity(prints().at("7.13")("0.rhs").coeff(sym("J"), 1).subs(sym("delta_n") == s) / sym("K_n"), step_of_power * pow(G, s), Points{"G=3 s=1/2 K_n=1"}),
+        // (2/pi)(1/6) times the least limit of E[x_n^(1/2)] >= 1/E[x_n^(-1/2)] >= pi^2/(8 G)
+        identity(2 / Pi / 6 * Pi * Pi / (8 * G), Pi / (24 * G), points),
+    }, "T keeps order; on x^s with 0 < s <= 1 it is at least its Hertzian limit since (1 - x u^2)^((s-1)/2) >= 1; arcsin t >= t + t^3/6 and E[x^(1/2)] >= 1/E[x^(-1/2)]");
+}
+
+Ball least_excess(const Ball& G_value)
+{
+    return 1 + pi<Ball>() / (24 * G_value * G_value * K_infinity());
+}
+
+Check full_contact_share_stays()
+{
+    // e = (2 - G)/4, q = (2/G)(1 - e) = (2 + G)/(2G) > 1: a step with u^2 <= e takes x <= 1 at least to q sqrt(x)
+    const ex q = (2 + G) / (2 * G), e = (2 - G) / 4;
+    return all_of({
+        inverse_root_moment(),
+        identity(2 / G * (1 - e), q, points),
+        positive((q - 1).subs(G == G_below_2), Points{"u=1"}),
+        positive(e.subs(G == G_below_2), Points{"u=1"}),
+        // Markov: P(x < t) <= sqrt(t) G in the limit, one half at sqrt(t) = 1/(2G)
+        identity(G / (2 * G), ex(1) / 2, points),
+        // the fixed point q^2 of q sqrt(x) is above 1, so a fixed number of such steps takes t above 1
+        power_identity(q * sqrt(pow(sym("y"), 2)), q * sym("y"), Points{"G=3/2 y=2"}),
+        // full contact persists with probability at least arccos(G - 1)/pi: (x + cos theta)/G >= 1 where cos theta >= G - 1
+        positive(((1 + (G - 1)) / G).subs(G == G_below_2), Points{"u=1"}),
+        // the share by number is E[1/x; x >= 1]/E[1/x], E[1/x_n] = G E[h(x_{n-1})] <= G^2 in the limit, 1/x >= 1/x_P
+        force_weighting(),
+    }, "half the force sits at x >= 1/(4G^2) in the limit (Markov); a fixed number of steps with u^2 <= (2 - G)/4 takes it above 1 with positive probability, where it stays with positive probability; the share by number is at least that probability over x_P G^2");
+}
+
+Ball least_full_share(const Ball& G_value, const Ball& root_of_t)
+{
+    const Ball one(1);
+    const Ball p_t = one - G_value * root_of_t;                       // P(x >= t) in the limit
+    const Ball u0_squared = one - G_value / (2 * root_of_t);          // (1 - u^2)^2 >= G^2/(4t) for u below u0
+    const Ball u0 = sqrt(u0_squared);
+    const Ball climb = 2 / pi<Ball>() * (u0 * sqrt(one - u0_squared) + asin(u0)); // semicircle law of u < u0
+    const Ball stay = acos(G_value - 1) / pi<Ball>();
+    const Ball step = at_most(climb, stay);
+    const Ball x_P = 1 / (G_value - 1);
+    return p_t * step / (x_P * G_value * G_value);
+}
+
+Check non_hertzian_share_stays()
+{
+    const ex r = sym("r"); // G = r sqrt(20), 0 < r < 1; 1 - e = (1 + r)/2 > r
+    const ex e = (1 - r) / 2;
+    const ex r_below_1 = 1 / (1 + u);
+    return all_of({
+        inverse_root_moment(),
+        positive(((1 - e) - r).subs(r == r_below_1), Points{"u=1"}),
+        positive(e.subs(r == r_below_1), Points{"u=1"}),
+        // a step with u^2 <= e takes x <= 1 at least to q sqrt(x), q = (2/G)(1 - e) > (2/G) r = 1/sqrt(5): fixed point q^2 > 1/5
+        identity(pow(2 / (r * sqrt(ex(20))) * r, 2), ex(1) / 5, Points{"r=1/2"}),
+        // and keeps x >= 1/5 there: q sqrt(1/5) > 1/5
+        identity(sqrt(ex(1) / 5) * sqrt(ex(1) / 5), ex(1) / 5, Points{}),
+        // from x >= 1 half of the theta give y >= 1/G > 1/5, as G^2 < 20 < 25
+        exactly(Rational(20) < Rational(25), "20 < 25"),
+        identity(G / (2 * G), ex(1) / 2, points),
+        force_weighting(),
+    }, "half the force sits at x >= 1/(4G^2) in the limit (Markov); a fixed number of steps with small u takes it to x >= 1/5 and keeps it there with positive probability; by number the share is at least that over X G^2");
+}
+
+Ball least_non_hertzian_share(const Ball& G_value)
+{
+    const Ball pi2 = pi<Ball>() * pi<Ball>();
+    return pi2 / 32 * (1 - 8 * G_value / (pi2 * sqrt(Ball(5))));
+}
+
+} // namespace touchstone::proofs

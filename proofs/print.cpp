@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/print.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <regex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace touchstone::data {
+std::string_view equations_text();
+std::string_view sentences_text();
+std::string_view table_1_text();
+} // namespace touchstone::data
+
+namespace touchstone::proofs {
+
+ex sym(const std::string& name)
+{
+    // Symbols that may be negative or zero; every other quantity of the paper is positive.
+    static const std::set<std::string> real = {"x", "xi", "nu", "alpha_n", "beta_n", "alpha_np1", "beta_np1", "rho", "n", "i", "D", "z", "z_x", "z_gx", "dQdp", "dN"};
+    static std::map<std::string, ex> all;
+    const auto found = all.find(name);
+    if (found != all.end()) return found->second;
+    const ex made = real.count(name) ? ex(GiNaC::realsymbol(name)) : ex(GiNaC::possymbol(name));
+    return all.emplace(name, made).first->second;
+}
+
+ex read(const std::string& text)
+{
+    // Decimals as exact fractions: GiNaC would read a float.
+    static const std::regex decimal(R"((\d+)\.(\d+))"), identifier(R"([A-Za-z_]\w*)");
+    std::string exact;
+    std::string rest = text;
+    for (std::smatch m; std::regex_search(rest, m, decimal); rest = m.suffix()) {
+        exact += m.prefix().str() + "(" + m[1].str() + m[2].str() + "/1" + std::string(m[2].length(), '0') + ")";
+    }
+    exact += rest;
+    static const std::set<std::string> functions = {"sin", "cos", "asin", "acos", "atan", "sqrt", "log", "exp", "tgamma", "pow", "Pi", "abs"};
+    GiNaC::symtab table;
+    for (std::sregex_iterator it(exact.begin(), exact.end(), identifier), end; it != end; ++it) {
+        const std::string name = it->str();
+        if (!functions.count(name)) table[name] = sym(name);
+    }
+    GiNaC::parser parser(table, true);
+    return parser(exact);
+}
+
+std::string Print::full_name(const std::string& field)
+{
+    return field.find('.') == std::string::npos ? "0." + field : field;
+}
+
+const std::string& Print::text(const std::string& field) const
+{
+    const auto found = fields.find(full_name(field));
+    if (found == fields.end()) throw std::out_of_range(id + " has no field " + field);
+    return found->second;
+}
+
+std::size_t Print::parts() const
+{
+    std::size_t n = 0;
+    while (fields.count(std::to_string(n) + ".rhs")) ++n;
+    return n;
+}
+
+std::vector<ex> Print::sides(const std::string& field) const
+{
+    std::vector<ex> out;
+    const std::string& t = text(field);
+    std::string side;
+    for (const char c : t + "<") {
+        if (c == '<' || c == '>' || c == '=') {
+            if (side.find_first_not_of(' ') != std::string::npos) out.push_back(read(side));
+            side.clear();
+        } else {
+            side += c;
+        }
+    }
+    return out;
+}
+
+Print Print::edited(const std::vector<Edit>& edits) const
+{
+    Print changed = *this;
+    for (const Edit& e : edits) {
+        const auto field = changed.fields.find(full_name(e.field));
+        if (field == changed.fields.end()) throw std::invalid_argument(id + " has no field " + e.field);
+        const std::size_t at = field->second.find(e.from);
+        if (at == std::string::npos) throw std::invalid_argument(id + ": '" + e.from + "' is not in " + field->second);
+        field->second.replace(at, e.from.size(), e.to);
+    }
+    return changed;
+}
+
+namespace {
+
+struct Transcription {
+    std::map<std::string, Print> prints;
+    std::vector<std::string> order;
+
+    void take(std::string_view text)
+    {
+        for (const auto& record : nlohmann::json::parse(text)) {
+            Print p;
+            p.id = record.at("id");
+            p.section = record.at("section");
+            p.tex = record.value("tex", "");
+            p.domain = record.value("domain", "");
+            p.quote = record.value("quote", "");
+            p.statement = record.value("claim", "");
+            if (record.contains("machine")) {
+                const auto& machine = record["machine"];
+                for (std::size_t i = 0; i < machine["parts"].size(); ++i)
+                    for (const auto& [key, value] : machine["parts"][i].items()) p.fields[std::to_string(i) + "." + key] = value;
+                if (machine.contains("pieces"))
+                    for (const auto& [piece, content] : machine["pieces"].items())
+                        for (const auto& [key, value] : content.items()) p.fields[piece + "." + key] = value;
+            }
+            order.push_back(p.id);
+            prints.emplace(p.id, std::move(p));
+        }
+    }
+    /// The rows "n K_n" as K_n = number, with the ids table1.n00, ...
+    void take_table(std::string_view text)
+    {
+        std::istringstream lines{std::string(text)};
+        for (std::string line; std::getline(lines, line);) {
+            if (line.empty() || line.front() == '#') continue;
+            std::istringstream words(line);
+            std::string n, printed;
+            words >> n >> printed;
+            Print p;
+            p.id = "table1.n" + std::string(n.size() < 2 ? "0" : "") + n;
+            p.section = "table 1";
+            p.tex = "K_{" + n + "} = " + printed;
+            p.fields = {{"0.lhs", "K_" + n}, {"0.relation", "rounds to"}, {"0.rhs", printed}, {"0.n", n}};
+            order.push_back(p.id);
+            prints.emplace(p.id, std::move(p));
+        }
+    }
+    Transcription()
+    {
+        take(data::equations_text());
+        take_table(data::table_1_text());
+        take(data::sentences_text());
+    }
+};
+
+const Transcription& transcription()
+{
+    static const Transcription all;
+    return all;
+}
+
+} // namespace
+
+const std::map<std::string, Print>& prints() { return transcription().prints; }
+const std::vector<std::string>& print_order() { return transcription().order; }
+
+} // namespace touchstone::proofs

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/symbolic/symbolic.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace touchstone::proofs {
+
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+std::string str(const ex& e)
+{
+    std::ostringstream out;
+    out << e;
+    return out.str();
+}
+
+namespace {
+
+/// Apply f to every node, children first.
+ex bottom_up(const ex& e, const std::function<ex(const ex&)>& f)
+{
+    struct Map : GiNaC::map_function {
+        const std::function<ex(const ex&)>& f;
+        explicit Map(const std::function<ex(const ex&)>& g) : f(g) {}
+        ex operator()(const ex& x) override { return f(x.map(*this)); }
+    } map(f);
+    return map(e);
+}
+
+/// sqrt(q) if q is the square of a monomial with positive rational coefficient.
+std::optional<ex> monomial_root(const ex& q)
+{
+    const ex f = q.numer_denom();
+    ex result = 1;
+    for (int part = 0; part < 2; ++part) {
+        ex r = 1;
+        const ex side = GiNaC::factor(f.op(static_cast<std::size_t>(part)));
+        const auto one = [&r](const ex& g) {
+            if (is_a<numeric>(g)) {
+                const ex s = GiNaC::sqrt(g);
+                if (!is_a<numeric>(s) || !ex_to<numeric>(s).is_rational()) return false;
+                r *= s;
+                return true;
+            }
+            if (g.is_equal(GiNaC::Pi)) return false;
+            if (is_a<GiNaC::power>(g) && is_a<numeric>(g.op(1)) && (ex_to<numeric>(g.op(1)) / 2).is_integer()) {
+                r *= GiNaC::pow(g.op(0), g.op(1) / 2);
+                return true;
+            }
+            return false;
+        };
+        if (is_a<GiNaC::mul>(side)) {
+            for (const ex& g : side)
+                if (!one(g)) return std::nullopt;
+        } else if (!one(side)) {
+            return std::nullopt;
+        }
+        result = part == 0 ? result * r : result / r;
+    }
+    return result;
+}
+
+} // namespace
+
+ex Ring::root(const std::string& name, const ex& square)
+{
+    const ex t = sym(name);
+    relations_.push_back({t, rewrite(square)});
+    return t;
+}
+
+std::pair<ex, ex> Ring::angle(const std::string& name, const ex& w)
+{
+    const ex s = sym("sin_" + name), c = sym("cos_" + name);
+    angles_.push_back({w, s, c});
+    relations_.push_back({c, 1 - s * s});
+    return {s, c};
+}
+
+bool Ring::is_angle_relation(const Relation& r) const
+{
+    for (const Angle& a : angles_)
+        if (a.c.is_equal(r.t)) return true;
+    return false;
+}
+
+ex Ring::rewrite(const ex& e) const
+{
+    return bottom_up(e, [this](const ex& x) -> ex {
+        if (is_a<GiNaC::function>(x)) {
+            const std::string f = ex_to<GiNaC::function>(x).get_name();
+            for (const Angle& a : angles_) {
+                const ex times = GiNaC::normal(x.op(0) / a.w);
+                if (f == "sin" && times.is_equal(1)) return a.s;
+                if (f == "cos" && times.is_equal(1)) return a.c;
+                if (f == "sin" && times.is_equal(2)) return 2 * a.s * a.c;
+                if (f == "cos" && times.is_equal(2)) return 1 - 2 * a.s * a.s;
+            }
+        }
+        if (is_a<GiNaC::power>(x) && is_a<numeric>(x.op(1)) && ex_to<numeric>(x.op(1) * 2).is_integer() && !ex_to<numeric>(x.op(1)).is_integer()) {
+            for (const Relation& r : relations_) {
+                if (is_angle_relation(r)) continue;
+                const ex q = GiNaC::normal(x.op(0) / r.square);
+                if (const auto c = monomial_root(q)) return GiNaC::pow(*c * r.t, x.op(1) * 2);
+            }
+        }
+        return x;
+    });
+}
+
+bool Ring::zero(const ex& e) const
+{
+    ex n = GiNaC::numer(GiNaC::normal(rewrite(e)));
+    for (auto r = relations_.rbegin(); r != relations_.rend(); ++r) {
+        n = GiNaC::expand(n);
+        if (!n.has(r->t)) continue;
+        // t^2k -> square^k, t^(2k+1) -> square^k t: division with remainder by t^2 - square.
+        ex reduced = 0;
+        for (int k = n.ldegree(r->t); k <= n.degree(r->t); ++k)
+            reduced += n.coeff(r->t, k) * GiNaC::pow(r->square, k / 2) * (k % 2 ? r->t : ex(1));
+        n = GiNaC::numer(GiNaC::normal(reduced));
+    }
+    return GiNaC::expand(GiNaC::normal(n)).is_zero();
+}
+
+ex Ring::concrete(const ex& e) const
+{
+    ex out = e;
+    for (auto r = relations_.rbegin(); r != relations_.rend(); ++r)
+        if (!is_angle_relation(*r)) out = out.subs(r->t == GiNaC::sqrt(r->square));
+    for (const Angle& a : angles_) out = out.subs(GiNaC::lst{a.s == GiNaC::sin(a.w), a.c == GiNaC::cos(a.w)});
+    return out;
+}
+
+Check identity(const ex& left, const ex& right, const Points& points, const Ring& ring)
+{
+    if ((left - right).is_zero() || ring.zero(left - right)) {
+        const Check numbers = compare_at(ring.concrete(left), ring.concrete(right), points);
+        if (numbers.verdict == Verdict::refuted)
+            throw std::logic_error("normal form and balls contradict each other: " + numbers.detail);
+        return {Verdict::proved, "both sides have the same normal form"};
+    }
+    return compare_at(ring.concrete(left), ring.concrete(right), points);
+}
+
+namespace {
+
+/// 2^(an + b) -> 2^b t^-a with t = 2^-n, a and b integers.
+ex with_halving_symbol(const ex& e)
+{
+    const ex n = sym("n"), t = sym("t_half_n");
+    return bottom_up(e, [&](const ex& x) -> ex {
+        if (!is_a<GiNaC::power>(x) || !x.op(0).is_equal(2) || !x.op(1).has(n)) return x;
+        const ex exponent = GiNaC::expand(x.op(1));
+        const ex a = exponent.coeff(n, 1), b = exponent - a * n;
+        if (!is_a<numeric>(a) || !is_a<numeric>(b) || !ex_to<numeric>(a).is_integer() || !ex_to<numeric>(b).is_integer()) return x;
+        return GiNaC::pow(2, b) * GiNaC::pow(t, -a);
+    });
+}
+
+/// The symbol that stands for the logarithm of e, the same for equal normal forms.
+ex log_symbol(const ex& e)
+{
+    static std::vector<std::pair<ex, ex>> known;
+    for (const auto& [of, symbol] : known) // up to sign: GiNaC writes 1/(1 - nu^2) as -1/(nu^2 - 1)
+        if (of.is_equal(e) || GiNaC::normal(GiNaC::expand(of - e)).is_zero() || GiNaC::normal(GiNaC::expand(of + e)).is_zero()) return symbol;
+    known.emplace_back(e, GiNaC::realsymbol("log(" + str(e) + ")"));
+    return known.back().second;
+}
+
+ex log_of_integer(numeric n)
+{
+    ex sum = 0;
+    for (numeric p = 2; p * p <= n; p = p + 1)
+        while (GiNaC::irem(n, p).is_zero()) {
+            sum += log_symbol(p);
+            n = GiNaC::iquo(n, p);
+        }
+    return n.is_equal(1) ? sum : ex(sum + log_symbol(n));
+}
+
+ex log_of(const ex& e)
+{
+    if (is_a<GiNaC::mul>(e)) {
+        ex sum = 0;
+        for (const ex& f : e) sum += log_of(f);
+        return sum;
+    }
+    if (is_a<GiNaC::power>(e)) return e.op(1) * log_of(e.op(0));
+    if (is_a<numeric>(e)) {
+        const numeric& n = ex_to<numeric>(e);
+        if (!n.is_rational() || n.is_zero()) throw std::invalid_argument("logarithm of " + str(e));
+        return log_of_integer(GiNaC::abs(n.numer())) - log_of_integer(n.denom());
+    }
+    if (is_a<GiNaC::function>(e)) {
+        ex argument = GiNaC::normal(GiNaC::expand(e.op(0)));
+        if (ex_to<GiNaC::function>(e).get_name() == "tgamma") return log_symbol(GiNaC::tgamma(argument));
+        return log_symbol(e);
+    }
+    return log_symbol(e);
+}
+
+} // namespace
+
+ex log_form(const ex& e) { return GiNaC::normal(GiNaC::expand(log_of(with_halving_symbol(e)))); }
+
+Check power_identity(const ex& left, const ex& right, const Points& points)
+{
+    // The logarithms are of absolute values; the sign is that of one point, since no factor vanishes.
+    const Check numbers = compare_at(left, right, points);
+    if (numbers.verdict == Verdict::refuted || points.empty()) return numbers;
+    if (GiNaC::normal(GiNaC::expand(log_form(left) - log_form(right))).is_zero()) return {Verdict::proved, "the logarithms of both sides have the same normal form"};
+    return numbers;
+}
+
+Check positive(const ex& e, const Points& points)
+{
+    const ex parts = GiNaC::normal(e).numer_denom();
+    bool all = true;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const ex side = GiNaC::expand(parts.op(i));
+        const auto is_positive = [](const ex& term) {
+            // A term of a polynomial in positive symbols is positive if its numerical coefficient is.
+            ex c = 1;
+            if (is_a<GiNaC::mul>(term)) {
+                for (const ex& f : term)
+                    if (is_a<numeric>(f)) c = f;
+                    else if (!f.info(GiNaC::info_flags::positive)) return false;
+            } else if (is_a<numeric>(term)) {
+                c = term;
+            } else if (!term.info(GiNaC::info_flags::positive)) {
+                return false;
+            }
+            return ex_to<numeric>(c).is_positive();
+        };
+        if (is_a<GiNaC::add>(side)) {
+            for (const ex& term : side) all = all && is_positive(term);
+        } else {
+            all = all && is_positive(side);
+        }
+    }
+    if (all) return {Verdict::proved, "a quotient of polynomials with positive coefficients in positive quantities"};
+    for (const Point& p : points)
+        if (!possibly(less(Ball(0), evaluate(e, p)))) return {Verdict::refuted, "at " + str(p) + " it is " + evaluate(e, p).to_string(8)};
+    return {Verdict::undecided, "coefficients of both signs"};
+}
+
+Check limit_at_zero(const ex& e, const ex& x, const ex& value, const Points& points)
+{
+    const ex series = GiNaC::series_to_poly(e.series(x == 0, 2));
+    if (series.ldegree(x) < 0) return {Verdict::refuted, "it grows without bound"};
+    const ex leading = GiNaC::normal(series.coeff(x, 0));
+    if (GiNaC::normal(GiNaC::expand(leading - value)).is_zero()) return {Verdict::proved, "leading term of the series"};
+    const Check c = compare_at(leading, value, points);
+    return {c.verdict, "the leading term of the series: " + c.detail};
+}
+
+Check exactly(bool holds, const std::string& detail)
+{
+    return {holds ? Verdict::proved : Verdict::refuted, detail};
+}
+
+} // namespace touchstone::proofs
