@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/table_1.hpp"
 
+#include "proofs/ledger.hpp"
+
 #include "touchstone/catalogue/evaluate.hpp"
 
 #include <fmt/format.h>
@@ -42,6 +44,39 @@ std::vector<PrintedNumber> check_table_1(std::string_view transcription)
         words >> n >> printed;
         all.push_back(judge(fmt::format("table1.n{:02d}", n), printed, K, Inputs({{"n", Rational(n)}})));
     }
+    return all;
+}
+
+namespace {
+
+Finding judge_entry(const Print& p)
+{
+    const PrintedNumber e = check_table_1(p.text("n") + " " + p.text("rhs")).front();
+    const std::string numbers = fmt::format("true value {}, rounded to as many digits {}", e.true_value, e.rounded);
+    return Argument("certified evaluation, correct rounding")
+        .add("the printed digits are the correct rounding of K_n", {e.holds ? Verdict::verified : Verdict::refuted, numbers})
+        .conclude(numbers);
+}
+
+/// The entry with its last digit raised or lowered by one.
+Control last_digit(const Print& p, int by)
+{
+    const std::string& shown = p.text("rhs");
+    const char last = shown.back();
+    const char other = by > 0 ? (last == '9' ? '8' : static_cast<char>(last + 1)) : (last == '0' ? '1' : static_cast<char>(last - 1));
+    return {std::string("last digit ") + other, {{"rhs", shown, shown.substr(0, shown.size() - 1) + other}}};
+}
+
+} // namespace
+
+std::vector<Claim> table_1()
+{
+    std::vector<Claim> all;
+    for (const std::string& id : print_order())
+        if (id.starts_with("table1.")) {
+            const Print& p = prints().at(id);
+            all.push_back({id, p.text("lhs") + " = " + p.text("rhs"), "Hertzian contact at every scale", judge_entry, {last_digit(p, 1), last_digit(p, -1)}, {}, {"7.13", "7.15", "7.16"}});
+        }
     return all;
 }
 
