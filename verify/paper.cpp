@@ -1,63 +1,236 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// `touchstone paper`: what the paper prints, one verdict each.
-#include "proofs/table_1.hpp"
+/// `touchstone paper`: the ledger, one verdict for each equation, table entry and sentence.
+#include "proofs/ledger.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
 
 namespace touchstone::program {
 namespace {
 
-struct Verdict {
-    std::string id, verdict, statement, reason, correction;
+using namespace touchstone::proofs;
+
+struct PaperOptions {
+    std::string id;
+    bool json = false;
+    bool controls = false;
 };
 
-Verdict of_entry(const proofs::PrintedNumber& p)
+std::string corrected_form(const Entry& e)
 {
-    return {p.id, p.holds ? "verified" : "refuted", fmt::format("K_n = {}", p.printed),
-            fmt::format("true value {}, rounded to as many digits {}", p.true_value, p.rounded), p.holds ? "" : p.rounded};
+    const auto& c = e.claim->correction;
+    return e.finding.verdict == Verdict::refuted && c ? c->corrected : "";
 }
 
-/// (7.20) prints 0.391 39...: right as a rounding, wrong if the dots mean that more digits follow these.
-Verdict of_limit(const proofs::PrintedNumber& p)
+/// Everything that should hold of an entry and does not, one line each.
+std::vector<std::string> failures(const Entry& e)
 {
-    const bool both = p.holds && p.leading;
-    return {p.id, both ? "verified" : "refuted", "K_inf = 0.391 39...",
-            fmt::format("true value {}: 0.39139 is {} rounding to five digits, but {} the first five digits that the dots announce",
-                        p.true_value, p.holds ? "the" : "not the", p.leading ? "also" : "not"),
-            both ? "" : p.true_value.substr(0, 9) + "..."};
+    std::vector<std::string> all = e.surviving();
+    const Verdict expected = expected_verdict(e.claim->id);
+    if (e.finding.verdict != expected)
+        all.push_back(fmt::format("verdict {}, recorded {}", name(e.finding.verdict), name(expected)));
+    return all;
 }
 
-int print_ledger(bool json)
+std::vector<Entry> judge_all()
 {
-    std::vector<Verdict> all;
-    for (const auto& p : proofs::check_table_1(proofs::table_1_text())) all.push_back(of_entry(p));
-    all.push_back(of_limit(proofs::check_limit_7_20()));
-    int entries = 0;
-    nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    for (const auto& v : all) {
-        entries += v.id.starts_with("table1") && v.verdict == "verified" ? 1 : 0;
-        if (json)
-            out.push_back({{"id", v.id}, {"verdict", v.verdict}, {"method", "certified evaluation"}, {"statement", v.statement},
-                           {"reason", v.reason}, {"correction", v.correction}});
-        else fmt::print("{:<20} {:<9} {:<20} {}\n", v.id, v.verdict, v.statement, v.reason);
+    const bool terminal = ::isatty(STDERR_FILENO) != 0;
+    std::vector<Entry> entries;
+    for (const Claim& c : claims()) {
+        if (terminal) fmt::print(stderr, "\r{:<40}", c.id);
+        entries.push_back(run(c, prints().at(c.id)));
     }
-    if (json) fmt::print("{}\n", out.dump());
-    else fmt::print("Table 1: {} of 20 entries are the correct rounding of the true K_n\n", entries);
-    return entries == 20 ? holds : fails;
+    if (terminal) fmt::print(stderr, "\r{:<40}\r", "");
+    return entries;
+}
+
+nlohmann::ordered_json json_of(const Entry& e)
+{
+    const auto& c = e.claim->correction;
+    nlohmann::ordered_json j = {
+        {"id", e.claim->id}, {"verdict", name(e.finding.verdict)}, {"method", e.finding.method}, {"statement", e.claim->statement},
+        {"reason", e.finding.reason}, {"correction", corrected_form(e)}, {"assumptions", e.claim->assumptions},
+        {"print", e.print.tex.empty() ? e.print.quote : e.print.tex}, {"rests_on", e.claim->rests_on}, {"steps", e.finding.steps}};
+    if (c) {
+        j["fault"] = c->fault;
+        j["wrong"] = c->wrong;
+        j["consequence"] = c->consequence;
+        j["correction_verdict"] = name(e.corrected->verdict);
+    }
+    j["controls"] = nlohmann::ordered_json::array();
+    for (const auto& k : e.controls) j["controls"].push_back({{"what", k.what}, {"verdict", name(k.finding.verdict)}, {"reason", k.finding.reason}});
+    j["failures"] = failures(e);
+    return j;
+}
+
+/// "2.2 2.3 2.4" in lines of a width that fits a terminal.
+void print_ids(std::string_view label, const std::vector<std::string>& ids)
+{
+    if (ids.empty()) return;
+    std::string line = fmt::format("  {:<11}", label);
+    for (const std::string& id : ids) {
+        if (line.size() + id.size() > 110) {
+            fmt::print("{}\n", line);
+            line = std::string(13, ' ');
+        }
+        line += " " + id;
+    }
+    fmt::print("{}\n", line);
+}
+
+std::string heading(const std::string& section)
+{
+    if (section == "abstract" || section == "figures" || section == "table 1") return section;
+    return "section " + section;
+}
+
+int print_ledger(const std::vector<Entry>& entries)
+{
+    std::vector<std::string> sections;
+    std::map<std::string, std::vector<const Entry*>> by_section;
+    const auto group = [](const Entry& e) { // the sentences follow the equations of their section
+        return e.print.section;
+    };
+    for (const Entry& e : entries) {
+        if (!by_section.count(group(e))) sections.push_back(group(e));
+        by_section[group(e)].push_back(&e);
+    }
+    std::stable_sort(sections.begin(), sections.end(), [](const std::string& a, const std::string& b) {
+        const auto key = [](const std::string& s) { return s == "abstract" ? std::string("0") : s == "table 1" ? std::string("7t") : s.size() == 2 ? "9" + s : s; };
+        return key(a) < key(b);
+    });
+    std::map<Verdict, int> count;
+    int controls = 0, failed = 0;
+    for (const std::string& s : sections) {
+        fmt::print("{}\n", heading(s));
+        for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::definition}) {
+            std::vector<std::string> ids;
+            for (const Entry* e : by_section[s])
+                if (e->finding.verdict == v) ids.push_back(e->claim->id);
+            print_ids(name(v), ids);
+        }
+        for (const Verdict v : {Verdict::qualitative, Verdict::undecided, Verdict::refuted})
+            for (const Entry* e : by_section[s]) {
+                if (e->finding.verdict != v) continue;
+                const auto& c = e->claim->correction;
+                if (v == Verdict::refuted && c) fmt::print("  refuted     {}  {}: {}\n              holds ({}): {}\n", e->claim->id, c->fault, c->wrong, name(e->corrected->verdict), c->corrected);
+                else fmt::print("  {:<11} {}  {}\n", name(v), e->claim->id, e->finding.reason);
+            }
+    }
+    for (const Entry& e : entries) {
+        ++count[e.finding.verdict];
+        controls += static_cast<int>(e.controls.size()) + (e.corrected ? 1 : 0);
+        for (const std::string& f : failures(e)) {
+            fmt::print("FAILED {}: {}\n", e.claim->id, f);
+            ++failed;
+        }
+    }
+    fmt::print("\n{} entries:", entries.size());
+    const char* comma = " ";
+    for (const auto& [v, n] : count) {
+        fmt::print("{}{} {}", comma, n, name(v));
+        comma = ", ";
+    }
+    fmt::print("; {} controls and corrected forms judged\n", controls);
+    if (failed == 0) fmt::print("every verdict is the recorded one and every control was caught; `touchstone paper 7.17` explains one entry\n");
+    return failed == 0 ? holds : fails;
+}
+
+int print_controls(const std::vector<Entry>& entries)
+{
+    int survivors = 0, all = 0;
+    for (const Entry& e : entries) {
+        for (const auto& k : e.controls) {
+            const bool caught = k.finding.verdict == Verdict::refuted;
+            fmt::print("{:<8} {:<28} {}\n         {}\n", caught ? "caught" : "SURVIVES", e.claim->id, k.what, k.finding.reason);
+            survivors += caught ? 0 : 1;
+            ++all;
+        }
+        if (e.corrected) fmt::print("{:<8} {:<28} {}\n", name(e.corrected->verdict), e.claim->id, "corrected: " + e.claim->correction->corrected);
+    }
+    int failed = 0;
+    for (const Entry& e : entries) failed += static_cast<int>(e.surviving().size());
+    fmt::print("{} perturbed prints, {} survive\n", all, survivors);
+    return failed == 0 ? holds : fails;
+}
+
+int explain(const Entry& e)
+{
+    const auto section = [](std::string_view title, const std::string& text) {
+        if (!text.empty()) fmt::print("{:<12} {}\n", title, text);
+    };
+    const auto joined = [](const std::vector<std::string>& ids) { return fmt::format("{}", fmt::join(ids, ", ")); };
+    section("entry", e.claim->id);
+    section("print", e.print.tex.empty() ? e.print.quote : e.print.tex);
+    section("statement", e.claim->statement);
+    section("assuming", e.claim->assumptions);
+    section("verdict", std::string(name(e.finding.verdict)));
+    section("reason", e.finding.reason);
+    if (const auto& c = e.claim->correction) {
+        section("goes wrong", fmt::format("{}: {}", c->fault, c->wrong));
+        section("holds", fmt::format("{} ({})", c->corrected, name(e.corrected->verdict)));
+        section("consequence", c->consequence);
+    }
+    section("method", e.finding.method);
+    for (std::size_t i = 0; i < e.finding.steps.size(); ++i) section(i == 0 ? "steps" : "", fmt::format("{}. {}", i + 1, e.finding.steps[i]));
+    if (e.corrected)
+        for (std::size_t i = 0; i < e.corrected->steps.size(); ++i) section(i == 0 ? "corrected" : "", fmt::format("{}. {}", i + 1, e.corrected->steps[i]));
+    for (std::size_t i = 0; i < e.controls.size(); ++i)
+        section(i == 0 ? "controls" : "", fmt::format("{}: {} ({})", e.controls[i].what, name(e.controls[i].finding.verdict), e.controls[i].finding.reason));
+    section("rests on", joined(e.claim->rests_on));
+    std::vector<std::string> used_by;
+    for (const Claim& c : claims())
+        if (std::find(c.rests_on.begin(), c.rests_on.end(), e.claim->id) != c.rests_on.end()) used_by.push_back(c.id);
+    section("used by", joined(used_by));
+    section("replay", "touchstone paper " + e.claim->id);
+    const auto bad = failures(e);
+    for (const std::string& f : bad) section("FAILED", f);
+    return bad.empty() ? holds : fails;
+}
+
+int run_paper(const PaperOptions& options)
+{
+    if (!options.id.empty()) {
+        const auto claim = std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == options.id; });
+        if (claim == claims().end())
+            throw Failure(bad_input, fmt::format("no entry '{}' in the ledger; an equation number such as 7.17, or an id that `touchstone paper --json` lists", options.id));
+        const Entry e = run(*claim, prints().at(claim->id));
+        if (!options.json) return explain(e);
+        fmt::print("{}\n", json_of(e).dump());
+        return failures(e).empty() ? holds : fails;
+    }
+    const std::vector<Entry> entries = judge_all();
+    if (options.json) {
+        nlohmann::ordered_json out = nlohmann::ordered_json::array();
+        bool good = true;
+        for (const Entry& e : entries) {
+            out.push_back(json_of(e));
+            good = good && failures(e).empty();
+        }
+        fmt::print("{}\n", out.dump());
+        return good ? holds : fails;
+    }
+    return options.controls ? print_controls(entries) : print_ledger(entries);
 }
 
 } // namespace
 
 void add_paper(CLI::App& app, Run& run)
 {
-    auto* command = app.add_subcommand("paper", "What the paper prints, one verdict each");
-    auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "An array of objects");
-    command->callback([&run, json] { run = [json] { return print_ledger(*json); }; });
+    auto* command = app.add_subcommand("paper", "Every equation, table entry and checkable sentence of the paper: one verdict each");
+    auto options = std::make_shared<PaperOptions>();
+    command->add_option("entry", options->id, "One entry in full: 7.17, table1.n07, text.limit-0.39139, ...");
+    command->add_flag("--json", options->json, "An array of objects");
+    command->add_flag("--controls", options->controls, "The perturbed prints, each of which must be refuted");
+    command->callback([&run, options] { run = [options] { return run_paper(*options); }; });
 }
 
 } // namespace touchstone::program

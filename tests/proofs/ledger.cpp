@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ledger as a whole, and whether its steps can tell right from wrong.
+#include "proofs/ledger.hpp"
+#include "proofs/enclosure/enclosure.hpp"
+#include "proofs/lemmas/area_bounds.hpp"
+#include "proofs/lemmas/fixed_point.hpp"
+#include "proofs/lemmas/k_limit.hpp"
+#include "proofs/symbolic/symbolic.hpp"
+#include "proofs/symbolic/units.hpp"
+
+#include "touchstone/paper/archard.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace touchstone::proofs;
+using touchstone::Ball;
+using touchstone::Rational;
+
+TEST_CASE("every entry has its recorded verdict, every control is refuted, every correction proved")
+{
+    CHECK(claims().size() >= 84 + 20 + 45);
+    for (const Claim& c : claims()) {
+        CAPTURE(c.id);
+        const Entry e = run(c, prints().at(c.id));
+        CHECK(e.finding.verdict == expected_verdict(c.id));
+        for (const std::string& bad : e.surviving()) {
+            CAPTURE(bad);
+            CHECK(false);
+        }
+        if (e.finding.verdict != Verdict::proved) CHECK_FALSE(e.finding.reason.empty());
+    }
+}
+
+TEST_CASE("all 84 equations are there, and each claim names entries it rests on")
+{
+    const std::vector<std::pair<int, int>> numbers{{2, 20}, {3, 10}, {5, 14}, {6, 8}, {7, 21}, {8, 7}, {9, 4}};
+    std::vector<std::string> ids;
+    for (const Claim& c : claims()) ids.push_back(c.id);
+    const auto known = [&](const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+    for (const auto& [section, last] : numbers)
+        for (int k = 1; k <= last; ++k) CHECK(known(std::to_string(section) + "." + std::to_string(k)));
+    for (const Claim& c : claims())
+        for (const std::string& other : c.rests_on) {
+            CAPTURE(c.id);
+            CAPTURE(other);
+            CHECK(known(other));
+        }
+}
+
+TEST_CASE("a judge that accepts everything is found out by its control")
+{
+    Claim gullible{"2.14", "anything", "", [](const Print&) { return Argument("none").add("nothing", exactly(true, "")).conclude(); }, {{"twice", {{"rhs", "lambda/Pi", "2*lambda/Pi"}}}}, {}, {}};
+    CHECK(run(gullible, prints().at("2.14")).surviving().size() == 1);
+    gullible.controls.clear();
+    CHECK(run(gullible, prints().at("2.14")).surviving() == std::vector<std::string>{"no control"});
+}
+
+TEST_CASE("a control that changes nothing is an error, not a pass")
+{
+    CHECK_THROWS(prints().at("2.14").edited({{"rhs", "acosh", "acos"}}));
+    CHECK_THROWS(prints().at("2.14").edited({{"7.rhs", "a", "b"}}));
+}
+
+TEST_CASE("a refuted claim needs a corrected form that is proved")
+{
+    Claim changed = *std::find_if(claims().begin(), claims().end(), [](const Claim& k) { return k.id == "7.17"; });
+    changed.correction->edits.pop_back(); // only one of the two Gammas mended
+    const auto bad = run(changed, prints().at("7.17")).surviving();
+    REQUIRE(bad.size() == 1);
+    CHECK(bad[0].find("corrected form") != std::string::npos);
+}
+
+TEST_CASE("identity: zero is proved, a wrong sign refuted, no counterexample undecided")
+{
+    const ex x = sym("x"), S = sym("S");
+    const Points at{"x=1/3 S=1/2"};
+    CHECK(identity(pow(x + 1, 2), x * x + 2 * x + 1, at).verdict == Verdict::proved);
+    CHECK(identity(pow(x + 1, 2), x * x - 2 * x + 1, at).verdict == Verdict::refuted);
+    CHECK(identity(pow(x + 1, 2), x * x - 2 * x + 1, {}).verdict == Verdict::undecided);
+    Ring ring;
+    const ex R = ring.root("R_test", 1 - S);
+    CHECK(identity(sqrt(4 - 4 * S) * R, 2 * (1 - S), at, ring).verdict == Verdict::proved);
+    CHECK(identity(sqrt(4 - 4 * S) * R, 2 * (1 + S), at, ring).verdict == Verdict::refuted);
+    Ring turn;
+    const auto [s, c] = turn.angle("test", x);
+    CHECK(identity(sin(2 * x), 2 * s * c, at, turn).verdict == Verdict::proved);
+    CHECK(identity(cos(2 * x), 1 - 2 * c * c, at, turn).verdict == Verdict::refuted);
+}
+
+TEST_CASE("powers: equal logarithms prove, a sign or an exponent refutes")
+{
+    const ex a = sym("gamma"), n = sym("n");
+    const Points at{"gamma=3 n=2"};
+    CHECK(power_identity(pow(a, n + 1) * pow(ex(2), -(n + 1)), a * pow(a, n) * pow(ex(2), -n) / 2, at).verdict == Verdict::proved);
+    CHECK(power_identity(pow(a, n + 1), pow(a, n), at).verdict == Verdict::refuted);
+    CHECK(power_identity(-a, a, at).verdict == Verdict::refuted);
+    CHECK(power_identity(a, a, {}).verdict != Verdict::proved); // the sign needs a point
+}
+
+TEST_CASE("positivity: by coefficients and by subdivision")
+{
+    const ex x = sym("x");
+    CHECK(positive_on(x * x - x + ex(1) / 2, {{"x", 0, 1}}).verdict == Verdict::proved);
+    CHECK(positive_on(x * x - x + ex(1) / 5, {{"x", 0, 1}}).verdict == Verdict::refuted);
+    CHECK(positive_on(x, {{"x", 0, 1}}, 100).verdict == Verdict::undecided); // zero at the end
+    CHECK(positive(1 + sym("u"), {}).verdict == Verdict::proved);
+    CHECK(positive(1 - sym("u"), {"u=2"}).verdict == Verdict::refuted);
+}
+
+TEST_CASE("the fixed point theorem fails for other functions")
+{
+    const ex x = sym("x");
+    CHECK(unique_fixed_point(1 + x, 2 * sqrt(x)).verdict == Verdict::proved);
+    CHECK(unique_fixed_point(2 * x, 2 * sqrt(x)).verdict != Verdict::proved);     // no fixed point above 1 for G < 2
+    CHECK(unique_fixed_point(1 + x * x, 2 * sqrt(x)).verdict != Verdict::proved); // escapes
+    CHECK(unique_fixed_point(1 + x, 2 * x).verdict != Verdict::proved);
+}
+
+TEST_CASE("dimensions: a misplaced length and a lost square are seen")
+{
+    CHECK(units(prints().at("2.3")).verdict == Verdict::proved);
+    CHECK(units(prints().at("2.14")).verdict == Verdict::refuted);
+    CHECK(units(prints().at("6.2")).verdict == Verdict::refuted);
+    int wrong = 0;
+    for (const auto& [id, p] : prints())
+        if (p.quote.empty() && p.section != "table 1") wrong += units(p).verdict != Verdict::proved ? 1 : 0;
+    CHECK(wrong == 2); // the other misprints keep the dimension
+}
+
+TEST_CASE("the numbers of the bounds")
+{
+    CHECK(K_infinity().relative_bits() > 60);
+    // K_100 exceeds the limit by about 2^-101 of itself
+    const Ball excess = touchstone::archard::K_by_recursion<Ball>(100) / K_infinity() - 1;
+    CHECK(certainly(less(Ball(0), excess)));
+    CHECK(certainly(less(excess, touchstone::ScalarTraits<Ball>::power_of_two(-100))));
+    // each lower bound lies below what a simulation of the chain gives
+    CHECK(certainly(less(least_full_share(pow(Ball(5), Ball(Rational(1, 20))), Ball(Rational(3, 5))), Ball(Rational(82, 100)))));
+    CHECK(certainly(less(least_non_hertzian_share(sqrt(Ball(5))), Ball(Rational(87, 100)))));
+    CHECK(certainly(less(least_excess(sqrt(Ball(5))), Ball(Rational(12, 10)))));
+    CHECK(certainly(less(least_excess(sqrt(Ball(10))), Ball(Rational(109, 100)))));
+}
