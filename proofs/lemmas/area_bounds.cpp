@@ -115,6 +115,38 @@ Ball least_excess(const Ball& G_value)
     return 1 + pi<Ball>() / (24 * G_value * G_value * K_infinity());
 }
 
+Ball contraction() { return (sqrt(Ball(2)) + asin(sqrt(Ball(2) / 3))) / pi<Ball>(); }
+
+Check one_limiting_law()
+{
+    const ex s = sym("s"), t = sym("t"), psi = sym("psi");
+    const GiNaC::symbol& s_symbol = GiNaC::ex_to<GiNaC::symbol>(s);
+    const ex next = log(G / 2) + s / 2 - log(1 - u * u) / 2 - log(1 - u * u * exp(-s)) / 2;
+    const ex slope = (1 - 2 * t) / (2 * (1 - t));
+    // (2t - 1)/(1 - t) grows with t < 1: its derivative is 1/(1 - t)^2; it is 1 at t = 2/3
+    const ex growth = ((2 * t - 1) / (1 - t)).diff(GiNaC::ex_to<GiNaC::symbol>(t));
+    // u = sin psi: half the share of u^2 <= 2/3, and (2/pi) times the integral of -cos(2 psi) beyond, sin^2 psi_0 = 2/3
+    const ex share = 2 / Pi * (sin(psi) * cos(psi) + psi);   // of u <= sin psi, semicircle law
+    const ex beyond = 2 / Pi * sin(2 * psi) / 2;
+    Ring ring;
+    const auto [sine, cosine] = ring.angle("psi", psi);
+    const ex at_psi_0 = (share / 2 + beyond).subs(lst{sin(psi) == sqrt(ex(2) / 3), cos(psi) == sqrt(ex(1) / 3), sin(2 * psi) == 2 * sqrt(ex(2)) / 3, psi == asin(sqrt(ex(2) / 3))});
+    const GiNaC::symbol& psi_symbol = GiNaC::ex_to<GiNaC::symbol>(psi);
+    const Points at{"s=1 u=1/2 G=3 t=1/3 psi=1/2"};
+    return all_of({
+        force_weighting(),
+        identity(next.diff(s_symbol), slope.subs(t == u * u * exp(-s)), at),
+        identity(growth, 1 / pow(1 - t, 2), at),
+        identity(((2 * t - 1) / (1 - t)).subs(t == ex(2) / 3), 1, at),
+        identity(share.diff(psi_symbol), 4 / Pi * pow(cosine, 2), at, ring),                                        // the semicircle law in psi
+        identity(-beyond.diff(psi_symbol), (2 * pow(sine, 2) - 1) / (1 - pow(sine, 2)) / 2 * 4 / Pi * pow(cosine, 2), at, ring), // what remains beyond psi
+        less_than(abs(evaluate(at_psi_0, Point{}) - contraction()), ScalarTraits<Ball>::power_of_two(-100), "the bound in closed form: difference"),
+        less_than(contraction(), Ball(1), "contraction"),
+        // E[y^-a] <= (G/2)^a x^(-a/2) times the integral of (4/pi)(1 - u^2)^(1/2 - a), finite for a < 3/2
+        exactly(Rational(1) < Rational(3, 2), "a = 1 is below 3/2"),
+    }, "one step contracts the distance of -log x by " + contraction().to_string(4) + " in the mean, for all G >= 2 and loads up to 1");
+}
+
 Check full_contact_share_stays()
 {
     // e = (2 - G)/4, q = (2/G)(1 - e) = (2 + G)/(2G) > 1: a step with u^2 <= e takes x <= 1 at least to q sqrt(x)

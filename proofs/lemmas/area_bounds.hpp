@@ -34,6 +34,17 @@ Check hertz_from_below();
 /// The factor by which the area exceeds (7.21) in the limit is at least 1 + pi/(24 G^2 K_inf).
 Ball least_excess(const Ball& G);
 
+/// Theorem: for G >= 2 and load <= 1 the force-weighted chain has one limiting law, whatever the load, and
+/// A_n G^n/(lambda_0 load) one limit C(G). In s = -log x one step is s' = log(G/2) + s/2 - log(1 - u^2)/2 - log(1 - u^2 e^-s)/2
+/// with the law of u the same for all s, and ds'/ds = (1 - 2t)/(2(1 - t)), t = u^2 x < u^2. Its absolute value is at most 1/2 for
+/// t <= 1/2 and at most max(1, (2u^2 - 1)/(1 - u^2))/2 otherwise, in the mean at most
+///     (sqrt(2) + arcsin(sqrt(2/3)))/pi = 0.754...
+/// so one step brings any two laws closer by that factor (in the Wasserstein distance of s). The factor E[x_n^-a] stays bounded for
+/// a < 3/2, so the limits extend to functions that grow like x^-1: shares by number of contacts, and h.
+Check one_limiting_law();
+/// That factor.
+Ball contraction();
+
 /// Theorem: for 1 < G < 2 the share of the contacting asperities that are in full contact stays above a positive
 /// number at all large n.
 Check full_contact_share_stays();

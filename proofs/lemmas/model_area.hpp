@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The area (6.7) of the model at given scales, certified, for the cases of figures 3c, 3d: D = 1.5, gamma = 5 and 10.
+#pragma once
+
+#include "proofs/ledger.hpp"
+
+#include "touchstone/scalar/ball.hpp"
+
+#include <vector>
+
+namespace touchstone::proofs {
+
+/// The loads at which these figures are looked at: 10^-3, 10^-2, 10^-1, 1.
+const std::vector<Rational>& loads_tried();
+
+/// A_n/lambda_0 of (6.7) at D = 1.5, load <= 1, through the library's transfer operator (touchstone/transfer/contact.hpp).
+Ball model_area(long n, const Rational& load, long gamma);
+/// (7.18), corrected, at the same parameters.
+Ball hertz_area(long n, const Rational& load, long gamma);
+
+/// The hull of A_n/(7.18), over the loads and the scales from first to last.
+Ball ratios_to_hertz(long first, long last, long gamma, const std::vector<Rational>& loads = loads_tried());
+
+/// -log(A_{n+1}/A_n)/log G at the loads tried: 1 in the limit. The hull.
+Ball local_slopes(long n, long gamma);
+/// The same at one load.
+Ball local_slope(long n, const Rational& load, long gamma);
+
+} // namespace touchstone::proofs
