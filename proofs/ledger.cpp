@@ -49,7 +49,7 @@ Argument& Argument::add(const std::string& lemma, const Check& check)
 
 Argument& Argument::note(const std::string& text)
 {
-    finding_.steps.push_back(text);
+    finding_.steps.push_back("(argued) " + text);
     return *this;
 }
 

@@ -35,7 +35,7 @@ ex read(const std::string& text)
     std::string exact;
     std::string rest = text;
     for (std::smatch m; std::regex_search(rest, m, decimal); rest = m.suffix()) {
-        exact += m.prefix().str() + "(" + m[1].str() + m[2].str() + "/1" + std::string(m[2].length(), '0') + ")";
+        exact += m.prefix().str() + "(" + m[1].str() + m[2].str() + "/1" + std::string(m[2].str().size(), '0') + ")";
     }
     exact += rest;
     static const std::set<std::string> functions = {"sin", "cos", "asin", "acos", "atan", "sqrt", "log", "exp", "tgamma", "pow", "Pi", "abs"};

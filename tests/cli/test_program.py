@@ -135,6 +135,29 @@ class Program(unittest.TestCase):
         for e in j:
             self.assertLessEqual({"id", "verdict", "method", "statement", "reason", "correction"}, set(e))
 
+    def test_paper_explains_one_entry_and_shows_its_controls(self):
+        entry = run("paper", "7.17")
+        self.assertEqual(entry.returncode, 0)
+        for word in ("refuted", "misprint", "Gamma(3/2 - 2^-(i+2))", "controls", "touchstone paper 7.17"):
+            self.assertIn(word, entry.stdout)
+        controls = run("paper", "--controls")
+        self.assertEqual(controls.returncode, 0)
+        self.assertNotIn("SURVIVES", controls.stdout)
+        self.assertIn(" 0 survive", controls.stdout)
+        unknown = run("paper", "7.99")
+        self.assertEqual((unknown.returncode, unknown.stdout, unknown.stderr.count("\n")), (65, "", 1))
+
+    def test_paper_has_every_numbered_equation(self):
+        ids = {e["id"]: e for e in json.loads(run("paper", "--json").stdout)}
+        for section, last in ((2, 20), (3, 10), (5, 14), (6, 8), (7, 21), (8, 7), (9, 4)):
+            for k in range(1, last + 1):
+                self.assertIn(f"{section}.{k}", ids)
+        for e in ids.values():
+            self.assertEqual(e["failures"], [])
+            if e["verdict"] == "refuted":
+                self.assertTrue(e["correction"] and e["reason"])
+                self.assertEqual(e["correction_verdict"], "proved")
+
     def test_no_progress_when_stderr_is_not_a_terminal(self):
         self.assertEqual(run("table", "archard_K").stderr, "")
 
