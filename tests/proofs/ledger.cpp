@@ -5,6 +5,7 @@
 #include "proofs/lemmas/area_bounds.hpp"
 #include "proofs/lemmas/fixed_point.hpp"
 #include "proofs/lemmas/k_limit.hpp"
+#include "proofs/lemmas/model_area.hpp"
 #include "proofs/symbolic/symbolic.hpp"
 #include "proofs/symbolic/units.hpp"
 
@@ -141,4 +142,30 @@ TEST_CASE("the numbers of the bounds")
     CHECK(certainly(less(least_non_hertzian_share(sqrt(Ball(5))), Ball(Rational(87, 100)))));
     CHECK(certainly(less(least_excess(sqrt(Ball(5))), Ball(Rational(12, 10)))));
     CHECK(certainly(less(least_excess(sqrt(Ball(10))), Ball(Rational(109, 100)))));
+}
+
+TEST_CASE("the theorems about the area hold for certified areas")
+{
+    for (const long gamma : {5L, 10L}) {
+        const Ball G = sqrt(Ball(gamma)), x_P = 4 / (G * G);
+        for (const Rational& load : {Rational(1, 1000), Rational(1, 10), Rational(9, 10)}) {
+            const Ball X = at_least(x_P, Ball(load));
+            for (const long n : {0L, 1L, 7L, 40L}) {
+                CAPTURE(gamma);
+                CAPTURE(n);
+                CAPTURE(load.get_d());
+                const Ball A = model_area(n, load, gamma);
+                Ball G_n(1);
+                for (long k = 0; k < n; ++k) G_n *= G;
+                const Ball c = A * G_n / Ball(load);
+                CHECK(certainly(less(at_most(2 / touchstone::pi<Ball>(), 1 / X), c)));       // area_bounds
+                CHECK(certainly(less(c, at_least(1 / sqrt(Ball(load)), G) * Ball(Rational(1000001, 1000000)))));
+                CHECK(certainly(less(hertz_area(n, load, gamma), A)));                         // hertz_from_below
+                if (n == 40) CHECK(certainly(less(least_excess(G), A / hertz_area(n, load, gamma))));
+            }
+        }
+    }
+    // one_limiting_law: the ratio to the Hertzian area becomes the same for all loads
+    const Ball spread = model_area(60, Rational(1, 1000), 5) / hertz_area(60, Rational(1, 1000), 5) / (model_area(60, Rational(9, 10), 5) / hertz_area(60, Rational(9, 10), 5)) - 1;
+    CHECK(certainly(less(abs(spread), Ball(Rational(1, 1000000000)))));
 }
