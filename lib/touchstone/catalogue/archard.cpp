@@ -17,7 +17,7 @@ template <class F>
 std::vector<Route> by_both_K(F f)
 {
     const auto route = [f](std::string name, Constant K) {
-        return Route{std::move(name), [f, K](const Inputs& in) -> Ball { return f(in, Arguments<Ball>(in), K); }};
+        return Route{std::move(name), [f, K](const Inputs& in) -> Ball { return f(in, Arguments<Ball>(in), K); }, true};
     };
     return {route("gamma-product", archard::K_gamma_product), route("log-gamma-series", archard::K_eta_series)};
 }

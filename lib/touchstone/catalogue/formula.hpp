@@ -12,7 +12,11 @@ template <Scalar T>
 class Arguments {
 public:
     explicit Arguments(const Inputs& in) : in_(in) {}
-    T operator()(const char* key) const { return T(in_.real(key)); }
+    T operator()(const char* key) const
+    {
+        if constexpr (std::same_as<T, Ball>) return in_.ball(key);
+        else return T(in_.real(key));
+    }
     long integer(const char* key) const { return in_.integer(key); }
     T G() const
     {
@@ -28,7 +32,7 @@ private:
 template <class Formula>
 Route through(std::string name, Formula f)
 {
-    return {std::move(name), [f](const Inputs& in) -> Ball { return f(Arguments<Ball>(in)); }};
+    return {std::move(name), [f](const Inputs& in) -> Ball { return f(Arguments<Ball>(in)); }, true};
 }
 
 /// The exact value through the same kind of lambda.

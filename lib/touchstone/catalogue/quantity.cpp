@@ -16,8 +16,23 @@ Exact Inputs::G_exact() const
 
 Ball Inputs::G_ball() const
 {
-    if (has("G")) return Ball(real("G"));
-    return pow(Ball(real("gamma")), Ball(Rational(real("D") - 1)));
+    if (has("G")) return ball("G");
+    return pow(ball("gamma"), widened(Ball(Rational(real("D") - 1)), "D"));
+}
+
+Ball Inputs::ball(const std::string& key) const { return widened(Ball(real(key)), key); }
+
+Ball Inputs::widened(Ball b, const std::string& key) const
+{
+    if (const auto h = half_widths_.find(key); h != half_widths_.end()) arb_add_error(b.get(), Ball(h->second).get());
+    return b;
+}
+
+Inputs Inputs::box(std::map<std::string, Rational> half_widths) const
+{
+    Inputs all = *this;
+    all.half_widths_ = std::move(half_widths);
+    return all;
 }
 
 int Inputs::compare_G(const Rational& with) const
@@ -43,6 +58,7 @@ const std::vector<Quantity>& catalogue()
     static const std::vector<Quantity> all = [] {
         std::vector<Quantity> q;
         add_westergaard(q);
+        add_gap(q);
         add_weierstrass(q);
         add_peaks(q);
         add_contact(q);

@@ -31,6 +31,10 @@ public:
     /// An input that the domain check has found to be an integer within a long.
     long integer(const std::string& key) const { return values_.at(key).get_num().get_si(); }
     const std::map<std::string, Rational>& values() const { return values_; }
+    /// `real(key)` as a ball, with its half-width if the inputs are a box.
+    Ball ball(const std::string& key) const;
+    /// The box of all inputs within these distances of this one. Only a Route that `takes_boxes` can use it.
+    Inputs box(std::map<std::string, Rational> half_widths) const;
 
     /// G = gamma^(D-1) as an exact number. \throws NotExact where it has no such form.
     Exact G_exact() const;
@@ -40,13 +44,18 @@ public:
     int compare_G(const Rational& with) const;
 
 private:
+    Ball widened(Ball, const std::string& key) const;
+
     std::map<std::string, Rational> values_;
+    std::map<std::string, Rational> half_widths_;
 };
 
 /// One way to compute a quantity: an enclosure at about the working precision.
 struct Route {
     std::string name;
     std::function<Ball(const Inputs&)> ball;
+    /// Whether it also encloses all values over a box of inputs (it never looks at an input but as a ball).
+    bool takes_boxes = false;
 };
 
 struct Quantity {
@@ -78,6 +87,7 @@ std::vector<std::string> quantity_names();
 
 /// The sections register their quantities here, one function for each file.
 void add_westergaard(std::vector<Quantity>&);
+void add_gap(std::vector<Quantity>&);
 void add_weierstrass(std::vector<Quantity>&);
 void add_peaks(std::vector<Quantity>&);
 void add_contact(std::vector<Quantity>&);

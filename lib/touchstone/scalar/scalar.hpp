@@ -66,6 +66,9 @@ struct ComposedTraits {
     static T sqrt_minus_square(const T& a, const T& b) { return ScalarTraits<T>::sqrt_positive_part(a - b * b); }
     static T sqrt_minus_pi_square(const T& a, const T& x) { return sqrt_minus_square(a, T(ScalarTraits<T>::pi() * x)); }
     static T sqrt_minus_sin_pi_square(const T& a, const T& x) { return sqrt_minus_square(a, ScalarTraits<T>::sin_pi(x)); }
+    static T sqrt_square_minus(const T& b, const T& a) { return ScalarTraits<T>::sqrt_positive_part(b * b - a); }
+    static T sqrt_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(T(ScalarTraits<T>::pi() * x), a); }
+    static T sqrt_sin_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(ScalarTraits<T>::sin_pi(x), a); }
 };
 
 template <>
@@ -114,6 +117,21 @@ struct ScalarTraits<double> {
         const int e = scale(a);
         if (e != 0) return sqrt_minus_pi_square(a, x); // sin y = y to all digits
         return sqrt_positive_part(minus_sin_square(a, r));
+    }
+    /// sqrt(max((pi x)^2 - a, 0)), as above.
+    static double sqrt_pi_square_minus(double x, double a)
+    {
+        const int e = scale(a);
+        if (e != 0 && std::fabs(x) > 0x1p-300) return std::numbers::pi * std::fabs(x); // a is below all its digits
+        return std::ldexp(sqrt_positive_part(-minus_pi_square(std::ldexp(a, 2 * e), std::ldexp(x, e))), -e);
+    }
+    /// sqrt(max(sin^2(pi x) - a, 0)) for 0 <= a <= 1, |x| <= 1/2, as above; 1 - a is exact or the difference no small one.
+    static double sqrt_sin_pi_square_minus(double x, double a)
+    {
+        const double r = std::fabs(x);
+        if (r > 0.25 && (a >= 0.5 || r > 0.3)) return sqrt_positive_part(minus_sin_square(1.0 - a, 0.5 - r));
+        if (scale(a) != 0) return r > 0x1p-300 ? sin_pi(r) : sqrt_pi_square_minus(x, a);
+        return sqrt_positive_part(-minus_sin_square(a, r));
     }
     /// sqrt(a*a + b*b) without overflow, underflow or cancellation.
     static double hypot(double a, double b) { return std::hypot(a, b); }
@@ -166,6 +184,8 @@ template <class T> T powm1(const T& x, const T& y) { return ScalarTraits<T>::pow
 template <class T> T pow_product(const T& x, const T& a, const T& b) { return ScalarTraits<T>::pow_product(x, a, b); } ///< x^(a b)
 template <class T> T sqrt_minus_square(const T& a, const T& b) { return ScalarTraits<T>::sqrt_minus_square(a, b); } ///< sqrt(max(a - b^2, 0))
 template <class T> T sqrt_minus_pi_square(const T& a, const T& x) { return ScalarTraits<T>::sqrt_minus_pi_square(a, x); } ///< sqrt(max(a - (pi x)^2, 0))
+template <class T> T sqrt_pi_square_minus(const T& x, const T& a) { return ScalarTraits<T>::sqrt_pi_square_minus(x, a); } ///< sqrt(max((pi x)^2 - a, 0))
+template <class T> T sqrt_sin_pi_square_minus(const T& x, const T& a) { return ScalarTraits<T>::sqrt_sin_pi_square_minus(x, a); } ///< sqrt(max(sin(pi x)^2 - a, 0))
 template <class T> T sqrt_minus_sin_pi_square(const T& a, const T& x) { return ScalarTraits<T>::sqrt_minus_sin_pi_square(a, x); } ///< sqrt(max(a - sin(pi x)^2, 0))
 template <class T> T sqrt_positive_part(const T& x) { return ScalarTraits<T>::sqrt_positive_part(x); } ///< sqrt(max(x, 0))
 template <class T> T hypot_of(const T& a, const T& b) { return ScalarTraits<T>::hypot(a, b); } ///< sqrt(a^2 + b^2)

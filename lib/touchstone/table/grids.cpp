@@ -122,6 +122,25 @@ Rows hertz_pressure_grid()
     return position_grid(loads, [](double s) { return hertz::half_width(s); }, 16.0);
 }
 
+/// Loads for what happens beside the contact: some_loads, and more towards both ends.
+std::vector<double> gap_loads()
+{
+    std::vector<double> v = some_loads();
+    for (int k = 4; k <= 52; k += 4) v.push_back(1 - std::ldexp(1, -k));
+    for (int k = 6; k <= 48; k += 6) v.push_back(std::ldexp(1, -k));
+    return v;
+}
+
+Rows gap_grid()
+{
+    return position_grid(gap_loads(), [](double s) { return s < 1 ? westergaard::half_width(s) : 0.5; }, 0.5);
+}
+
+Rows hertz_gap_grid()
+{
+    return position_grid(gap_loads(), [](double s) { return hertz::half_width(s); }, 16.0);
+}
+
 /// Pressures across the support, dense at its edges; `at_edge` says whether the edges themselves belong.
 Rows pressure_level_grid(bool at_edge)
 {
@@ -283,8 +302,12 @@ const std::vector<TableSpec>& table_specs()
         {"westergaard_pressure", "westergaard.pressure", digits, pressure_grid},
         {"westergaard_exceedance", "westergaard.exceedance", digits, [] { return pressure_level_grid(true); }},
         {"westergaard_density", "westergaard.density", digits, [] { return pressure_level_grid(false); }},
+        {"westergaard_gap", "westergaard.gap", digits, gap_grid},
+        {"westergaard_mean_gap", "westergaard.mean_gap", digits, hertz_half_width_grid},
+        {"westergaard_energy", "westergaard.energy", digits, hertz_half_width_grid},
         {"hertz_half_width", "hertz.half_width", digits, hertz_half_width_grid},
         {"hertz_pressure", "hertz.pressure", digits, hertz_pressure_grid},
+        {"hertz_gap", "hertz.gap", digits, hertz_gap_grid},
         {"weierstrass_profile", "weierstrass.profile", digits, profile_grid},
         {"weierstrass_bound", "weierstrass.bound", digits, bound_grid},
         {"peaks_f", "peaks.f", digits, f_grid},

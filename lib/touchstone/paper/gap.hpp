@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// What surrounds the contact of section 2: the gap, its mean, and the elastic energy. Not in the paper;
+/// contact codes test against them, so here is the derivation.
+///
+/// Units: lengths along the surface in lambda, gap in g (the amplitude in (2.1)), pressure in p* of
+/// (2.3), energy per unit nominal area in g p*. S = load = pbar/p*; k = 2 pi.
+///
+/// 1. Displacement. A pressure cos(j k x) on the half-plane moves its surface by cos(j k x)/j: that is (2.2)
+///    read backwards, as in full contact p* cos(kx) must produce g cos(kx). So for
+///    p = S + sum_j p_j cos(j k x) the surface moves by u = sum_j (p_j/j) cos(j k x) (mean taken out),
+///    and the gap is h = u - cos(kx) + C. Hence h' = -2 pi Im F + 2 pi sin(kx), where
+///    F(z) = S + sum_j p_j exp(i j k z) is analytic in the upper half-plane, Re F = p on the real line.
+/// 2. Slope. F(z) = 2 cos(pi z) sqrt(S - sin^2 pi z) + i sin(2 pi z) has these properties: its real
+///    part is (2.4) in contact and 0 outside, its imaginary part is sin(kx) in contact (so h' = 0), and at
+///    z -> i infinity the two terms' exponentials cancel and leave S. Outside the contact therefore
+///        h'(x) = 4 pi cos(pi x) sqrt(sin^2 pi x - S),    a < x <= 1/2.                        (slope)
+/// 3. Gap. With v = sin(pi x), dv = pi cos(pi x) dx and w = sqrt(v^2 - S):
+///        h(x) = 4 int_{sqrt S}^v sqrt(t^2 - S) dt = 2 (v w - S arcosh(v/sqrt S)).            (closed form)
+///    The difference cancels at the edge, like w^3. With arcosh(v/sqrt S) = artanh(w/v), S = v^2 (1 - m), m = w^2/v^2
+///    and the series of artanh this is a sum of positive terms,
+///        h(x) = 4 (w^3/v) sum_{j>=0} m^j/((2j+1)(2j+3)),    0 <= m < 1.                       (series)
+/// 4. Mean gap. dh/dS at fixed x is the mean gap's rate of change plus what a flat punch moves; at the
+///    peak, x = 0, the gap stays 0, so dC/dS = -sum_j (dp_j/dS)/j. With sum_j cos(jt)/j = -log|2 sin(t/2)|,
+///    dp/dS = cos(pi x)/sqrt(S - sin^2 pi x) and sin(pi x) = sqrt(S) sin(phi) that is
+///    (2/pi) int_{-pi/2}^{pi/2} log(2 sqrt S |sin phi|) dphi = log S. As C = 0 in full contact,
+///        C(S) = 1 - S + S log S = sum_{j>=2} (1 - S)^j/(j (j - 1)).                          (mean gap)
+/// 5. Energy. The load's work is all there is: dU = -S dC, so
+///        U(S) = -int_0^S s log s ds = S^2 (1 - 2 log S)/4,   1/4 from full contact on.        (energy)
+///    Independently U = 1/2 <p u> with u = cos(kx) - C on the contact.
+/// Energy counts from the uniformly loaded half-plane, whose own compression is not bounded.
+///
+/// Hertzian limit: sin(pi x) becomes pi x in (slope), and nothing else changes in (closed form) and
+/// (series). A single parabola has no mean gap, and its energy grows without bound with the distance at which
+/// displacements are counted from, as in all plane contact: those two have no Hertzian counterpart.
+#pragma once
+
+#include "touchstone/scalar/ball.hpp"
+#include "touchstone/scalar/scalar.hpp"
+
+#include <vector>
+
+namespace touchstone::detail {
+
+/// Whether terms of at most 4 `power` in all, beside a sum of at least 1/3, are below what the arithmetic holds.
+template <class T>
+bool negligible(const T& power) { return T(1 + power) == 1; }
+/// A ball that knows nothing would never fall below: it ends the series too.
+inline bool negligible(const Ball& power)
+{
+    return !power.is_finite() || certainly(less(power, power_of_two<Ball>(-WorkingPrecision::bits() - 8)));
+}
+/// What is left out becomes part of a ball's radius.
+template <class T>
+void add_tail(T&, const T&) {}
+inline void add_tail(Ball& sum, const Ball& tail) { arb_add_error(sum.get(), tail.get()); }
+
+/// sum_{j>=0} x^j/coefficient(j) for 0 <= x <= 3/4 and integer coefficients, 1 <= coefficient(0) <= 3, rising: the tail
+/// from x^n on is at most x^n/(1 - x) <= 4 x^n. Small terms are added first. (Not for `Exact`: there is no end to it.)
+template <OrderedScalar T, class Coefficient>
+T series(const T& x, Coefficient coefficient)
+{
+    std::vector<T> terms;
+    T power = integer<T>(1);
+    for (long j = 0; !negligible(power); ++j) {
+        terms.push_back(power / integer<T>(coefficient(j)));
+        power = power * x;
+    }
+    T sum = integer<T>(0);
+    for (auto term = terms.rbegin(); term != terms.rend(); ++term) sum = sum + *term;
+    add_tail(sum, T(4 * power));
+    return sum;
+}
+
+/// (closed form) and (series) of the gap for v >= w = sqrt(v^2 - S), v > 0; 0 for w = 0.
+template <OrderedScalar T>
+T gap_of(const T& v, const T& w, const T& load)
+{
+    const T slope = w / v;
+    return across_seam(
+        T(slope * slope), ratio<3, 4, T>(),
+        [&](const T& m) -> T { return 4 * (w * w * slope) * series(m, [](long j) { return (2 * j + 1) * (2 * j + 3); }); },
+        [&](const T&) -> T { return 2 * (v * w - load * log((v + w) / sqrt(load))); });
+}
+
+} // namespace touchstone::detail
+
+namespace touchstone::westergaard {
+
+/// The slope h'(x) of the gap for a <= x <= 1/2, load <= 1.
+template <Scalar T>
+T gap_slope(const T& x, const T& load)
+{
+    return 4 * (pi<T>() * cos_pi(x) * sqrt_sin_pi_square_minus(x, load));
+}
+
+/// The gap as its closed form has it: for symbols, and as a second opinion; it cancels at the edge.
+template <Scalar T>
+T gap_closed_form(const T& x, const T& load)
+{
+    const T v = sin_pi(x);
+    const T w = sqrt_sin_pi_square_minus(x, load);
+    return 2 * (v * w - load * log((v + w) / sqrt(load)));
+}
+
+/// The gap h(x)/g at distance x from the peak, load > 0, |x| <= 1/2; 0 in the contact.
+template <OrderedScalar T>
+T gap(const T& x, const T& load)
+{
+    const T v = hypot_of(sin_pi(x), integer<T>(0)); // |sin|
+    return across_seam(
+        load, integer<T>(1),
+        [&](const T& s) { return detail::gap_of(T(at_least(v, sqrt(s))), sqrt_sin_pi_square_minus(x, s), s); },
+        [](const T&) { return integer<T>(0); });
+}
+
+/// The mean gap C/g over a wavelength, load > 0; 0 from full contact on.
+template <OrderedScalar T>
+T mean_gap(const T& load)
+{
+    return across_seam(
+        load, ratio<1, 4, T>(),
+        [](const T& s) -> T { return 1 + s * (log(s) - 1); },
+        [](const T& s) {
+            return across_seam(
+                s, integer<T>(1),
+                [](const T& t) -> T {
+                    const T e = 1 - t;
+                    return e * e * detail::series(e, [](long j) { return (j + 1) * (j + 2); });
+                },
+                [](const T&) { return integer<T>(0); });
+        });
+}
+
+/// The elastic energy U/(g p*) per unit nominal area, load > 0.
+template <OrderedScalar T>
+T energy(const T& load)
+{
+    const T s = at_most(load, integer<T>(1));
+    return s * (s * (1 - 2 * log(s))) / 4; // in this order: s * s alone may underflow
+}
+
+} // namespace touchstone::westergaard
+
+namespace touchstone::hertz {
+
+/// The gap h(x)/g beside the contact of the parabola 2 pi^2 x^2 that the peak of (2.1) is, load > 0; 0 in the contact.
+template <OrderedScalar T>
+T gap(const T& x, const T& load)
+{
+    const T v = hypot_of(T(pi<T>() * x), integer<T>(0)); // |pi x|
+    return detail::gap_of(T(at_least(v, sqrt(load))), sqrt_pi_square_minus(x, load), load);
+}
+
+} // namespace touchstone::hertz
