@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -143,6 +144,25 @@ std::string as_ipp(const Table& t)
     return text + "}};\n";
 }
 
+/// Half a unit of the last digit of a decimal number, and how many significant digits it has.
+struct LastDigit {
+    Rational half_unit;
+    long significant = 0;
+};
+
+LastDigit last_digit(const std::string& number)
+{
+    const std::size_t mantissa_end = std::min(number.find_first_of("eE"), number.size());
+    const std::string mantissa = number.substr(0, mantissa_end);
+    const std::size_t point = mantissa.find('.');
+    const long after_point = point == std::string::npos ? 0 : static_cast<long>(mantissa.size() - point - 1);
+    const long exponent = mantissa_end < number.size() ? std::stol(number.substr(mantissa_end + 1)) : 0;
+    LastDigit last{power(Rational(10), exponent - after_point) / 2, 0};
+    for (const char c : mantissa)
+        if (c >= '0' && c <= '9' && (last.significant > 0 || c != '0')) ++last.significant;
+    return last;
+}
+
 bool is_number(const std::string& s) { return !s.empty() && parse_rational(s).has_value() && s.find('/') == std::string::npos && s.find('x') == std::string::npos; }
 
 } // namespace
@@ -177,6 +197,7 @@ StoredTable parse_table(std::string_view text, std::string_view file)
     };
     StoredTable t;
     Json head;
+    std::string columns;
     std::size_t rows_begin = 0, position = 0;
     bool in_rows = false;
     if (text.empty() || text.back() != '\n') throw fail("does not end with a complete line");
@@ -189,6 +210,7 @@ StoredTable parse_table(std::string_view text, std::string_view file)
                 head = Json::parse(line.substr(2), nullptr, false);
                 if (head.is_discarded()) throw fail("the JSON header cannot be read");
             }
+            columns = line;
             rows_begin = end + 1;
             position = end + 1;
             continue;
@@ -205,6 +227,10 @@ StoredTable parse_table(std::string_view text, std::string_view file)
             catch (const nlohmann::json::exception&) {
                 throw fail("no JSON header with name, quantity, inputs and digits");
             }
+            std::string right = "#";
+            for (const auto& name : t.inputs) right += " " + name;
+            right += " value error";
+            if (columns != right) throw fail(fmt::format("the columns are named '{}' where '{}' is right", columns, right));
         }
         std::istringstream words(line);
         std::vector<std::string> word;
@@ -223,14 +249,27 @@ StoredTable parse_table(std::string_view text, std::string_view file)
         row.error = word.back();
         if (!is_number(row.value)) throw fail(fmt::format("value '{}' is not a number", row.value));
         if (!is_number(row.error) || row.error.front() == '-') throw fail(fmt::format("error bound '{}' is not a number >= 0", row.error));
+        // rounding to nearest proves half a unit of the last digit and no less; a bound of 0 says that the value is exact
+        const LastDigit last = last_digit(row.value);
+        const Rational bound = *parse_rational(row.error);
+        if (bound != 0 && bound < last.half_unit)
+            throw fail(fmt::format("error bound {} is below half a unit of the last digit of {}", row.error, row.value));
+        if (bound != 0 && last.significant != t.digits)
+            throw fail(fmt::format("value {} has {} digits where the header says {}", row.value, last.significant, t.digits));
+        if (bound > abs(*parse_rational(row.value))) throw fail(fmt::format("error bound {} is larger than the value {}", row.error, row.value));
         t.rows.push_back(std::move(row));
         position = end + 1;
     }
     if (t.rows.empty()) throw fail("no rows");
+    auto inputs = t.rows;
+    std::sort(inputs.begin(), inputs.end(), [](const auto& a, const auto& b) { return a.inputs < b.inputs; });
+    if (std::adjacent_find(inputs.begin(), inputs.end(), [](const auto& a, const auto& b) { return a.inputs == b.inputs; }) != inputs.end())
+        throw fail("two rows have the same inputs");
     try {
         if (head.at("rows").get<std::size_t>() != t.rows.size())
             throw fail(fmt::format("{} rows where the header says {}", t.rows.size(), head.at("rows").dump()));
-        if (head.at("sha256").get<std::string>() != sha256(text.substr(rows_begin)))
+        t.sha256 = head.at("sha256").get<std::string>();
+        if (t.sha256 != sha256(text.substr(rows_begin)))
             throw fail("the rows do not have the SHA-256 that the header gives");
     }
     catch (const nlohmann::json::exception&) {

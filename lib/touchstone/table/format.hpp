@@ -27,7 +27,7 @@ std::string sha256(std::string_view bytes);
 
 /// A canonical table read back.
 struct StoredTable {
-    std::string name, quantity, header_json;
+    std::string name, quantity, header_json, sha256;
     std::vector<std::string> inputs;
     long digits = 0;
     struct Row {
@@ -42,7 +42,8 @@ class CorruptTable : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Parse a canonical txt table; checks the header, the number of columns, every number and the hash.
+/// Parse a canonical txt table; checks the header, the columns, every number, that each error bound is one a
+/// rounding to nearest can prove, that no row is there twice, and the hash.
 /// \throws CorruptTable
 StoredTable parse_table(std::string_view text, std::string_view file_name);
 
