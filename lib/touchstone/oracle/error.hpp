@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// How wrong a binary64 answer is, as an interval that certainly holds the truth, and how much of it the
+/// rounding of the inputs alone could have forced.
+///
+/// One ulp is the distance of binary64 numbers at the true value: 2^(e-52) for 2^e <= |value| < 2^(e+1),
+/// never less than 2^-1074. All of this is exact rational or ball arithmetic; only the two ends of a
+/// reported interval are rounded to binary64, outwards.
+#pragma once
+
+#include "touchstone/catalogue/quantity.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace touchstone::oracle {
+
+/// least <= true figure <= most. Figures beyond binary64 end at its largest finite number.
+struct Interval {
+    double least = 0;
+    double most = 0;
+};
+
+/// A certified value: the true one is within `error` of `value`.
+struct CertifiedValue {
+    Rational value;
+    Rational error;
+    bool is_zero() const { return value == 0 && error == 0; }
+};
+
+/// The distance of neighbouring binary64 numbers at the certified value.
+Rational ulp_at(const Rational& value);
+
+/// |answer - truth| in ulps; in absolute terms where the truth is zero, which has no ulp of its own.
+/// An infinite answer to a value that rounds to infinity is right. `answer` is no NaN.
+Interval error_of(double answer, const CertifiedValue& truth);
+
+/// Whether an answer is beyond comparison: a NaN, or infinite where the true value is not.
+bool is_special(double answer, const CertifiedValue& truth);
+
+/// What a perfect code can lose because each real input was rounded once: the largest
+/// |f(x') - f(x)| over the box of inputs x' within half an ulp of x, in the units of error_of().
+struct Forced {
+    double least = 0;           ///< reached by an input of the box
+    std::optional<double> most; ///< exceeded by none; infinite where f is unbounded on the box; nothing if not known
+};
+
+/// The corners of the box give `least`, ball enclosures over its parts `most`, the tighter the more
+/// `pieces` each side of each input is cut into; inputs outside the quantity's domain do not count.
+/// Cost for k real inputs: 3^k + (2 pieces)^k evaluations at 192 bits.
+Forced forced_by_inputs(const Quantity&, const std::vector<double>& inputs, const CertifiedValue& truth, int pieces);
+
+/// The exact inputs of a row.
+Inputs exact_inputs(const Quantity&, const std::vector<double>& row);
+
+} // namespace touchstone::oracle

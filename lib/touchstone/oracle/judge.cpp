@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/oracle/judge.hpp"
+
+#include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/oracle/mixup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+
+namespace touchstone::oracle {
+namespace {
+
+
+/// The most that is allowed for certain, and the least that is certainly too much.
+struct Allowance {
+    double certain, possible;
+};
+
+Allowance allowance(const JudgedRow& row, double own)
+{
+    if (!row.forced) return {own, own};
+    return {own + row.forced->least, own + row.forced->most.value_or(row.forced->least)};
+}
+
+Verdict compare(const JudgedRow& row, const Allowance& a)
+{
+    if (row.error.most <= a.certain) return Verdict::pass;
+    return row.error.least > a.possible ? Verdict::fail : Verdict::undecided;
+}
+
+JudgedRow judge_row(const Quantity& q, const Question& question, double answer, const Bound& bound)
+{
+    JudgedRow row;
+    row.answer = answer;
+    row.special = is_special(answer, question.truth);
+    if (row.special) {
+        row.error = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+        row.verdict = Verdict::fail;
+        row.why = fmt::format("{} where the true value is {:.20}", std::isnan(answer) ? "nan" : answer > 0 ? "inf" : "-inf", question.value);
+        return row;
+    }
+    row.error = error_of(answer, question.truth);
+    if (bound.baseline != nullptr && !question.held_out) {
+        const double before = bound.baseline->bounds.at(row_key(question.inputs));
+        row.verdict = compare(row, {before, before});
+        if (row.verdict != Verdict::pass) row.why = fmt::format("{:.4g} ulps, and {:.4g} in the baseline", row.error.most, before);
+        return row;
+    }
+    const double own = question.truth.is_zero() ? bound.absolute : bound.ulps;
+    row.verdict = compare(row, {own, own});
+    for (const int pieces : {1, 4}) { // a rough bound of what the inputs force settles most rows
+        if (row.verdict == Verdict::pass || (pieces > 1 && row.verdict == Verdict::fail)) break;
+        if (!bound.forgive_inputs) break;
+        row.forced = forced_by_inputs(q, question.inputs, question.truth, pieces);
+        row.verdict = compare(row, allowance(row, own));
+    }
+    if (row.verdict == Verdict::pass) return row;
+    const std::string_view unit = question.truth.is_zero() ? "off zero" : "ulps";
+    row.why = fmt::format("{:.4g} {}, allowed {:.4g}", row.error.least, unit, own);
+    if (row.forced) row.why += fmt::format(" and {:.4g} that rounded inputs force", row.forced->most.value_or(row.forced->least));
+    return row;
+}
+
+/// Rows that differ in one input alone, in its order: where the certified values go one way, so must the answers.
+void find_order_violations(const std::vector<Question>& questions, Judgement& result)
+{
+    if (questions.empty()) return;
+    for (std::size_t k = 0; k < questions.front().inputs.size(); ++k) {
+        std::map<std::vector<double>, std::vector<std::size_t>> lines;
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            auto others = questions[i].inputs;
+            others.erase(others.begin() + static_cast<long>(k));
+            if (!result.rows[i].special) lines[others].push_back(i);
+        }
+        for (auto& [others, line] : lines) {
+            const auto input = [&](std::size_t i) { return questions[i].inputs[k]; };
+            std::sort(line.begin(), line.end(), [&](std::size_t a, std::size_t b) { return input(a) < input(b); });
+            for (std::size_t j = 0; j + 1 < line.size(); ++j) {
+                const std::size_t a = line[j], b = line[j + 1];
+                const Rational rise = questions[b].truth.value - questions[a].truth.value;
+                const double found = result.rows[b].answer - result.rows[a].answer;
+                if (abs(rise) <= questions[a].truth.error + questions[b].truth.error) continue;
+                if ((rise > 0 && found < 0) || (rise < 0 && found > 0)) result.order.push_back({a, b, "out of order"});
+            }
+            for (const std::size_t a : line) {
+                if (!(input(a) > 0)) continue;
+                const auto mirror = std::find_if(line.begin(), line.end(), [&](std::size_t b) { return input(b) == -input(a); });
+                if (mirror == line.end()) continue;
+                const double x = result.rows[a].answer, y = result.rows[*mirror].answer;
+                const Rational& u = questions[a].truth.value;
+                const Rational& v = questions[*mirror].truth.value;
+                if ((u == v && x != y) || (u == -v && x != -y)) result.order.push_back({a, *mirror, "not symmetric"});
+            }
+        }
+    }
+}
+
+/// How bad a row is, for ordering: not passed first, then by error beyond what is forced.
+std::pair<int, double> badness(const JudgedRow& row, bool zero)
+{
+    const int verdict = row.special ? 3 : row.verdict == Verdict::fail ? 2 : row.verdict == Verdict::undecided ? 1 : 0;
+    if (zero) return {verdict, row.error.least > 0 ? 0.5 : 0.0};
+    return {verdict, row.error.least - (row.forced ? std::min(row.error.least, row.forced->most.value_or(0)) : 0) + 1e-6 * row.error.most};
+}
+
+} // namespace
+
+std::string_view to_string(Verdict v)
+{
+    switch (v) {
+    case Verdict::pass: return "pass";
+    case Verdict::fail: return "fail";
+    case Verdict::undecided: break;
+    }
+    return "undecided";
+}
+
+std::vector<Question> questions(const StoredTable& table)
+{
+    std::vector<Question> all;
+    for (const auto& r : table.rows) all.push_back({r.inputs, r.value, {*parse_rational(r.value), *parse_rational(r.error)}, false});
+    return all;
+}
+
+std::vector<Question> held_out(const Quantity& q, const std::vector<Question>& table, std::size_t count, unsigned long seed)
+{
+    std::vector<Question> fresh;
+    if (table.empty() || table.front().inputs.empty()) return fresh;
+    std::set<std::vector<double>> taken;
+    for (const auto& t : table) taken.insert(t.inputs);
+    std::mt19937_64 random(seed);
+    const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    for (std::size_t tries = 0; fresh.size() < count && tries < 20 * count; ++tries) {
+        std::vector<double> row = table[random() % table.size()].inputs;
+        for (std::size_t k = 0; k < row.size(); ++k)
+            if (q.inputs[k] != "n") row[k] *= 1 + std::ldexp(uniform() - 0.5, -static_cast<int>(random() % 12));
+        if (!taken.insert(row).second) continue;
+        try {
+            const Evaluation e = evaluate(q, exact_inputs(q, row), {.digits = 40});
+            if (e.status == Status::exact || e.status == Status::certified)
+                fresh.push_back({row, e.value, {*parse_rational(e.value), *parse_rational(e.error_bound)}, true});
+        }
+        catch (const DomainError&) {
+            continue; // moved out of the domain
+        }
+    }
+    return fresh;
+}
+
+void recheck(const Quantity& q, const StoredTable& table, const std::vector<std::size_t>& rows, std::string_view file)
+{
+    for (const std::size_t i : rows) {
+        const auto& row = table.rows[i];
+        Evaluation e;
+        try {
+            e = evaluate(q, exact_inputs(q, row.inputs), {.digits = table.digits});
+        }
+        catch (const DomainError& error) {
+            throw CorruptTable(fmt::format("{}: row {} ({}): {}", file, i + 1, row_key(row.inputs), error.what()));
+        }
+        if (e.value != row.value || e.error_bound != row.error)
+            throw CorruptTable(fmt::format("{}: row {} ({}) holds {:.50} +- {}, certified is {:.50} +- {}", file, i + 1, row_key(row.inputs),
+                                           row.value, row.error, e.value, e.error_bound));
+    }
+}
+
+Judgement judge(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Bound& bound,
+                const std::function<void(std::size_t, std::size_t)>& progress)
+{
+    Judgement result;
+    std::size_t wrong_in = 0, wrong_out = 0, out = 0;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        const Question& question = questions[i];
+        JudgedRow row = judge_row(q, question, answers[i], bound);
+        result.failed += row.verdict == Verdict::fail;
+        result.undecided += row.verdict == Verdict::undecided;
+        result.special += row.special;
+        out += question.held_out;
+        (question.held_out ? wrong_out : wrong_in) += row.special || row.verdict == Verdict::fail;
+        if (question.truth.is_zero()) {
+            ++result.zeros;
+            result.negative_zeros += row.answer == 0 && std::signbit(row.answer);
+            if (!row.special) result.worst_at_zero = std::max(result.worst_at_zero, std::fabs(row.answer));
+        }
+        else {
+            result.ulps.least = std::max(result.ulps.least, row.error.least);
+            result.ulps.most = std::max(result.ulps.most, row.error.most);
+        }
+        result.rows.push_back(std::move(row));
+        if (progress) progress(i + 1, questions.size());
+    }
+    for (std::size_t i = 0; i < questions.size(); ++i) result.worst.push_back(i);
+    std::stable_sort(result.worst.begin(), result.worst.end(), [&](std::size_t a, std::size_t b) {
+        return badness(result.rows[a], questions[a].truth.is_zero()) > badness(result.rows[b], questions[b].truth.is_zero());
+    });
+    for (std::size_t k = 0; k < std::min(shown_rows, result.worst.size()); ++k) {
+        const std::size_t i = result.worst[k];
+        if (!result.rows[i].special) result.rows[i].forced = forced_by_inputs(q, questions[i].inputs, questions[i].truth, 4);
+    }
+    find_order_violations(questions, result);
+    result.looked_up = wrong_in == 0 && out > 0 && 2 * wrong_out > out;
+    if (result.failed > 0 || (bound.keep_order && !result.order.empty())) result.verdict = Verdict::fail;
+    else if (result.undecided > 0) result.verdict = Verdict::undecided;
+    if (result.failed > 0 && !result.looked_up) result.mixup = find_mixup(q, questions, answers);
+    return result;
+}
+
+} // namespace touchstone::oracle

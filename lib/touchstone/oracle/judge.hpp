@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The verdict on a code from its answers and certified values, row by row and as a whole.
+#pragma once
+
+#include "touchstone/oracle/baseline.hpp"
+#include "touchstone/oracle/error.hpp"
+#include "touchstone/table/format.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchstone::oracle {
+
+/// How many of the worst rows are worth a reader's time: those have `forced` in any case.
+inline constexpr std::size_t shown_rows = 10;
+
+/// A row asked: exact inputs, and the value the answer is measured against.
+struct Question {
+    std::vector<double> inputs;
+    std::string value;          ///< the certified value as text
+    CertifiedValue truth;
+    bool held_out = false;      ///< not from the table: certified at judge time
+};
+
+struct MixUp {
+    std::string name;
+    double explains = 0;        ///< share of the telling rows it gives, 0 to 1
+};
+
+enum class Verdict { pass, fail, undecided };
+std::string_view to_string(Verdict);
+
+struct Bound {
+    double ulps = 4;            ///< of error beyond what the rounding of inputs forces
+    bool forgive_inputs = true; ///< false: the bound is for the whole error
+    double absolute = 0;        ///< allowed where the true value is zero
+    bool keep_order = false;    ///< order and symmetry violations fail too
+    const Baseline* baseline = nullptr; ///< replaces `ulps` for the table's rows by what the code reached before
+};
+
+struct JudgedRow {
+    double answer = 0;
+    bool special = false;            ///< NaN, or infinite where the truth is not
+    Interval error;                  ///< ulps; absolute where the truth is zero; of no meaning if special
+    std::optional<Forced> forced;    ///< worked out only where the verdict or the reader needs it
+    Verdict verdict = Verdict::pass;
+    std::string why;                 ///< why not passed; else empty
+};
+
+/// Two rows whose answers are in the wrong order, or differ where the truth is the same by symmetry.
+struct OrderViolation {
+    std::size_t first, second;
+    std::string what;
+};
+
+struct Judgement {
+    Verdict verdict = Verdict::pass;
+    std::vector<JudgedRow> rows;
+    Interval ulps;                       ///< worst row: largest least, largest most
+    std::size_t failed = 0, undecided = 0, special = 0, negative_zeros = 0, zeros = 0;
+    double worst_at_zero = 0;            ///< largest |answer| where the truth is zero
+    std::vector<std::size_t> worst;      ///< rows, the worst first
+    std::vector<OrderViolation> order;
+    std::optional<MixUp> mixup;
+    bool looked_up = false;              ///< right on the table's rows, wrong off them
+};
+
+/// The questions of a stored table.
+std::vector<Question> questions(const StoredTable&);
+
+/// `count` rows near those of the table but not in it, with freshly certified values. The seed decides
+/// which: a subject that looks its answers up cannot know them.
+std::vector<Question> held_out(const Quantity&, const std::vector<Question>&, std::size_t count, unsigned long seed);
+
+/// Certifies stored rows again and compares digit by digit: a table may be well formed, carry the
+/// right hash and still lie. \throws CorruptTable
+void recheck(const Quantity&, const StoredTable&, const std::vector<std::size_t>& rows, std::string_view file);
+
+/// answers[i] is the answer to questions[i]. `progress(done, total)` is called now and then.
+Judgement judge(const Quantity&, const std::vector<Question>&, const std::vector<double>& answers, const Bound&,
+                const std::function<void(std::size_t, std::size_t)>& progress = {});
+
+} // namespace touchstone::oracle
