@@ -18,5 +18,6 @@ void add_list(CLI::App&, Run&);
 void add_eval(CLI::App&, Run&);
 void add_table(CLI::App&, Run&);
 void add_paper(CLI::App&, Run&);
+void add_judge(CLI::App&, Run&);
 
 } // namespace touchstone::program

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "touchstone/oracle/baseline.hpp"
 #include "touchstone/table/format.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
@@ -39,6 +40,9 @@ int guarded(const Run& run)
     catch (const CorruptTable& e) {
         return complain(bad_input, e.what());
     }
+    catch (const oracle::BadBaseline& e) {
+        return complain(bad_input, e.what());
+    }
     catch (const std::bad_alloc&) {
         return complain(internal_error, "out of memory");
     }
@@ -61,6 +65,7 @@ int main(int argc, char** argv)
     add_eval(app, run);
     add_table(app, run);
     add_paper(app, run);
+    add_judge(app, run);
     try {
         app.parse(argc, argv);
     }

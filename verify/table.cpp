@@ -3,6 +3,7 @@
 #include "touchstone/table/format.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,7 +13,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <thread>
 
@@ -29,37 +29,6 @@ struct TableOptions {
     unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
     bool check = false;
 };
-
-/// The old file or the new one, never half: a temporary file in the same folder, then a rename.
-void write_file(const fs::path& path, const std::string& bytes)
-{
-    const fs::path temporary = path.string() + fmt::format(".tmp{}", ::getpid());
-    {
-        std::ofstream out(temporary, std::ios::binary);
-        out << bytes;
-        out.close();
-        if (!out) {
-            std::error_code ignored;
-            fs::remove(temporary, ignored);
-            throw Failure(cannot_write, fmt::format("cannot write {}", path.string()));
-        }
-    }
-    std::error_code error;
-    fs::rename(temporary, path, error);
-    if (error) {
-        fs::remove(temporary, error);
-        throw Failure(cannot_write, fmt::format("cannot write {}", path.string()));
-    }
-}
-
-std::string read_file(const fs::path& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
-    if (!in) throw Failure(no_input_file, fmt::format("no such table: {}", path.string()));
-    return std::move(bytes).str();
-}
 
 /// Where two texts part: the line number and the two lines.
 std::string first_difference(const std::string& expected, const std::string& found)

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// `touchstone judge`: how wrong a code is, where, why, and whether any code could do better.
+#include "touchstone/oracle/judge.hpp"
+#include "touchstone/oracle/subject.hpp"
+#include "verify/commands.hpp"
+#include "verify/exit_codes.hpp"
+#include "verify/files.hpp"
+#include "verify/judge_report.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <random>
+#include <thread>
+
+namespace touchstone::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct JudgeOptions {
+    std::string table;
+    std::vector<std::string> command;
+    std::string library, symbol, answers;
+    oracle::Bound bound;
+    bool strict = false, json = false, update = false;
+    std::string junit, svg, baseline;
+    std::size_t held_out = 32, recheck = 16;
+    unsigned long seed = 0;
+    double start_limit = 60, silence_limit = 10, total_limit = 600;
+};
+
+/// The table to judge by: a file, a stored one beside the program, or one computed now.
+struct Reference {
+    StoredTable table;
+    std::string file; ///< where it was read; empty if computed now
+};
+
+Reference find_reference(const std::string& name)
+{
+    if (name.find('/') != std::string::npos || name.ends_with(".txt") || fs::is_regular_file(name))
+        return {parse_table(read_file(name), name), name};
+    const TableSpec* spec = find_table(name);
+    if (spec == nullptr)
+        throw Failure(usage_error, fmt::format("unknown table '{}'; nearest is '{}' (or give the path of a canonical table)", name,
+                                               nearest_name(name, table_names())));
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (const fs::path& folder : {program / "../share/touchstone/reference", program / "data/reference", program / "../data/reference", program / "../../data/reference"}) {
+        const fs::path file = folder / (name + ".txt");
+        if (fs::is_regular_file(file)) return {parse_table(read_file(file), file.string()), file.string()};
+    }
+    const bool terminal = ::isatty(2) != 0;
+    const Table t = compute(*spec, spec->digits, std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t done, std::size_t total) {
+        if (terminal && (done % 16 == 0 || done == total)) fmt::print(stderr, "\rcomputing {} {:>5} of {}", name, done, total);
+    });
+    if (terminal) fmt::print(stderr, "\r{:60}\r", "");
+    return {parse_table(format(t, "txt"), name), ""};
+}
+
+std::chrono::milliseconds limit(double seconds) { return std::chrono::milliseconds(std::max(1L, std::lround(seconds * 1000))); }
+
+oracle::Answers ask(const JudgeOptions& o, const std::vector<oracle::Question>& questions)
+{
+    oracle::InputRows rows;
+    for (const auto& q : questions) rows.push_back(q.inputs);
+    const oracle::Limits limits{limit(o.start_limit), limit(o.silence_limit), limit(o.total_limit)};
+    if (!o.answers.empty()) return oracle::read_answers(read_file(o.answers), rows.size());
+    if (!o.library.empty()) return oracle::ask_library(o.library, o.symbol, rows, limits);
+    return oracle::ask_command(o.command, rows, limits);
+}
+
+/// A sample of rows is certified anew, so that a table with a right hash and wrong digits is found out.
+std::vector<std::size_t> sample(std::size_t rows, std::size_t count, unsigned long seed)
+{
+    std::vector<std::size_t> all(rows);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::mt19937_64 random(seed);
+    for (std::size_t i = 0; i < std::min(count, rows); ++i) std::swap(all[i], all[i + random() % (rows - i)]);
+    all.resize(std::min(count, rows));
+    return all;
+}
+
+oracle::Baseline reached(const Case& c, const StoredTable& table)
+{
+    oracle::Baseline b{table.name, table.sha256, {}};
+    for (std::size_t i = 0; i < c.questions.size(); ++i) {
+        if (c.questions[i].held_out) continue;
+        const auto& row = c.judgement.rows[i];
+        if (row.special || row.error.most >= std::numeric_limits<double>::max())
+            throw Failure(fails, fmt::format("no baseline is written: the answer {} at {} is not a finite number of ulps off", oracle::row_key({row.answer}),
+                                             oracle::row_key(c.questions[i].inputs)));
+        b.bounds[oracle::row_key(c.questions[i].inputs)] = row.error.most;
+    }
+    return b;
+}
+
+/// Every change is said on stderr, one line a row that got worse, one for the rest.
+void update_baseline(const JudgeOptions& o, const Case& c, const StoredTable& table, const oracle::Baseline& before)
+{
+    const oracle::Baseline after = reached(c, table);
+    std::size_t counts[4]{};
+    for (const auto& line : differences(before, after)) {
+        if (line.starts_with("raised")) fmt::print(stderr, "touchstone: {}: {}\n", o.baseline, line);
+        ++counts[line.starts_with("raised") ? 0 : line.starts_with("lowered") ? 1 : line.starts_with("new") ? 2 : 3];
+    }
+    write_file(o.baseline, after.text());
+    fmt::print(stderr, "touchstone: {} written: {} rows, {} raised, {} lowered, {} new, {} gone\n", o.baseline, after.bounds.size(), counts[0], counts[1],
+               counts[2], counts[3]);
+}
+
+oracle::Baseline stored_baseline(const JudgeOptions& o, const StoredTable& table)
+{
+    if (o.update && !fs::exists(o.baseline)) return {table.name, table.sha256, {}};
+    oracle::Baseline b = oracle::parse_baseline(read_file(o.baseline), o.baseline);
+    if (o.update) return b;
+    if (b.table != table.name || b.sha256 != table.sha256)
+        throw oracle::BadBaseline(fmt::format("{}: belongs to table {} with rows of SHA-256 {:.12}..., not to {} with {:.12}... (--update-baseline makes a new one)",
+                                              o.baseline, b.table, b.sha256, table.name, table.sha256));
+    for (const auto& row : table.rows)
+        if (!b.bounds.contains(oracle::row_key(row.inputs)))
+            throw oracle::BadBaseline(fmt::format("{}: has no bound for row {}", o.baseline, oracle::row_key(row.inputs)));
+    return b;
+}
+
+void check_options(const JudgeOptions& o)
+{
+    const int ways = (o.command.empty() ? 0 : 1) + (o.library.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1);
+    if (ways != 1) throw Failure(usage_error, "give one subject: -- COMMAND..., --library LIB.so --symbol NAME, or --answers FILE");
+    if (o.library.empty() != o.symbol.empty()) throw Failure(usage_error, "--library LIB.so and --symbol NAME go together");
+    if (o.update && o.baseline.empty()) throw Failure(usage_error, "--update-baseline needs --baseline FILE");
+    for (const auto& [name, value] : {std::pair{"--ulps", o.bound.ulps}, {"--absolute", o.bound.absolute}})
+        if (!std::isfinite(value) || value < 0) throw Failure(usage_error, fmt::format("{} {}: must be a finite number >= 0", name, value));
+    for (const double seconds : {o.start_limit, o.silence_limit, o.total_limit})
+        if (!(seconds > 0 && seconds <= 1e6)) throw Failure(usage_error, fmt::format("a time limit of {} s: must be > 0 and <= 10^6", seconds));
+}
+
+int judge_subject(JudgeOptions o)
+{
+    check_options(o);
+    const Reference reference = find_reference(o.table);
+    const StoredTable& table = reference.table;
+    Case c;
+    c.table = table.name;
+    c.quantity = find_quantity(table.quantity);
+    if (c.quantity == nullptr || c.quantity->inputs != table.inputs)
+        throw CorruptTable(fmt::format("{}: quantity '{}' with inputs '{}' is none of this program's", o.table, table.quantity, fmt::join(table.inputs, " ")));
+    c.subject = !o.library.empty() ? o.library + ":" + o.symbol : !o.answers.empty() ? o.answers : fmt::format("{}", fmt::join(o.command, " "));
+    c.bound = o.bound;
+    c.bound.forgive_inputs = !o.strict;
+    c.seed = o.seed != 0 ? o.seed : std::random_device{}();
+    if (!reference.file.empty()) oracle::recheck(*c.quantity, table, sample(table.rows.size(), o.recheck, c.seed), reference.file);
+    const oracle::Baseline baseline = o.baseline.empty() ? oracle::Baseline{} : stored_baseline(o, table);
+    if (!o.baseline.empty() && !o.update) c.bound.baseline = &baseline;
+
+    c.questions = oracle::questions(table);
+    if (o.answers.empty()) { // a file of answers is to the table's own rows
+        auto fresh = oracle::held_out(*c.quantity, c.questions, o.held_out, c.seed);
+        c.held_out = fresh.size();
+        std::mt19937_64 random(c.seed + 1);
+        for (auto& f : fresh) c.questions.insert(c.questions.begin() + static_cast<long>(random() % (c.questions.size() + 1)), std::move(f));
+    }
+    c.answers = ask(o, c.questions);
+    if (!c.answers.fault) {
+        const bool terminal = ::isatty(2) != 0;
+        c.judgement = oracle::judge(*c.quantity, c.questions, c.answers.values, c.bound, [terminal](std::size_t done, std::size_t total) {
+            if (terminal && (done % 32 == 0 || done == total)) fmt::print(stderr, "\rjudging {:>5} of {}{}", done, total, done == total ? "\r\033[K" : "");
+        });
+        // nothing fails by a stored row that has not been certified again
+        if (!reference.file.empty()) {
+            std::vector<std::size_t> decisive;
+            for (const std::size_t i : c.judgement.worst) {
+                if (decisive.size() == oracle::shown_rows) break;
+                if (!c.questions[i].held_out)
+                    decisive.push_back(static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
+                                                                              [](const auto& q) { return !q.held_out; })));
+            }
+            oracle::recheck(*c.quantity, table, decisive, reference.file);
+        }
+    }
+    if (!o.junit.empty()) write_file(o.junit, as_junit(c));
+    if (!o.svg.empty() && !c.answers.fault) write_file(o.svg, as_svg(c));
+    fmt::print("{}", o.json ? as_json(c).dump() + "\n" : as_text(c));
+    if (c.answers.fault) throw Failure(protocol_error, fmt::format("'{}' {}", c.subject, c.answers.fault->detail));
+    if (o.update) update_baseline(o, c, table, baseline);
+    switch (c.judgement.verdict) {
+    case oracle::Verdict::pass: return holds;
+    case oracle::Verdict::fail: return fails;
+    case oracle::Verdict::undecided: break;
+    }
+    return undecided;
+}
+
+} // namespace
+
+void add_judge(CLI::App& app, Run& run)
+{
+    auto* command = app.add_subcommand("judge", "How wrong a code is, where and why: touchstone judge westergaard_pressure --ulps 4 -- ./mycode");
+    auto o = std::make_shared<JudgeOptions>();
+    command->add_option("table", o->table, "Name of a table, or the path of a canonical table")->required();
+    command->add_option("command", o->command, "After --: the program and its arguments; it reads rows of hexadecimal numbers and writes one number a line");
+    command->add_option("--library", o->library, "Shared library whose function is called, in a process of its own");
+    command->add_option("--symbol", o->symbol, "double SYMBOL(double, ...) in --library");
+    command->add_option("--answers", o->answers, "File with one answer a line, in the table's order");
+    command->add_option("--ulps", o->bound.ulps, "Allowed error in ulps, beyond what the rounding of inputs forces")->capture_default_str();
+    command->add_flag("--strict", o->strict, "The inputs are exact: forgive nothing for their rounding");
+    command->add_option("--absolute", o->bound.absolute, "Allowed error where the true value is zero")->capture_default_str();
+    command->add_flag("--keep-order", o->bound.keep_order, "Answers out of order or not symmetric fail too");
+    command->add_option("--baseline", o->baseline, "Bounds row by row, as the code reached them before; they replace --ulps");
+    command->add_flag("--update-baseline", o->update, "Write --baseline from this run and say what changed");
+    command->add_option("--held-out", o->held_out, "Rows that are not in the table, certified now")->check(CLI::Range(0, 10000))->capture_default_str();
+    command->add_option("--recheck", o->recheck, "Rows of a stored table certified anew before it is trusted (those that decide always are)")->capture_default_str();
+    command->add_option("--seed", o->seed, "Which rows are held out and rechecked (default: random, and printed)");
+    command->add_option("--start-limit", o->start_limit, "Seconds until the first answer")->capture_default_str();
+    command->add_option("--row-limit", o->silence_limit, "Seconds of silence between answers")->capture_default_str();
+    command->add_option("--time-limit", o->total_limit, "Seconds in all")->capture_default_str();
+    command->add_flag("--json", o->json, "One JSON object");
+    command->add_option("--junit", o->junit, "Write JUnit XML, one test case a row");
+    command->add_option("--svg", o->svg, "Write a plot of error against input");
+    command->callback([&run, o] { run = [o] { return judge_subject(*o); }; });
+}
+
+} // namespace touchstone::program

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/judge_report.hpp"
+
+#include "touchstone/rounding/decimal.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace touchstone::program {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using oracle::Verdict;
+
+/// Shown to a person: 12.3 or 1.7e+09; "huge" for what binary64 cannot hold.
+std::string brief(double x) { return x >= std::numeric_limits<double>::max() ? "huge" : fmt::format("{:.3g}", x); }
+
+std::string brief(const oracle::Interval& i)
+{
+    const std::string least = brief(i.least), most = brief(i.most);
+    return least == most ? least : least + " to " + most;
+}
+
+std::string named_inputs(const Case& c, std::size_t row)
+{
+    std::string text;
+    for (std::size_t k = 0; k < c.quantity->inputs.size(); ++k)
+        text += fmt::format("{}{}={}", k > 0 ? " " : "", c.quantity->inputs[k], shortest(c.questions[row].inputs[k]));
+    return text.empty() ? "no inputs" : text;
+}
+
+std::vector<std::string> hex_inputs(const Case& c, std::size_t row)
+{
+    std::vector<std::string> hex;
+    for (const double x : c.questions[row].inputs) hex.push_back(hexfloat(x));
+    return hex;
+}
+
+/// The rows a reader is shown: those not passed, or the worst of those passed if all are.
+std::vector<std::size_t> shown(const Case& c)
+{
+    std::vector<std::size_t> rows;
+    for (const std::size_t i : c.judgement.worst)
+        if (rows.size() < oracle::shown_rows) rows.push_back(i);
+    return rows;
+}
+
+Json interval(double least, std::optional<double> most)
+{
+    Json j = Json::array({least});
+    if (most && std::isfinite(*most)) j.push_back(*most);
+    else j.push_back(nullptr); // nothing bounds it
+    return j;
+}
+
+Json forced(const oracle::JudgedRow& row) { return row.forced ? interval(row.forced->least, row.forced->most) : Json(nullptr); }
+
+std::string escaped(std::string_view text)
+{
+    std::string out;
+    for (const char ch : text) {
+        const auto u = static_cast<unsigned char>(ch);
+        if (ch == '&') out += "&amp;";
+        else if (ch == '<') out += "&lt;";
+        else if (ch == '>') out += "&gt;";
+        else if (ch == '"') out += "&quot;";
+        else if ((u < 0x20 && ch != '\n' && ch != '\t') || u >= 0x7f) out += fmt::format("\\x{:02x}", u);
+        else out += ch;
+    }
+    return out;
+}
+
+std::string headline(const Case& c)
+{
+    const auto& j = c.judgement;
+    std::string text = fmt::format("{}: {} rows of {}", j.verdict == Verdict::pass ? "PASS" : j.verdict == Verdict::fail ? "FAIL" : "UNDECIDED",
+                                   c.questions.size(), c.table);
+    if (c.held_out > 0) text += fmt::format(" ({} of them held out)", c.held_out);
+    if (j.failed > 0) text += fmt::format(", {} fail", j.failed);
+    if (j.undecided > 0) text += fmt::format(", {} undecided", j.undecided);
+    return text;
+}
+
+/// Horizontal or vertical axis: linear or logarithmic, mapped to [0, 1].
+class Axis {
+public:
+    Axis(double low, double high, bool logarithmic) : logarithmic_(logarithmic), low_(place(low)), high_(place(high))
+    {
+        if (high_ - low_ < 1e-12) high_ = low_ + 1;
+    }
+    double operator()(double v) const { return (place(v) - low_) / (high_ - low_); }
+    /// Round numbers on the axis, at most about ten.
+    std::vector<double> ticks() const
+    {
+        std::vector<double> t;
+        if (logarithmic_) {
+            const double step = std::max(1.0, std::ceil((high_ - low_) / 8));
+            for (double e = std::ceil(low_ - 1e-9); e <= high_ + 1e-9; e += step) t.push_back(std::pow(10, e));
+        }
+        else
+            for (int k = 0; k <= 5; ++k) t.push_back(low_ + (high_ - low_) * k / 5);
+        return t;
+    }
+
+private:
+    double place(double v) const { return logarithmic_ ? std::log10(v) : v; }
+    bool logarithmic_;
+    double low_, high_;
+};
+
+} // namespace
+
+std::string as_text(const Case& c)
+{
+    if (c.answers.fault)
+        return fmt::format("PROTOCOL: {}\n  '{}' {}\n{}", c.table, c.subject, c.answers.fault->detail,
+                           c.answers.chatter.empty() ? "" : fmt::format("  the end of what it wrote to stderr: {}\n", escaped(c.answers.chatter.substr(0, 300))));
+    const auto& j = c.judgement;
+    std::string text = headline(c) + "\n";
+    text += fmt::format("  {} of {} ({})\n", c.quantity->name, c.subject, c.quantity->description);
+    text += fmt::format("  largest error {} ulps", brief(j.ulps));
+    if (c.bound.baseline != nullptr) text += "; bound: the baseline, row by row\n";
+    else text += fmt::format("; allowed {:g}{}\n", c.bound.ulps, c.bound.forgive_inputs ? " beyond what rounded inputs force" : "");
+    if (j.special > 0) text += fmt::format("  {} answers are nan or infinite where the true value is neither\n", j.special);
+    if (j.zeros > 0)
+        text += fmt::format("  {} true values are zero: largest answer there {}{}\n", j.zeros, brief(j.worst_at_zero),
+                            j.negative_zeros > 0 ? fmt::format(", {} answers are -0", j.negative_zeros) : "");
+    if (!j.order.empty()) {
+        const auto& v = j.order.front();
+        text += fmt::format("  {} pairs of answers {}: first {} and {}\n", j.order.size(), v.what, named_inputs(c, v.first), named_inputs(c, v.second));
+    }
+    if (j.looked_up) text += "  right on the table's rows, wrong on most rows held out: the answers look looked up, not computed\n";
+    if (j.mixup) text += fmt::format("  likely mistake: {} (explains {:.0f} % of the rows that tell)\n", j.mixup->name, 100 * j.mixup->explains);
+    else if (j.failed > 0) text += "  no known mix-up explains the answers\n";
+    text += "  worst rows (hexadecimal inputs can be replayed):\n";
+    std::size_t lines = 0;
+    for (const std::size_t i : shown(c)) {
+        if (++lines > 5) break;
+        const auto& row = j.rows[i];
+        text += fmt::format("    {}  [{}]{}\n", named_inputs(c, i), fmt::join(hex_inputs(c, i), " "), c.questions[i].held_out ? " held out" : "");
+        text += fmt::format("      answer {} = {}, true {:.20}\n", hexfloat(row.answer), shortest(row.answer), c.questions[i].value);
+        if (row.special) text += "      " + row.why + "\n";
+        else
+            text += fmt::format("      error {} {}, rounded inputs force {} to {}{}\n", brief(row.error), c.questions[i].truth.is_zero() ? "(absolute)" : "ulps",
+                                row.forced ? brief(row.forced->least) : "?",
+                                !row.forced || !row.forced->most ? "?" : std::isfinite(*row.forced->most) ? brief(*row.forced->most) : "anything",
+                                row.verdict == Verdict::pass ? "" : row.verdict == Verdict::fail ? ": FAIL" : ": undecided");
+    }
+    if (c.held_out > 0) text += fmt::format("  held-out rows: --held-out {} --seed {}\n", c.held_out, c.seed);
+    return text;
+}
+
+Json as_json(const Case& c)
+{
+    Json out;
+    out["table"] = c.table;
+    out["rows"] = c.questions.size();
+    if (c.answers.fault) {
+        out["verdict"] = "protocol";
+        out["ulps"] = nullptr;
+        out["forced_by_inputs"] = nullptr;
+        out["worst"] = Json::array();
+        out["mixup"] = nullptr;
+        out["fault"] = {{"kind", std::string(to_string(c.answers.fault->kind))}, {"detail", c.answers.fault->detail},
+                        {"answered", c.answers.fault->answered}, {"stderr", escaped(c.answers.chatter)}};
+        return out;
+    }
+    const auto& j = c.judgement;
+    out["verdict"] = std::string(to_string(j.verdict));
+    out["ulps"] = {j.ulps.least, j.ulps.most};
+    out["forced_by_inputs"] = j.worst.empty() ? Json(nullptr) : forced(j.rows[j.worst.front()]);
+    Json worst = Json::array();
+    for (const std::size_t i : shown(c)) {
+        const auto& row = j.rows[i];
+        Json w{{"inputs", hex_inputs(c, i)}, {"answer", hexfloat(row.answer)}, {"value", c.questions[i].value}};
+        const bool zero = c.questions[i].truth.is_zero();
+        w["ulps"] = row.special || zero ? Json(nullptr) : Json({row.error.least, row.error.most});
+        if (!row.special && zero) w["absolute"] = {row.error.least, row.error.most};
+        w["forced_by_inputs"] = forced(row);
+        w["verdict"] = std::string(to_string(row.verdict));
+        w["held_out"] = c.questions[i].held_out;
+        if (!row.why.empty()) w["why"] = row.why;
+        worst.push_back(std::move(w));
+    }
+    out["worst"] = std::move(worst);
+    out["mixup"] = j.mixup ? Json{{"name", j.mixup->name}, {"explains", j.mixup->explains}} : Json(nullptr);
+    out["quantity"] = c.quantity->name;
+    out["bound"] = c.bound.baseline != nullptr ? Json("baseline") : Json(c.bound.ulps);
+    out["failed"] = j.failed;
+    out["undecided"] = j.undecided;
+    out["special"] = j.special;
+    out["zeros"] = {{"rows", j.zeros}, {"largest_answer", j.worst_at_zero}, {"negative", j.negative_zeros}};
+    out["order_violations"] = j.order.size();
+    out["looked_up"] = j.looked_up;
+    out["held_out"] = {{"rows", c.held_out}, {"seed", c.seed}};
+    out["stderr"] = escaped(c.answers.chatter);
+    return out;
+}
+
+std::string as_junit(const Case& c)
+{
+    std::string cases;
+    if (c.answers.fault)
+        cases = fmt::format("    <testcase classname=\"{}\" name=\"protocol\"><error type=\"{}\" message=\"{}\"/></testcase>\n", escaped(c.table),
+                            to_string(c.answers.fault->kind), escaped(c.answers.fault->detail));
+    else
+        for (std::size_t i = 0; i < c.questions.size(); ++i) {
+            const auto& row = c.judgement.rows[i];
+            const std::string open = fmt::format("    <testcase classname=\"{}\" name=\"{}{}\"", escaped(c.table), escaped(named_inputs(c, i)),
+                                                 c.questions[i].held_out ? " (held out)" : "");
+            if (row.verdict == Verdict::pass) cases += open + "/>\n";
+            else
+                cases += fmt::format("{}><{} message=\"{}\">inputs {} answer {} true {}</{}></testcase>\n", open,
+                                     row.verdict == Verdict::fail ? "failure" : "error", escaped(row.why), fmt::join(hex_inputs(c, i), " "),
+                                     hexfloat(row.answer), c.questions[i].value, row.verdict == Verdict::fail ? "failure" : "error");
+        }
+    const std::size_t tests = c.answers.fault ? 1 : c.questions.size();
+    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"touchstone judge {}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n"
+                       "{}  </testsuite>\n</testsuites>\n",
+                       escaped(c.table), tests, c.judgement.failed, c.answers.fault ? 1 : c.judgement.undecided, cases);
+}
+
+std::string as_svg(const Case& c)
+{
+    constexpr double width = 760, height = 420, left = 70, right = 20, top = 40, bottom = 50;
+    constexpr double floor_ulps = 0.01; // what is drawn on the lower edge is this or less
+    const auto& inputs = c.quantity->inputs;
+    std::size_t key = 0, most = 0;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        std::set<double> values;
+        for (const auto& q : c.questions) values.insert(q.inputs[k]);
+        if (values.size() > most) {
+            most = values.size();
+            key = k;
+        }
+    }
+    double low = 0, high = 1, largest = 10;
+    bool first = true;
+    for (std::size_t i = 0; i < c.questions.size(); ++i) {
+        const double x = inputs.empty() ? 0 : c.questions[i].inputs[key];
+        low = first ? x : std::min(low, x);
+        high = first ? x : std::max(high, x);
+        first = false;
+        const auto& row = c.judgement.rows[i];
+        if (!row.special && !c.questions[i].truth.is_zero()) largest = std::max(largest, row.error.most);
+    }
+    const Axis along(low, high, low > 0 && high / low > 1000);
+    const Axis up(floor_ulps, largest, true);
+    const auto x_of = [&](double v) { return left + (width - left - right) * along(v); };
+    const auto y_of = [&](double v) { return height - bottom - (height - top - bottom) * up(std::max(v, floor_ulps)); };
+    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"12\">\n"
+                                  "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{}\" y=\"22\" font-size=\"15\">{}: error of {} in ulps</text>\n",
+                                  width, height, left, escaped(c.table), escaped(c.subject));
+    const auto line = [&](double x1, double y1, double x2, double y2, std::string_view colour) {
+        svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2, y2, colour);
+    };
+    for (const double t : up.ticks()) {
+        line(left, y_of(t), width - right, y_of(t), "#dddddd");
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>\n", left - 6, y_of(t) + 4, t);
+    }
+    for (const double t : along.ticks())
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:.3g}</text>\n", x_of(t), height - bottom + 18, t);
+    line(left, height - bottom, width - right, height - bottom, "black");
+    line(left, top, left, height - bottom, "black");
+    if (c.bound.baseline == nullptr) line(left, y_of(c.bound.ulps), width - right, y_of(c.bound.ulps), "#1f77b4");
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (left + width - right) / 2, height - 10,
+                       inputs.empty() ? "" : escaped(inputs[key]));
+    for (std::size_t i = 0; i < c.questions.size(); ++i) {
+        const auto& row = c.judgement.rows[i];
+        if (row.special || c.questions[i].truth.is_zero()) continue;
+        const double x = inputs.empty() ? 0 : c.questions[i].inputs[key];
+        svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"{}\"/>\n", x_of(x), y_of(row.error.most),
+                           row.verdict == Verdict::pass ? "#2ca02c" : row.verdict == Verdict::fail ? "#d62728" : "#ff7f0e");
+    }
+    return svg + "</svg>\n";
+}
+
+} // namespace touchstone::program

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// What `touchstone judge` says: to a person in ten seconds, to a script, to a CI system, as a picture.
+#pragma once
+
+#include "touchstone/oracle/judge.hpp"
+#include "touchstone/oracle/subject.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace touchstone::program {
+
+/// Everything that is known about one judged code.
+struct Case {
+    std::string table;
+    std::string subject;               ///< the command, library or file as typed
+    const Quantity* quantity = nullptr;
+    oracle::Bound bound;
+    std::vector<oracle::Question> questions;
+    oracle::Answers answers;
+    oracle::Judgement judgement;       ///< empty if the protocol was broken
+    unsigned long seed = 0;            ///< which rows were held out
+    std::size_t held_out = 0;
+};
+
+std::string as_text(const Case&);
+nlohmann::ordered_json as_json(const Case&);
+/// A test suite with one test case a row, as Jenkins and GitLab read it.
+std::string as_junit(const Case&);
+/// Error in ulps against the input that takes most values, both on logarithmic scales where they span decades.
+std::string as_svg(const Case&);
+
+} // namespace touchstone::program
