@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""Certified reference tables in any Python test suite: copy this one file, nothing else is needed.
+
+    import touchstone_reference as ref
+
+    def test_half_width():
+        table = ref.load("westergaard_half_width.txt")
+        worst = table.worst(lambda load: my_half_width(load))
+        assert worst.ulps <= 4, worst
+
+Arithmetic is exact (fractions.Fraction), so an error in ulps is the true one to within the table's own
+proven bound. If numpy is there, `table.columns()` gives arrays.
+"""
+import hashlib
+import json
+import math
+from fractions import Fraction
+
+
+class CorruptTable(ValueError):
+    """The file is not a canonical table, or not the one its hash says it is."""
+
+
+def ulp_at(value):
+    """The distance of binary64 numbers at a Fraction: 2^(e-52) for 2^e <= |value| < 2^(e+1), at least 2^-1074."""
+    value = abs(value)
+    if value < Fraction(2) ** -1022:
+        return Fraction(2) ** -1074
+    e = value.numerator.bit_length() - value.denominator.bit_length()
+    if Fraction(2) ** e > value:
+        e -= 1
+    return Fraction(2) ** (min(e, 1023) - 52)
+
+
+def ulps(answer, value, error):
+    """(least, most) with least <= |answer - true value| <= most in ulps; value +- error is a table's row, as text or numbers.
+
+    Infinite for nan, for an infinity where the value is finite, and where the true value is 0 and the answer is not.
+    """
+    value, error = Fraction(value), Fraction(error)
+    if not math.isfinite(answer):
+        try:
+            right = float(value) == answer
+        except OverflowError:
+            right = math.copysign(1, answer) == (1 if value > 0 else -1) and not math.isnan(answer)
+        return (0.0, 0.0) if right else (math.inf, math.inf)
+    distance = abs(Fraction(answer) - value)
+    if value == 0 and error == 0:
+        return (0.0, 0.0) if distance == 0 else (math.inf, math.inf)
+    unit = ulp_at(value)
+    return (float(max(distance - error, 0) / unit), float((distance + error) / unit))
+
+
+class Row:
+    def __init__(self, inputs, value, error):
+        self.inputs, self.value, self.error = inputs, value, error
+
+    @property
+    def nearest(self):
+        """The value rounded to the nearest binary64 number."""
+        return float(self.value)
+
+
+class Worst:
+    """The row on which a code is farthest off."""
+
+    def __init__(self, row, answer, least):
+        self.row, self.answer, self.ulps = row, answer, least
+
+    def __repr__(self):
+        inputs = " ".join(x.hex() for x in self.row.inputs)
+        return f"inputs {inputs}, answer {float(self.answer).hex()}, error {self.ulps:.3g} ulps, true value {self.row.value}"
+
+
+class Table:
+    def __init__(self, header, rows):
+        self.header, self.rows = header, rows
+        self.name, self.quantity, self.inputs = header["name"], header["quantity"], header["inputs"]
+
+    def worst(self, function):
+        """Calls function(*inputs) for each row."""
+        worst = None
+        for row in self.rows:
+            answer = function(*row.inputs)
+            least = ulps(answer, row.value, row.error)[0]
+            if worst is None or least > worst.ulps:
+                worst = Worst(row, answer, least)
+        return worst
+
+    def columns(self):
+        """The inputs and the nearest values as numpy arrays, by name."""
+        import numpy
+
+        names = self.inputs + ["value"]
+        data = [[*row.inputs, row.nearest] for row in self.rows]
+        return dict(zip(names, numpy.array(data).T))
+
+
+def load(file):
+    """Reads a canonical table; checks its form and its SHA-256."""
+    with open(file, encoding="ascii") as f:
+        text = f.read()
+    lines = text.splitlines(keepends=True)
+    header = None
+    for first, line in enumerate(lines):
+        if not line.startswith("#"):
+            break
+        if line.startswith("# {"):
+            header = json.loads(line[2:])
+    else:
+        raise CorruptTable(f"{file}: no rows")
+    body = "".join(lines[first:])
+    if header is None or hashlib.sha256(body.encode()).hexdigest() != header["sha256"]:
+        raise CorruptTable(f"{file}: the rows do not have the SHA-256 that the header gives")
+    rows = []
+    for number, line in enumerate(lines[first:], first + 1):
+        words = line.split()
+        if len(words) != len(header["inputs"]) + 2:
+            raise CorruptTable(f"{file}:{number}: {len(words)} columns where {len(header['inputs']) + 2} are right")
+        try:
+            inputs = tuple(float(w) for w in words[:-2])
+            value, error = Fraction(words[-2]), Fraction(words[-1])
+        except ValueError:
+            raise CorruptTable(f"{file}:{number}: not numbers: {line.strip()}") from None
+        if error < 0 or not all(map(math.isfinite, inputs)):
+            raise CorruptTable(f"{file}:{number}: not a row of finite numbers: {line.strip()}")
+        del value
+        rows.append(Row(inputs, words[-2], words[-1]))
+    if len(rows) != header["rows"]:
+        raise CorruptTable(f"{file}: {len(rows)} rows where the header says {header['rows']}")
+    return Table(header, rows)

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+/// The single header as another project's test suite uses it, here doctest in C++17.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "touchstone_reference.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <sstream>
+
+namespace ref = touchstone_reference;
+
+namespace {
+
+double half_width(double load) { return std::atan2(std::sqrt(load), std::sqrt(1 - load)) / 3.14159265358979323846; }
+
+std::string table_file() { return std::getenv("TOUCHSTONE_TABLE"); }
+
+std::string contents()
+{
+    std::ifstream in(table_file());
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::string written(const std::string& text)
+{
+    const std::string file = table_file() + ".damaged";
+    std::ofstream(file) << text;
+    return file;
+}
+
+bool close(ref::Interval i, double expected) { return i.least <= expected && expected <= i.most && i.most - i.least <= 1e-10 * (expected + 1); }
+
+} // namespace
+
+static_assert(__cplusplus == 201703L, "the header's promise is C++17");
+
+TEST_CASE("one call judges a function")
+{
+    const auto table = ref::load(table_file());
+    CHECK(table.name == "westergaard_half_width");
+    CHECK(table.rows.size() > 300);
+    const auto good = table.worst([](const auto& x) { return half_width(x[0]); });
+    INFO(good.message());
+    CHECK(good.ulps > 0.5);
+    CHECK(good.ulps <= 4);
+    const auto bad = table.worst([](const auto& x) { return 2 * half_width(x[0]); });
+    CHECK(bad.ulps > 1e15);
+    CHECK(bad.message().find("answer 0x") != std::string::npos);
+}
+
+TEST_CASE("ulps against known distances")
+{
+    CHECK(close(ref::ulps(1.0, "1.000000000000000000000", "5e-22"), 0));
+    CHECK(close(ref::ulps(1 + 0x1p-52, "1.000000000000000000000", "5e-22"), 1));
+    CHECK(close(ref::ulps(1 + 0x1p-52, "0.9999999999999999999999999999999999", "5e-35"), 2)); // below 1 an ulp is 2^-53
+    CHECK(close(ref::ulps(5e-324, "1.482196937523740e-323", "5e-348"), 2));       // 3 x 2^-1074
+    CHECK(close(ref::ulps(0.1, "0.1000000000000000000000", "5e-23"), 0.4));       // the double is 0.4 ulp above
+    CHECK(close(ref::ulps(-1.0, "1.000000000000000000000", "5e-22"), 0x1p53));
+    CHECK(ref::ulps(std::nan(""), "1.0", "5e-22").least > 1e300);
+    CHECK(ref::ulps(INFINITY, "1.0", "5e-22").least > 1e300);
+    CHECK(ref::ulps(INFINITY, "1.000000000000000000000e+400", "5e+378").most == 0);
+    CHECK(ref::ulps(0.0, "0", "0").most == 0);
+    CHECK(ref::ulps(1e-300, "0", "0").least > 1e300);
+}
+
+TEST_CASE("damaged tables are refused")
+{
+    const std::string text = contents();
+    CHECK_THROWS(ref::load(table_file() + ".missing"));
+    CHECK_THROWS(ref::load(written("")));
+    CHECK_THROWS(ref::load(written(text.substr(0, text.size() - 200))));
+    for (const char* bound : {" nan\n", " inf\n", " -5e-41\n", " 0.1\n", "\n"}) {
+        std::string damaged = text;
+        const auto end = damaged.rfind('\n', damaged.size() - 2);
+        const auto line_end = damaged.rfind('\n', end - 1);
+        const auto bound_begin = damaged.rfind(' ', end);
+        REQUIRE(bound_begin > line_end);
+        damaged.replace(bound_begin, end - bound_begin + 1, bound);
+        CHECK_THROWS(ref::load(written(damaged)));
+    }
+    std::remove((table_file() + ".damaged").c_str());
+}

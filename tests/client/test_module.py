@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python module, and the Fortran and Octave examples, on a table the program has just written.
+
+usage: test_module.py --touchstone PROGRAM --client FOLDER [--fortran PROGRAM --read-table PROGRAM]
+"""
+import argparse
+import math
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+arguments = argparse.ArgumentParser()
+arguments.add_argument("--touchstone", required=True)
+arguments.add_argument("--client", required=True)
+arguments.add_argument("--fortran")
+arguments.add_argument("--read-table")
+options, sys.argv[1:] = arguments.parse_known_args()
+sys.dont_write_bytecode = True
+sys.path.insert(0, options.client)
+import touchstone_reference as ref  # noqa: E402
+
+
+def half_width(load):
+    return math.atan2(math.sqrt(load), math.sqrt(1 - load)) / math.pi
+
+
+class Client(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.table = pathlib.Path(cls.folder.name) / "westergaard_half_width.txt"
+        cls.table.write_bytes(subprocess.run([options.touchstone, "table", "westergaard_half_width"], check=True, capture_output=True).stdout)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_one_call_judges_a_function(self):
+        table = ref.load(self.table)
+        self.assertEqual((table.quantity, table.inputs), ("westergaard.half_width", ["load"]))
+        worst = table.worst(half_width)
+        self.assertTrue(0.5 < worst.ulps <= 4, worst)
+        self.assertGreater(table.worst(lambda x: 2 * half_width(x)).ulps, 1e15)
+
+    def test_ulps_against_known_distances(self):
+        one = "1.000000000000000000000"
+        self.assertEqual(ref.ulps(1 + 2**-52, one, "0"), (1.0, 1.0))
+        self.assertLess(abs(ref.ulps(1 + 2**-52, "0.9999999999999999999999", "5e-23")[0] - 2), 1e-5)
+        self.assertEqual(ref.ulps(2**-1074, Fraction(3) / 2**1074, 0), (2.0, 2.0))
+        self.assertEqual(ref.ulps(0.0, "0", "0"), (0.0, 0.0))
+        self.assertEqual(ref.ulps(math.inf, "1e400", "0"), (0.0, 0.0))
+        for wrong in (math.nan, math.inf, -math.inf):
+            self.assertEqual(ref.ulps(wrong, one, "5e-22"), (math.inf, math.inf))
+        least, most = ref.ulps(1.0, one, "5e-17")
+        self.assertTrue(least == 0 < most)
+
+    def test_damaged_tables_are_refused(self):
+        text = self.table.read_text()
+        damaged = pathlib.Path(self.folder.name) / "damaged.txt"
+        rows = text.splitlines(keepends=True)
+        for change in (text[:-1], "".join(rows[:-1]), text.replace("0.5 ", "0.6 ", 1), "", "# nothing\n"):
+            damaged.write_text(change)
+            with self.assertRaises(ref.CorruptTable):
+                ref.load(damaged)
+
+    def test_numpy_is_optional(self):
+        try:
+            import numpy  # noqa: F401
+        except ImportError:
+            self.skipTest("numpy is not installed")
+        self.assertEqual(set(ref.load(self.table).columns()), {"load", "value"})
+
+    def test_fortran_example(self):
+        if not options.read_table:
+            self.skipTest("no Fortran compiler")
+        out = subprocess.run([options.read_table, str(self.table)], check=True, capture_output=True, text=True).stdout
+        self.assertTrue(0.5 < float(out) <= 4, out)
+
+    def test_octave_example(self):
+        octave = shutil.which("octave-cli")
+        if octave is None:
+            self.skipTest("octave-cli is not installed")
+        out = subprocess.run([octave, options.client + "/read_table.m", str(self.table)], check=True, capture_output=True, text=True).stdout
+        self.assertTrue(0.5 < float(out) <= 4, out)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
