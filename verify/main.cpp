@@ -7,7 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
+#include <system_error>
 #include <new>
 
 namespace {
@@ -43,6 +45,10 @@ int guarded(const Run& run)
     catch (const oracle::BadBaseline& e) {
         return complain(bad_input, e.what());
     }
+    catch (const std::system_error& e) { // what fmt throws when a full disk refuses its buffer
+        if (e.code() == std::errc::resource_unavailable_try_again) return complain(internal_error, "no thread could be started; try --jobs 1");
+        return complain(cannot_write, "standard output cannot be written");
+    }
     catch (const std::bad_alloc&) {
         return complain(internal_error, "out of memory");
     }
@@ -55,6 +61,7 @@ int guarded(const Run& run)
 
 int main(int argc, char** argv)
 {
+    std::signal(SIGXFSZ, SIG_IGN); // a file size limit becomes a write error like any other
     CLI::App app{"Certified reference values for the elastic contact of the Weierstrass profile.\n"
                  "Exit codes: 0 holds, 1 fails, 2 undecided, 64 usage, 65 bad input, 66 no such file,\n"
                  "69 judged program broke the protocol, 70 internal error, 73 cannot write."};

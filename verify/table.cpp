@@ -11,8 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -23,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct TableOptions {
     std::vector<std::string> names;
-    long digits = 0;
+    std::optional<long> digits; ///< else each table's own
     std::string format = "txt";
     std::string out;
     unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
@@ -57,13 +59,31 @@ std::vector<const TableSpec*> chosen(const std::vector<std::string>& names)
             throw Failure(usage_error, fmt::format("unknown table '{}'; nearest is '{}'", name, nearest_name(name, table_names())));
         specs.push_back(t);
     }
-    return specs;
+    // each once, in the order first named
+    std::vector<const TableSpec*> once;
+    for (const TableSpec* t : specs)
+        if (std::find(once.begin(), once.end(), t) == once.end()) once.push_back(t);
+    return once;
+}
+
+/// The entries of a stored manifest, those of the tables just written replaced or added.
+nlohmann::ordered_json with_entries(const std::string& stored, const nlohmann::ordered_json& fresh, const std::string& file)
+{
+    auto entries = nlohmann::ordered_json::parse(stored, nullptr, false);
+    if (entries.is_discarded() || !entries.contains("tables")) throw CorruptTable(file + ": not a manifest; remove it or write all tables");
+    entries = entries["tables"];
+    for (const auto& entry : fresh) {
+        const auto same = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.at("file") == entry.at("file"); });
+        if (same == entries.end()) entries.push_back(entry);
+        else *same = entry;
+    }
+    return entries;
 }
 
 int make_tables(const TableOptions& o)
 {
     const auto specs = chosen(o.names);
-    if (o.digits < 0 || o.digits > 10'000) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", o.digits));
+    if (o.digits && (*o.digits < 1 || *o.digits > 10'000)) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
     if (o.out.empty() && (specs.size() > 1 || o.check))
         throw Failure(usage_error, o.check ? "--check needs --out DIR, the folder of the stored tables" : "several tables need --out DIR");
     if (!o.out.empty() && !o.check) {
@@ -74,11 +94,11 @@ int make_tables(const TableOptions& o)
     const bool terminal = ::isatty(2) != 0;
     const bool whole_set = specs.size() == table_specs().size();
     nlohmann::ordered_json manifest = nlohmann::ordered_json::array();
-    int changed = 0;
+    std::vector<std::string> changed;
     bool any_undecided = false;
     for (const TableSpec* spec : specs) {
         const auto start = std::chrono::steady_clock::now();
-        const Table t = compute(*spec, o.digits > 0 ? o.digits : spec->digits, o.jobs, [&](std::size_t done, std::size_t total) {
+        const Table t = compute(*spec, o.digits.value_or(spec->digits), o.jobs, [&](std::size_t done, std::size_t total) {
             if (terminal && (done % 64 == 0 || done == total)) fmt::print(stderr, "\r{:<28} {:>5} of {}", spec->name, done, total);
         });
         if (terminal) fmt::print(stderr, "\r{:60}\r", "");
@@ -97,24 +117,24 @@ int make_tables(const TableOptions& o)
             const std::string stored = read_file(path);
             verdict = stored == text ? "unchanged" : "CHANGED";
             if (stored != text) {
-                ++changed;
-                fmt::print(stderr, "touchstone: {} differs: {}\n", path.string(), first_difference(text, stored));
+                if (!stored.starts_with(text.substr(0, 8))) throw CorruptTable(fmt::format("{}: not a table in {} format", path.string(), o.format)); // not even a changed one
+                changed.push_back(fmt::format("{} differs: {}", path.string(), first_difference(text, stored)));
             }
         }
         else write_file(path, text);
         fmt::print("{:<28} {:>5} rows, {:>4} digits, {}, {} ({:.1f} s)\n", file, t.rows.size(), t.digits, to_string(t.status()), verdict,
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
-    if (whole_set && !o.out.empty()) {
-        const fs::path path = fs::path(o.out) / ("manifest." + o.format + ".json");
+    const fs::path manifest_path = fs::path(o.out) / ("manifest." + o.format + ".json");
+    if (!o.out.empty() && (whole_set || (!o.check && fs::exists(manifest_path)))) {
+        if (!whole_set) manifest = with_entries(read_file(manifest_path), manifest, manifest_path.string());
         const std::string text = nlohmann::ordered_json{{"version", std::string(version())}, {"tables", manifest}}.dump(1) + "\n";
-        if (!o.check) write_file(path, text);
-        else if (read_file(path) != text) {
-            ++changed;
-            fmt::print(stderr, "touchstone: {} differs: {}\n", path.string(), first_difference(text, read_file(path)));
-        }
+        if (!o.check) write_file(manifest_path, text);
+        else if (const std::string stored = read_file(manifest_path); stored != text)
+            changed.push_back(fmt::format("{} differs: {}", manifest_path.string(), first_difference(text, stored)));
     }
-    return changed > 0 ? fails : any_undecided ? undecided : holds;
+    if (!changed.empty()) throw Failure(fails, fmt::format("{}", fmt::join(changed, "; ")));
+    return any_undecided ? undecided : holds;
 }
 
 } // namespace

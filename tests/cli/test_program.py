@@ -84,6 +84,7 @@ class Program(unittest.TestCase):
         self.refuses(65, "from 1 to 10000", "eval", "archard.K_inf", "--digits", "0")
         self.refuses(65, "from 1 to 10000", "eval", "archard.K_inf", "--digits", "10001")
         self.refuses(65, "from 1 to 10000", "table", "archard_K", "--digits", "10001")
+        self.refuses(65, "from 1 to 10000", "table", "archard_K", "--digits", "0")
 
     def test_list(self):
         j = json.loads(run("list", "--json").stdout)
@@ -109,7 +110,22 @@ class Program(unittest.TestCase):
             r = run("table", "archard_K", "--out", out, "--check")
             self.assertEqual(r.returncode, 1)
             self.assertIn("archard_K.txt differs: line", r.stderr)
+            with open(path, "wb") as f:
+                f.write(os.urandom(100))
+            r = run("table", "archard_K", "--out", out, "--check")
+            self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stderr)
             self.assertEqual(run("table", "archard_delta", "--out", os.path.join(folder, "none"), "--check").returncode, 66)
+
+    def test_a_manifest_follows_its_tables(self):
+        with tempfile.TemporaryDirectory() as out:
+            manifest = os.path.join(out, "manifest.txt.json")
+            with open(manifest, "w") as f:
+                json.dump({"version": "0", "tables": [{"name": "archard_delta", "file": "archard_delta.txt", "sha256": "0"}]}, f)
+            self.assertEqual(run("table", "archard_K", "archard_K", "archard_delta", "--out", out).returncode, 0)
+            with open(manifest) as f:
+                entries = json.load(f)["tables"]
+            self.assertEqual([e["name"] for e in entries], ["archard_delta", "archard_K"])
+            self.assertNotEqual(entries[0]["sha256"], "0")
 
     def test_cannot_write(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -117,9 +133,10 @@ class Program(unittest.TestCase):
             with open(blocker, "w") as f:
                 f.write("x")
             self.refuses(73, "cannot write", "table", "archard_K", "--out", os.path.join(blocker, "sub"))
-        with open("/dev/full", "w") as full:
-            r = subprocess.run([PROGRAM, "eval", "archard.K_inf"], stdout=full, stderr=subprocess.PIPE, text=True)
-        self.assertEqual(r.returncode, 73)
+        for words in (["eval", "archard.K_inf"], ["table", "westergaard_pressure"]):
+            with open("/dev/full", "w") as full:
+                r = subprocess.run([PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual((r.returncode, r.stderr.count("\n")), (73, 1))
 
     def test_a_table_reads_with_the_standard_library_alone(self):
         rows = [line.split() for line in run("table", "westergaard_half_width").stdout.splitlines() if not line.startswith("#")]

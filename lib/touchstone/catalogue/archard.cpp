@@ -38,6 +38,22 @@ void check_segments(const Inputs& in)
     require_surface(in);
 }
 
+/// 1/2 as soon as the highest peaks are certainly in full contact, else by the exact x_{n-1} of (5.6).
+Exact exact_max_half_width(const Inputs& in)
+{
+    const long n = in.integer("n");
+    try {
+        const Exact x = n == 0 ? Exact(in.real("load")) : exact_iterate(n - 1, in);
+        return westergaard::half_width(at_most(x, Exact(1)));
+    }
+    catch (const NotExact&) {
+        const WorkingPrecision precision(128);
+        const Ball x = n == 0 ? Ball(in.real("load")) : peaks::iterate(n - 1, Ball(in.real("load")), in.G_ball());
+        if (certainly(less(Ball(1), x))) return Exact(Rational(1, 2));
+        throw;
+    }
+}
+
 } // namespace
 
 void add_archard(std::vector<Quantity>& all)
@@ -101,10 +117,7 @@ void add_segments(std::vector<Quantity>& all)
     const auto widest = [](auto a) { return segments::max_half_width(a.integer("n"), a("load"), a.G()); };
     all.push_back({"segments.max_half_width", "9.4", "lambda_n", "n from 0 to 10^6, load > 0, G > 1", {"n", "load", "G"},
                    "largest half-width of a segment at scale n (the paper's (9.4) gives its limit without the square root)", check_area,
-                   [widest](const Inputs& in) {
-                       if (in.integer("n") > 64) throw NotExact();
-                       return widest(Arguments<Exact>(in));
-                   },
+                   exact_max_half_width,
                    {through("steps", widest), {"arcsine", [](const Inputs& in) {
                         Ball x(in.real("load"));
                         const Ball G = in.G_ball();

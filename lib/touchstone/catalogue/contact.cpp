@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/formula.hpp"
+#include "touchstone/paper/as_printed.hpp"
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
@@ -104,8 +105,10 @@ void check_pressure(const Inputs& in)
 Ball density(Law law, const Inputs& in, long n, const Ball& p)
 {
     require_distribution(in, n);
+    if (certainly(less(highest_pressure(in, n), p))) return Ball(0);
     const Ball load(in.real("load"));
-    return n == 0 ? westergaard::density(p, load) : transfer::density_1(law, p, load, in.G_ball());
+    if (n == 0) return law == Law::pressures ? westergaard::density(p, load) : as_printed::density_partial(p, load);
+    return transfer::density_1(law, p, load, in.G_ball());
 }
 
 } // namespace
@@ -134,7 +137,8 @@ void add_contact(std::vector<Quantity>& all)
                            if (in.real("p") == 0) return transfer::area(scheme, n, arguments(in));
                            require_distribution(in, n);
                            const Ball p(in.real("p")), load(in.real("load"));
-                           return n == 0 ? westergaard::exceedance(p, load) : transfer::exceedance_1(law, p, load, in.G_ball());
+                           if (n == 0) return law == Law::pressures ? westergaard::exceedance(p, load) : as_printed::exceedance_partial(p, load);
+                           return transfer::exceedance_1(law, p, load, in.G_ball());
                        };
                        return std::vector<Route>{
                            {"forward-pressures", [f](const Inputs& in) { return f(Law::pressures, Scheme::force_weighted, in); }},

@@ -99,13 +99,15 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
     for (const auto& r : q.routes) e.routes.push_back(r.name);
     const slong natural = bits_for_digits(options.digits) + 48;
     const slong limit = options.limit_bits > 0 ? options.limit_bits : 16 * natural + 8192;
-    for (slong bits = options.start_bits > 0 ? options.start_bits : natural; bits <= limit; bits *= 2) {
+    // The last precision tried is always `limit`, whatever the first was: what is decided does not depend on the start.
+    const slong start = std::min(options.start_bits > 0 ? options.start_bits : natural, limit);
+    for (slong bits = start, tried = 0; tried < limit; tried = bits, bits = std::min(2 * bits, limit)) {
         const WorkingPrecision precision(bits);
         try {
             e.bits = bits;
             OtherRoutes others(q, in, options.digits >= 300);
             e.ball = q.routes.front().ball(in);
-            if (const auto r = exact_value(e.ball)) return from_rational(*r, options.digits, e.routes);
+            if (const auto r = exact_value(e.ball)) return from_rational(*r, options.digits, {q.routes.front().name});
             const auto decimal = round_to_digits(e.ball, options.digits);
             if (!decimal) continue;
             bool agreed = true;
@@ -120,7 +122,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
                 throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q.name, e.ball.to_string()));
             if (!agreed) continue;
             e.binary64 = nearest_double(e.ball);
-            if (!e.binary64 && bits < 2048) continue;
+            if (!e.binary64 && bits < limit) continue;
             e.value = decimal->text();
             e.error_bound = decimal->half_unit();
             e.digits = options.digits;

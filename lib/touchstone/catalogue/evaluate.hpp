@@ -13,7 +13,7 @@ std::string_view to_string(Status);
 
 struct EvaluationOptions {
     long digits = 20;            ///< 1 to 10 000
-    slong start_bits = 0;        ///< first precision tried; 0: from the digits. Does not change the result.
+    slong start_bits = 0;        ///< first precision tried, limit_bits at most; 0: from the digits. Does not change the result.
     slong limit_bits = 0;        ///< no precision above this is tried; 0: 16 times the first plus 8192
 };
 
@@ -35,7 +35,7 @@ class RoutesDisagree : public std::logic_error {
 };
 
 /// The true value rounded to nearest at `digits` significant digits. Precision is raised until
-/// every route's ball rounds to the same digits. Exact rational values (and so all ties this
+/// every route's ball rounds to the same digits (a ball of radius zero is the value itself: one route is enough). Exact rational values (and so all ties this
 /// toolkit can recognise) are rounded exactly, ties to even.
 /// \throws DomainError, RoutesDisagree
 Evaluation evaluate(const Quantity&, const Inputs&, const EvaluationOptions& = {});

@@ -42,4 +42,7 @@ std::function<Exact(const Inputs&)> exactly(Formula f)
     return [f](const Inputs& in) -> Exact { return f(Arguments<Exact>(in)); };
 }
 
+/// x_n of (5.6) in exact arithmetic. \throws NotExact where it leaves the set.
+Exact exact_iterate(long n, const Inputs&);
+
 } // namespace touchstone

@@ -43,13 +43,14 @@ int Inputs::compare_G(const Rational& with) const
         return certainly(less(G, Exact(with))) ? -1 : 1;
     }
     catch (const NotExact&) {
-        // gamma^(p/q) with q beyond what Exact holds: rational only for a perfect q-th power, and of those
-        // only 1 is within the size limit of Exact. So G differs from every rational number and this ends.
-        for (slong bits = 64;; bits *= 2) {
+        // G = gamma^(p/q) in lowest terms is rational only if gamma is a perfect q-th power, which Exact finds unless
+        // numbers of more than a million bits are in play. So G differs from `with`, and balls tell on which side.
+        for (slong bits = 64; bits <= 1L << 22; bits *= 2) {
             const WorkingPrecision precision(bits);
             const Truth t = less(G_ball(), Ball(with));
             if (t != Truth::unknown) return t == Truth::yes ? -1 : 1;
         }
+        throw BeyondReach("G cannot be told from " + with.get_str() + " with four million bits");
     }
 }
 

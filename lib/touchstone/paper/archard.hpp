@@ -3,7 +3,7 @@
 /// Section 7: Archard's recursion with Hertzian contact at every scale.
 ///
 /// A_n/lambda0 = K_n G^-(n-1+2^-n) load^delta_n, G = gamma^(D-1). The product printed in (7.17)
-/// and (7.18) does not satisfy the recursion (7.13) it is derived from (proofs/section_7);
+/// and (7.18) does not satisfy the recursion (7.13) it is derived from (proofs/section_7.cpp);
 /// what is computed here follows (7.13), as Table 1 does.
 #pragma once
 
@@ -98,10 +98,14 @@ T K_by_series(long n, long terms, long eta_terms)
 inline double K(long n) { return K_by_series<double>(n, 56, 24); }
 
 /// (7.18) with the right K_n: A_n/lambda0, given K_n in the wanted arithmetic. G > 1, load > 0.
+/// G^-(n-1+2^-n) load^(1-2^-(n+1)) = (G sqrt(load))^-(2^-n) load G^-(n-1), the last in two halves: no exponent
+/// is rounded however large n is, and nothing under- or overflows before the result does.
 template <Scalar T>
 T area(long n, const T& load, const T& G, const T& K_n)
 {
-    return K_n * pow(G, T(-decay_exponent<T>(n))) * pow(load, delta<T>(n));
+    const T half = pow(G, T(integer<T>(1 - n) / 2));
+    const T rest = pow(T(G * sqrt(load)), T(-power_of_two<T>(-n)));
+    return K_n * rest * half * load * half;
 }
 
 /// (7.21)  the limiting form of A_n/lambda0 at large n: K_inf G^-(n-1) load.

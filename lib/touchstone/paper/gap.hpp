@@ -44,11 +44,12 @@ namespace touchstone::detail {
 
 /// Whether terms of at most 4 `power` in all, beside a sum of at least 1/3, are below what the arithmetic holds.
 template <class T>
-bool negligible(const T& power) { return T(1 + power) == 1; }
-/// A ball that knows nothing would never fall below: it ends the series too.
-inline bool negligible(const Ball& power)
+bool negligible(const T& power, long) { return T(1 + power) == 1; }
+/// Powers of a ball that is too wide never fall below: after three times the terms that a point needs they end
+/// the series too, and the tail is as wide as they are.
+inline bool negligible(const Ball& power, long terms)
 {
-    return !power.is_finite() || certainly(less(power, power_of_two<Ball>(-WorkingPrecision::bits() - 8)));
+    return !power.is_finite() || terms > 7 * (WorkingPrecision::bits() + 8) || certainly(less(power, power_of_two<Ball>(-WorkingPrecision::bits() - 8)));
 }
 /// What is left out becomes part of a ball's radius.
 template <class T>
@@ -62,7 +63,7 @@ T series(const T& x, Coefficient coefficient)
 {
     std::vector<T> terms;
     T power = integer<T>(1);
-    for (long j = 0; !negligible(power); ++j) {
+    for (long j = 0; !negligible(power, j); ++j) {
         terms.push_back(power / integer<T>(coefficient(j)));
         power = power * x;
     }

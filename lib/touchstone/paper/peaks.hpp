@@ -35,7 +35,7 @@ T fixed_point(const T& G)
     return across_seam(
         G, integer<T>(2),
         [](const T& g) -> T { return 1 / (g - 1); },
-        [](const T& g) -> T { return 4 / (g * g); });
+        [](const T& g) -> T { return (2 / g) * (2 / g); });
 }
 
 } // namespace touchstone::peaks

@@ -40,6 +40,10 @@ long terms_needed(const Rational& D, const Rational& gamma, slong bits)
     const double extra = z.is_finite() ? std::log2(arf_get_d(arb_midref(z.get()), ARF_RND_UP)) : 1e9;
     const double n = (static_cast<double>(bits) + extra + 2) / per_term;
     if (!(n < 1e7)) throw std::length_error("more than ten million terms");
+    // n phases that grow by the bits of gamma's numerator each: the work, in bits to be touched
+    constexpr double work_limit = 4e9;
+    if (n * (static_cast<double>(bits) + n * log2_of(Rational(gamma.get_num()))) > work_limit)
+        throw std::length_error("a phase of millions of bits for each of its terms");
     return static_cast<long>(n) + 1;
 }
 
@@ -212,6 +216,7 @@ bool vanishes(const Orbit& orbit, const Rational& x, const Rational& D, const Ra
 
 Exact profile_exact(const Rational& x, const Rational& D, const Rational& gamma)
 {
+    if (x == 0) return Exact(1) / (Exact(1) - Exact(gamma).power(D - 2)); // (3.4), whatever gamma is
     const Orbit orbit = orbit_of(x, gamma);
     try {
         // r^n is asked for only where a cosine is not zero: at x = 1/4 and gamma = 5 none is

@@ -8,7 +8,8 @@
 namespace touchstone::weierstrass {
 
 /// How many terms leave a rest below 2^-bits: N with N (2 - D) log2(gamma) >= bits + log2(bound).
-/// \throws std::length_error above ten million terms (D too near 2 or gamma too near 1).
+/// \throws std::length_error above ten million terms, or where the phases together would have more than
+/// 4 10^9 bits (D too near 2 or gamma too near 1): minutes of work.
 long terms_needed(const Rational& D, const Rational& gamma, slong bits);
 
 /// z(x)/g0 of (3.1) to about 2^-bits absolute, bits = working precision. Route: outside in, the
@@ -25,7 +26,7 @@ Ball profile_by_scaling(const Rational& x, const Rational& D, const Rational& ga
 /// too long (terms_needed). Cost: that of the enclosure at about 70 bits, some 10 microseconds a term.
 double profile(double x, double D, double gamma);
 
-/// The exact value where gamma is an integer and the phases gamma^n x mod 1 run into a short cycle, and
+/// The exact value at x = 0, and where gamma is an integer and the phases gamma^n x mod 1 run into a short cycle, and
 /// either every cosine met is rational (x = 0, 1/2, 1/3, 1/6, ... and all that fall onto them), or the sum
 /// vanishes: z is then an algebraic number in disguise, and one that is smaller than its conjugates allow
 /// is zero (x = 1/10, gamma = 5, D = 3/2: cos 36 degrees is the sum of all that follows).

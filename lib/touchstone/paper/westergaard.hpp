@@ -144,8 +144,8 @@ T density(const T& p, const T& load)
     return across_seam(
         load, integer<T>(1),
         [&p](const T& s) {
-            const bool outside = certainly(less(T(2 * sqrt(s)), p));
-            return outside ? integer<T>(0) : density_partial(p, s);
+            const T root = sqrt_minus_square(T(4 * s), p); // decides on which side of the edge p lies, without rounding
+            return possibly(less(integer<T>(0), root)) ? density_partial(p, s, root) : integer<T>(0);
         },
         [&p](const T& s) {
             const bool outside = certainly(less(above_lowest(p, s), integer<T>(0)))

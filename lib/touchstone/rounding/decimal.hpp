@@ -16,7 +16,7 @@ struct Decimal {
     std::string digits;  ///< d1 is not '0'; empty for zero
     long exponent = 0;
 
-    /// 0.05 <= |value| < 10^width prints as a plain number, anything else as d.ddde+XX.
+    /// 10^-5 <= |value| < 10^width prints as a plain number, anything else as d.ddde+XX.
     /// Trailing zeros are kept: they are digits too.
     std::string text(long width) const;
     std::string text() const { return text(static_cast<long>(digits.size())); }
@@ -40,7 +40,7 @@ std::optional<double> nearest_double(const Ball&);
 /// The number itself when the ball is one short dyadic number, radius zero.
 std::optional<Rational> exact_value(const Ball&);
 
-/// C99 %a form, the same on every platform: 0x1.8p-3, 0x0p+0, -0x1p-1074 as 0x0.0000000000001p-1022.
+/// C99 %a form, the same on every platform: 0x1.8p-3, 0x0p+0, the smallest subnormal as 0x0.0000000000001p-1022.
 std::string hexfloat(double x);
 
 /// The shortest decimal that reads back as x.

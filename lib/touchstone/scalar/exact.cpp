@@ -17,7 +17,7 @@ std::size_t bits(const Rational& r)
 
 Rational bounded_power(const Rational& r, long e)
 {
-    if (bits(r) * static_cast<std::size_t>(std::labs(e)) > bit_limit) throw NotExact();
+    if (r != 1 && static_cast<std::size_t>(std::labs(e)) > bit_limit / bits(r)) throw NotExact();
     return power(r, e);
 }
 
@@ -126,8 +126,14 @@ Exact Exact::power(const Rational& e) const
     r.pi_power_ = pi_power_ * e;
     const Rational base = bounded_power(factor_, static_cast<long>(degree_)) * radicand_;
     if (q > degree_limit / degree_) {
-        // Only a perfect power of that degree could be held, and only 1 is one within the size limit.
-        if (base != 1) throw NotExact();
+        // Too high a degree to hold as a radical: a perfect power of that degree is rational, anything else is left to balls.
+        if (q > bit_limit) {
+            if (base != 1) throw NotExact();
+            return r;
+        }
+        const auto root = exact_root(base, q * degree_);
+        if (!root) throw NotExact();
+        r.factor_ = bounded_power(*root, p);
         return r;
     }
     r.degree_ = degree_ * q;

@@ -152,7 +152,7 @@ private:
     static double minus_pi_square(double a, double x)
     {
         const double y = std::numbers::pi * x;
-        const double low = std::fma(std::numbers::pi, x, -y) + 1.2246467991473532e-16 * x; // pi - fl(pi)
+        const double low = std::fma(std::numbers::pi, x, -y) + std::sin(std::numbers::pi) * x; // sin(fl(pi)) = pi - fl(pi) to all digits
         return std::fma(-y, y, a) - 2 * y * low;
     }
     /// a - sin^2(pi x) for |x| <= 1/4: y^2 - sin^2 y = y^4/3 - 2 y^6/45 + ..., the terms 2^(2k-1) y^(2k)/(2k)!
@@ -163,8 +163,6 @@ private:
         for (int k = 11; k >= 2; --k) tail = 1 - z * tail * 4 / ((2 * k + 1) * (2 * k + 2));
         return minus_pi_square(a, x) + z * z * tail / 3;
     }
-
-public:
 };
 
 /// The integer n as a T, exactly.

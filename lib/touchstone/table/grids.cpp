@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Which inputs the tables have: every regime, dense where codes go wrong (edges of the contact,
 /// loads near 0 and 1), extremes of the exponent range, and fixed pseudo-random binary64 numbers.
-#include "touchstone/paper/westergaard.hpp"
+#include "touchstone/paper/segments.hpp"
 #include "touchstone/table/table.hpp"
 
 #include <algorithm>
@@ -200,7 +200,7 @@ Rows profile_grid()
 std::vector<double> ratios()
 {
     std::vector<double> v{1 + 0x1p-52, 1 + 0x1p-20, 1.0625, 1.0838, 1.122, 1.5, 1.75, 2 - 0x1p-20, 2 - 0x1p-52, 2.0, 2 + 0x1p-51,
-                          2.05, 2.25, 2.5, 3.1622776601683795, 4.0, 4.47, 5.0, 16.0, 1000.0, 1e15, 1e150};
+                          2.05, 2.25, 2.5, 3.1622776601683795, 4.0, 4.47, 5.0, 16.0, 1000.0, 1e15, 1e150, 1e155, 1e160};
     return v;
 }
 
@@ -251,6 +251,10 @@ Rows area_grid()
     for (int n = 0; n <= 20; ++n)
         for (const double s : {1e-300, 1e-12, 0.001, 0.01, 0.1, 1., 10.})
             for (const double G : {1.0838, 1.122, 2.2360679774997896, 3.1622776601683795}) rows.push_back({static_cast<double>(n), s, G});
+    // where an exponent no longer fits 53 bits, and where powers alone would leave the range
+    for (const double n : {40., 47., 48., 52., 53., 54., 60., 100., 300.})
+        for (const double s : {1e-300, 0.01, 1., 1e300})
+            for (const double G : {1.0838, 3.1622776601683795, 11., 1e6}) rows.push_back({n, s, G});
     return distinct(rows);
 }
 
@@ -261,6 +265,35 @@ Rows contact_area_grid()
     for (const double G : {2.2360679774997896, 3.1622776601683795, 4.})
         for (const double s : {0.001, 0.01, 0.1, 1.})
             for (int n = 0; n <= 20; ++n) rows.push_back({static_cast<double>(n), s, G});
+    return distinct(rows);
+}
+
+/// Shares of the highest pressure (or of the widest segment), the edge from both sides included.
+const std::vector<double> shares{0x1p-20, 0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 1 - 0x1p-12, 1 - 0x1p-20, 1.25};
+
+/// p (in p*_0) across the support at scales 0 and 1, the surface of figure 5.
+Rows contact_distribution_grid()
+{
+    const double G = 3.1622776601683795;
+    Rows rows;
+    for (const double s : {0.001, 0.01, 0.1, 1.})
+        for (const long n : {0L, 1L})
+            for (const double share : shares)
+                rows.push_back({static_cast<double>(n), rounded(share * (n == 0 ? 1 : G) * G * peaks::iterate(n, s, G)), s, G});
+    return distinct(rows);
+}
+
+/// a (in lambda_n) up to the widest segment and beyond, scales 1 and 2.
+Rows segments_density_grid()
+{
+    const double G = 3.1622776601683795;
+    Rows rows;
+    for (const double s : {0.001, 0.01, 0.1, 1.})
+        for (const long n : {1L, 2L})
+            for (const double share : shares) {
+                const double a = rounded(share * segments::max_half_width(n, s, G));
+                if (a <= 0.5) rows.push_back({static_cast<double>(n), a, s, G});
+            }
     return distinct(rows);
 }
 
@@ -280,6 +313,9 @@ Rows segments_grid()
         for (const double s : paper_loads)
             for (const double D : {1.05, 1.5})
                 for (const double g : {5., 10.}) rows.push_back({static_cast<double>(n), s, D, g});
+    for (const double n : {48., 53., 54., 60., 100., 400.})
+        for (const double s : {1e-300, 1e-100, 0.01, 1.})
+            for (const double D : {1.05, 1.5, 1.95}) rows.push_back({n, s, D, 5.});
     return distinct(rows);
 }
 
@@ -321,7 +357,10 @@ const std::vector<TableSpec>& table_specs()
         {"archard_area", "archard.area", digits, area_grid},
         {"archard_segments", "archard.segments", digits, segments_grid},
         {"archard_segments_limit", "archard.segments_limit", digits, segments_grid},
+        {"contact_exceedance", "contact.exceedance", 30, contact_distribution_grid},
+        {"contact_density", "contact.density", 30, contact_distribution_grid},
         {"segments_count", "segments.count", digits, segments_count_grid},
+        {"segments_density", "segments.density", 30, segments_density_grid},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };
     return all;
