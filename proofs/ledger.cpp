@@ -104,7 +104,7 @@ const std::vector<Claim>& claims()
 {
     static const std::vector<Claim> all = [] {
         std::map<std::string, Claim> by_id;
-        for (auto* section : {&section_2, &section_3, &section_5, &section_6, &section_7, &section_8, &section_9, &table_1, &sentences})
+        for (auto* section : {&section_2, &section_3, &section_5, &section_6, &section_7, &section_8, &section_9, &table_1, &sentences, &beyond})
             for (Claim& c : section())
                 if (!by_id.emplace(c.id, c).second) throw std::logic_error("two claims for " + c.id);
         std::vector<Claim> ordered;

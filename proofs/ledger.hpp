@@ -120,5 +120,7 @@ std::vector<Claim> section_8();
 std::vector<Claim> section_9();
 std::vector<Claim> table_1();
 std::vector<Claim> sentences();
+/// What contact codes test besides the paper (data/beyond).
+std::vector<Claim> beyond();
 
 } // namespace touchstone::proofs

@@ -12,6 +12,7 @@
 namespace touchstone::data {
 std::string_view equations_text();
 std::string_view sentences_text();
+std::string_view beyond_text();
 std::string_view table_1_text();
 } // namespace touchstone::data
 
@@ -147,6 +148,7 @@ struct Transcription {
         take(data::equations_text());
         take_table(data::table_1_text());
         take(data::sentences_text());
+        take(data::beyond_text());
     }
 };
 

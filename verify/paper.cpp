@@ -88,7 +88,7 @@ void print_ids(std::string_view label, const std::vector<std::string>& ids)
 
 std::string heading(const std::string& section)
 {
-    if (section == "abstract" || section == "figures" || section == "table 1") return section;
+    if (section == "abstract" || section == "figures" || section == "table 1" || section == "beyond the paper") return section;
     return "section " + section;
 }
 

@@ -126,7 +126,8 @@ TEST_CASE("dimensions: a misplaced length and a lost square are seen")
     CHECK(units(prints().at("6.2")).verdict == Verdict::refuted);
     int wrong = 0;
     for (const auto& [id, p] : prints())
-        if (p.quote.empty() && p.section != "table 1") wrong += units(p).verdict != Verdict::proved ? 1 : 0;
+        if (p.quote.empty() && p.section != "table 1" && p.section != "beyond the paper") // those two are pure numbers
+            wrong += units(p).verdict != Verdict::proved ? 1 : 0;
     CHECK(wrong == 2); // the other misprints keep the dimension
 }
 

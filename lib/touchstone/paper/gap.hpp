@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// What surrounds the contact of section 2: the gap, its mean, and the elastic energy. Not in the paper;
-/// contact codes test against them, so here is the derivation.
+/// contact codes test against them, so here is the derivation (its steps checked in proofs/beyond.cpp).
 ///
 /// Units: lengths along the surface in lambda, gap in g (the amplitude in (2.1)), pressure in p* of
 /// (2.3), energy per unit nominal area in g p*. S = load = pbar/p*; k = 2 pi.
