@@ -48,8 +48,11 @@ std::vector<Ball> eta_values(long last, slong bits, slong step)
         mpz_mul_2exp(term.get_mpz_t(), c.get_mpz_t(), static_cast<mp_bitcnt_t>(F));
         mpz_tdiv_q(term.get_mpz_t(), term.get_mpz_t(), d.get_mpz_t());
         for (long k = 1; k <= last && term != 0; ++k) {
-            mpz_tdiv_q_2exp(term.get_mpz_t(), term.get_mpz_t(), static_cast<mp_bitcnt_t>(step));
-            mpz_tdiv_q_ui(term.get_mpz_t(), term.get_mpz_t(), static_cast<unsigned long>(j + 1));
+            if (step < 40) mpz_tdiv_q_ui(term.get_mpz_t(), term.get_mpz_t(), static_cast<unsigned long>(j + 1) << step);
+            else {
+                mpz_tdiv_q_2exp(term.get_mpz_t(), term.get_mpz_t(), static_cast<mp_bitcnt_t>(step));
+                mpz_tdiv_q_ui(term.get_mpz_t(), term.get_mpz_t(), static_cast<unsigned long>(j + 1));
+            }
             sums[static_cast<std::size_t>(k)] += term;
         }
         b = b * (2 * (Integer(j) + N) * (Integer(j) - N)) / ((2 * Integer(j) + 1) * (Integer(j) + 1));
@@ -70,11 +73,14 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
 {
     constexpr long block = 16;
     std::vector<Ball> zeta(static_cast<std::size_t>(last + 1));
-    for (long first = 2; first <= last; first += block) {
+    for (long first = 2; first <= last; first += block) { // first is even, like block
         const long size = std::min(block, last - first + 1);
         arb_ptr values = _arb_vec_init(size);
-        arb_zeta_ui_vec(values, static_cast<ulong>(first), size, std::max<slong>(bits - first * step, 64));
-        for (long k = 0; k < size; ++k) arb_swap(zeta[static_cast<std::size_t>(first + k)].get(), values + k);
+        const slong precision = std::max<slong>(bits - first * step, 64);
+        for (long k = first; k < first + size; k += 2) // even ones are Bernoulli numbers times powers of pi
+            arb_zeta_ui_bernoulli(zeta[static_cast<std::size_t>(k)].get(), static_cast<ulong>(k), precision);
+        arb_zeta_ui_vec_odd(values, static_cast<ulong>(first + 1), size / 2, precision);
+        for (long k = 0; k < size / 2; ++k) arb_swap(zeta[static_cast<std::size_t>(first + 1 + 2 * k)].get(), values + k);
         _arb_vec_clear(values, size);
     }
     return zeta;
