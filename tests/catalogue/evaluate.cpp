@@ -206,6 +206,11 @@ TEST_CASE("routes that disagree are a hard failure")
     broken.exact = {};
     broken.routes[1].ball = [](const Inputs& in) { return sqrt(Ball(in.real("load"))) / 3; }; // 3 for pi
     CHECK_THROWS_AS(evaluate(broken, inputs({{"load", "0.3"}})), RoutesDisagree);
+    // an exact zero is no exception: outside the contact the first route gives 0 with radius 0
+    Quantity outside = *find_quantity("hertz.pressure");
+    outside.exact = {};
+    outside.routes[1].ball = [](const Inputs&) { return Ball(1); };
+    CHECK_THROWS_AS(evaluate(outside, inputs({{"x", "0.4"}, {"load", "0.3"}})), RoutesDisagree);
     // and one that is right but too loose to decide the digits does not count as a second route
     broken.routes[1].ball = [](const Inputs& in) {
         Ball b = sqrt(Ball(in.real("load"))) / pi<Ball>();

@@ -107,17 +107,18 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
             e.bits = bits;
             OtherRoutes others(q, in, options.digits >= 300);
             e.ball = q.routes.front().ball(in);
-            if (const auto r = exact_value(e.ball)) return from_rational(*r, options.digits, {q.routes.front().name});
+            const auto point = exact_value(e.ball); // radius zero: the value itself, which the other routes must contain
             const auto decimal = round_to_digits(e.ball, options.digits);
-            if (!decimal) continue;
+            if (!point && !decimal) continue;
             bool agreed = true;
             for (std::size_t i = 1; i < q.routes.size() && agreed; ++i) {
                 const Ball other = others.get(i);
                 if (!other.overlaps(e.ball))
                     throw RoutesDisagree(fmt::format("{}: routes '{}' and '{}' give disjoint balls {} and {}", q.name,
                                                      q.routes[0].name, q.routes[i].name, e.ball.to_string(), other.to_string()));
-                agreed = round_to_digits(other, options.digits) == decimal; // each alone decides the digits
+                agreed = point || round_to_digits(other, options.digits) == decimal; // each alone decides the digits
             }
+            if (point) return from_rational(*point, options.digits, e.routes);
             if (exact && !exact->ball().overlaps(e.ball))
                 throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q.name, e.ball.to_string()));
             if (!agreed) continue;

@@ -35,7 +35,7 @@ class RoutesDisagree : public std::logic_error {
 };
 
 /// The true value rounded to nearest at `digits` significant digits. Precision is raised until
-/// every route's ball rounds to the same digits (a ball of radius zero is the value itself: one route is enough). Exact rational values (and so all ties this
+/// every route's ball rounds to the same digits (a ball of radius zero is the value itself, which the other routes' balls must contain). Exact rational values (and so all ties this
 /// toolkit can recognise) are rounded exactly, ties to even.
 /// \throws DomainError, RoutesDisagree
 Evaluation evaluate(const Quantity&, const Inputs&, const EvaluationOptions& = {});
