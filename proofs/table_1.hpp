@@ -16,7 +16,6 @@ struct PrintedNumber {
     std::string true_value;   ///< correctly rounded, 20 digits, certified
     std::string rounded;      ///< the true value rounded to as many digits as are printed
     bool holds = false;       ///< printed == rounded
-    bool leading = false;     ///< the printed digits are the leading digits of the true value
 };
 
 /// The text of data/paper/table_1.txt, as compiled in.
@@ -24,8 +23,5 @@ std::string_view table_1_text();
 
 /// Judge every entry of a transcription in the format of data/paper/table_1.txt.
 std::vector<PrintedNumber> check_table_1(std::string_view transcription);
-
-/// The limit printed in (7.20), 0.391 39...
-PrintedNumber check_limit_7_20();
 
 } // namespace touchstone::proofs

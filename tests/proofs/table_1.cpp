@@ -30,10 +30,3 @@ TEST_CASE("a digit changed in any entry is found, in that entry alone")
         CHECK(wrong == 1);
     }
 }
-
-TEST_CASE("the printed limit is a rounding, not the leading digits")
-{
-    const auto limit = check_limit_7_20();
-    CHECK(limit.holds);
-    CHECK_FALSE(limit.leading);
-}
