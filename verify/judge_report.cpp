@@ -225,9 +225,18 @@ std::string as_junit(const Case& c)
                        escaped(c.table), tests, c.judgement.failed, c.answers.fault ? 1 : c.judgement.undecided, cases);
 }
 
+namespace {
+/// The end of a long command is what tells it from others.
+std::string shortened(const std::string& text)
+{
+    constexpr std::size_t most = 110;
+    return text.size() <= most ? text : "..." + text.substr(text.size() - most);
+}
+} // namespace
+
 std::string as_svg(const Case& c)
 {
-    constexpr double width = 760, height = 420, left = 70, right = 20, top = 40, bottom = 50;
+    constexpr double width = 760, height = 420, left = 70, right = 20, top = 46, bottom = 50;
     constexpr double floor_ulps = 0.01; // what is drawn on the lower edge is this or less
     const auto& inputs = c.quantity->inputs;
     std::size_t key = 0, most = 0;
@@ -254,8 +263,11 @@ std::string as_svg(const Case& c)
     const auto x_of = [&](double v) { return left + (width - left - right) * along(v); };
     const auto y_of = [&](double v) { return height - bottom - (height - top - bottom) * up(std::max(v, floor_ulps)); };
     std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-                                  "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{}\" y=\"22\" font-size=\"15\">{}: error of {} in ulps</text>\n",
-                                  width, height, left, escaped(c.table), escaped(c.subject));
+                                  "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{}\" y=\"22\" font-size=\"15\">{}: error in ulps</text>\n"
+                                  "<text x=\"{}\" y=\"22\" text-anchor=\"end\"><tspan fill=\"#2ca02c\">pass</tspan> <tspan fill=\"#d62728\">fail</tspan> "
+                                  "<tspan fill=\"#ff7f0e\">undecided</tspan>{}</text>\n<text x=\"{}\" y=\"35\" fill=\"#555555\">{}</text>\n",
+                                  width, height, left, escaped(c.table), width - right, c.bound.baseline == nullptr ? " <tspan fill=\"#1f77b4\">bound</tspan>" : "",
+                                  left, escaped(shortened(c.subject)));
     const auto line = [&](double x1, double y1, double x2, double y2, std::string_view colour) {
         svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2, y2, colour);
     };
