@@ -60,6 +60,27 @@ TEST_CASE("a ball at low precision holds the value known from a high one, and is
             }
 }
 
+TEST_CASE("a grid too coarse for its rule: the interpolation error shows, and its bound alone covers it")
+{
+    const auto G = [] { return Ball(exactly("2.25")); };
+    for (const Scheme scheme : {Scheme::force_weighted, Scheme::area}) {
+        Discretisation coarse(scheme, G, 70, 12), fine(scheme, G, 70);
+        CHECK(2 * coarse.size() < fine.size());
+        const WorkingPrecision precision(fine.bits());
+        for (const long n : {2L, 3L, 8L})
+            for (const char* x : {"0.8", "0.1", "1e-3"}) {
+                CAPTURE(n); CAPTURE(x);
+                const Ball rough = coarse.force_share(n, Ball(exactly(x))), sharp = fine.force_share(n, Ball(exactly(x)));
+                Ball off;
+                arb_get_mid_arb(off.get(), rough.get());
+                off = abs(off - sharp);
+                CHECK(rough.overlaps(sharp));
+                CHECK(certainly(less(Ball(exactly("1e-18")), off))); // more than all other errors together
+                CHECK(certainly(less(Ball::exactly(rough.radius_bound()), off * 100'000'000)));
+            }
+    }
+}
+
 TEST_CASE("A_2 against a nested integral taken elsewhere")
 {
     // A_2 at load 1/10, G = sqrt 10, by PARI's intnum of an intnum at 57 digits (tests/bench/nested_area.gp)

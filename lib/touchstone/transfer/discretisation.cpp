@@ -39,7 +39,7 @@ Ball larger(const Ball& a, const Ball& b) { return certainly(less(a, b)) ? b : a
 FixedFormat Discretisation::format_for(double accuracy) { return FixedFormat(static_cast<long>(accuracy / std::numbers::ln2 + 40 + 3 * std::log2(std::max(accuracy / 136, 1.0)))); }
 slong Discretisation::bits_for(double accuracy) { return format_for(accuracy).fraction() + 24; }
 
-Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy)
+Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy)
     : scheme_(scheme), accuracy_(accuracy),
       format_(format_for(accuracy)), bits_(bits_for(accuracy))
 {
@@ -69,14 +69,14 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
         const double t0 = std::log(s_first), t1 = std::log(s_last), half = (t1 - t0) / 2 * (1 + 1e-12);
         const double b = std::numbers::pi / 2 / half; // semi-minor axis: |Im t| < pi/2 keeps Re s > 0
         const double rho = (b + std::sqrt(1 + b * b)) * (1 - 1e-12);
-        const long p = static_cast<long>(std::ceil((accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
+        const long p = static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
         blocks_.push_back({(t0 + t1) / 2, half, rho, p, 0});
     }
     else {
         const double blocks = std::ceil(std::log(s_last / s_first) / std::log(4.0));
         const double ratio = std::pow(s_last / s_first, 1 / blocks), root = std::sqrt(ratio);
         const double rho = (root + 1) / (root - 1) * (1 - 1e-9); // the ellipse about [s, ratio s] that reaches 0
-        const long p = static_cast<long>(std::ceil((accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
+        const long p = static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
         double lo = s_first;
         for (double k = 0; k < blocks; ++k) {
             const double hi = k + 1 == blocks ? s_last : lo * ratio;

@@ -54,7 +54,9 @@ class Discretisation {
 public:
     /// \param G_at encloses G > 2 at the thread's precision, any precision
     /// \param accuracy F_m is wanted to about e^-accuracy, relative to c_m
-    Discretisation(Scheme, const std::function<Ball()>& G_at, double accuracy);
+    /// \param grid_accuracy the share of interpolation in it: fewer nodes, and a proven error that is theirs alone
+    Discretisation(Scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy);
+    Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy) : Discretisation(scheme, G_at, accuracy, accuracy) {}
 
     /// The precision in bits that G and loads should be given with.
     slong bits() const { return bits_; }

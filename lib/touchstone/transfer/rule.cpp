@@ -103,8 +103,8 @@ struct Guess {
     /// the largest beta with |y| allowed on [0, i beta]
     double widest_imaginary() const
     {
-        double beta = 0;
-        while (beta < 1.5 && allows(0, beta + 0.005)) beta += 0.005;
+        double beta = 0x1p-30; // as G -> 2 it shrinks like (G - 2)^(1/2)
+        while (beta < 1.5 && allows(0, beta * 1.02)) beta *= 1.02;
         return beta;
     }
 };
@@ -271,7 +271,7 @@ Rule gauss_panel_rule(const Ball& G, const Ratios& x, double accuracy, double V)
             std::vector<Panel> tried;
             double points = 0;
             for (double lo = 0, hi = first; lo < V; lo = hi, hi = std::min(hi * ratio, V)) {
-                hi = std::ldexp(std::ceil(std::ldexp(hi, 20)), -20);
+                hi = std::ldexp(std::ceil(std::ldexp(hi, 40)), -40);
                 const double rho = largest_rho(lo, hi, lo == 0);
                 const double n = rho > 1 ? std::ceil((accuracy + 4) / (2 * std::log(rho))) : 1e9;
                 tried.push_back({lo, hi, rho, static_cast<long>(lo == 0 ? std::ceil(n / 2) : n), lo == 0});
