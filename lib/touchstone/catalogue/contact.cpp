@@ -5,6 +5,7 @@
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
 #include "touchstone/transfer/distribution.hpp"
+#include "touchstone/transfer/full_contact.hpp"
 
 #include <fmt/format.h>
 
@@ -16,10 +17,14 @@ using transfer::Scheme;
 constexpr long largest_n = 10'000;
 
 /// What transfer/ is proven for; the rest of the domain is not out of bounds, only out of reach.
-void require_partial_contact(const Inputs& in)
+void require_G_above_2(const Inputs& in)
 {
     if (in.compare_G(2) <= 0)
         throw BeyondReach("not computed yet for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale");
+}
+void require_partial_contact(const Inputs& in)
+{
+    require_G_above_2(in);
     if (in.real("load") > 1)
         throw BeyondReach("not computed yet for load > 1, where the first scale is in full contact");
 }
@@ -29,13 +34,37 @@ transfer::Arguments arguments(const Inputs& in)
     return {[&in] { return Ball(in.real("load")); }, [&in] { return in.G_ball(); }};
 }
 
+Ball area(Scheme scheme, long n, const Inputs& in)
+{
+    require_G_above_2(in);
+    return in.real("load") > 1 ? transfer::area_from_full_contact(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
+}
+
+/// Whether the least pressure of scale n, by (2.9) down the scales, is >= 0: load >= 1 + G + ... + G^n. Then A_n = 1.
+bool everywhere_in_contact(const Inputs& in, long n)
+{
+    const Rational load = in.real("load");
+    if (load < n + 1) return false; // G > 1
+    const auto sum = [n]<class Number>(const Number& G) {
+        Number s(1);
+        for (long k = 0; k < n; ++k) s = 1 + G * s;
+        return s;
+    };
+    const WorkingPrecision precision(512);
+    try {
+        if (const Exact G = in.G_exact(); G.is_rational()) return sum(G.rational()) <= load;
+    }
+    catch (const NotExact&) {
+    }
+    return certainly(less(sum(in.G_ball()), Ball(load)));
+}
+
 /// The two discretisations of the transfer operator as routes of f(scheme, inputs).
 template <class F>
 std::vector<Route> by_both_schemes(F f)
 {
     const auto route = [f](std::string name, Scheme scheme) {
         return Route{std::move(name), [f, scheme](const Inputs& in) -> Ball {
-                         require_partial_contact(in);
                          return f(scheme, in);
                      }};
     };
@@ -44,9 +73,12 @@ std::vector<Route> by_both_schemes(F f)
 
 std::string explain_area(const Inputs& in, long n, long digits)
 {
-    require_partial_contact(in);
+    require_G_above_2(in);
     if (n == 0) return "A_0 = (2/pi) arcsin sqrt(load), (6.6)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
+    if (in.real("load") > 1)
+        return transfer::full_contact_certificate(Scheme::force_weighted, n, arguments(in))
+             + transfer::full_contact_certificate(Scheme::area, n, arguments(in));
     return transfer::area_certificate(Scheme::force_weighted, n, arguments(in))
          + transfer::area_certificate(Scheme::area, n, arguments(in));
 }
@@ -115,13 +147,14 @@ Ball density(Law law, const Inputs& in, long n, const Ball& p)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; computed for load <= 1, G > 2", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; computed for load < 1000, G > 2", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
-                       if (in.integer("n") > 0 || in.real("load") > 1) throw NotExact();
+                       if (everywhere_in_contact(in, in.integer("n"))) return Exact(1);
+                       if (in.integer("n") > 0) throw NotExact();
                        return 2 * westergaard::half_width(Exact(in.real("load")));
                    },
-                   by_both_schemes([](Scheme s, const Inputs& in) { return transfer::area(s, in.integer("n"), arguments(in)); }),
+                   by_both_schemes([](Scheme s, const Inputs& in) { return area(s, in.integer("n"), in); }),
                    [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); }});
 
     all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; computed for n <= 1, or p = 0, load <= 1, G > 2",
@@ -133,8 +166,7 @@ void add_contact(std::vector<Quantity>& all)
                    [] {
                        const auto f = [](Law law, Scheme scheme, const Inputs& in) -> Ball {
                            const long n = in.integer("n");
-                           require_partial_contact(in);
-                           if (in.real("p") == 0) return transfer::area(scheme, n, arguments(in));
+                           if (in.real("p") == 0) return area(scheme, n, in);
                            require_distribution(in, n);
                            const Ball p(in.real("p")), load(in.real("load"));
                            if (n == 0) return law == Law::pressures ? westergaard::exceedance(p, load) : as_printed::exceedance_partial(p, load);
@@ -170,18 +202,20 @@ void add_contact(std::vector<Quantity>& all)
                        return pi<Ball>() * unit * ScalarTraits<Ball>::sin_pi(2 * a) * density(law, in, n - 1, unit * s * s);
                    })});
 
-    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; computed for load <= 1, G > 2",
+    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; computed for load < 1000, G > 2",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
                    [](const Inputs& in) { check_contact(in); require_integer(in, "n", 1, largest_n); },
                    [](const Inputs& in) -> Exact {
-                       if (in.integer("n") > 1 || in.real("load") > 1) throw NotExact();
+                       const Rational& gamma = in.real("gamma");
+                       if (everywhere_in_contact(in, in.integer("n") - 1)) return Exact(gamma).power(Rational(in.integer("n")));
+                       if (in.integer("n") > 1) throw NotExact();
                        return 2 * (westergaard::half_width(Exact(in.real("load"))) * Exact(in.real("gamma")));
                    },
                    by_both_schemes([](Scheme s, const Inputs& in) {
                        const long n = in.integer("n");
                        Ball power(in.real("gamma"));
                        arb_pow_ui(power.get(), power.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-                       return transfer::area(s, n - 1, arguments(in)) * power;
+                       return area(s, n - 1, in) * power;
                    }),
                    [](const Inputs& in, long digits) { return explain_area(in, in.integer("n") - 1, digits); }});
 }

@@ -1,0 +1,559 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/full_contact.hpp"
+
+#include "touchstone/catalogue/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <numbers>
+
+namespace touchstone::transfer {
+namespace {
+
+using Traits = ScalarTraits<Ball>;
+
+double approximate(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
+double upper_double(const Ball& b)
+{
+    const Ball u = upper(b);
+    return arf_get_d(arb_midref(u.get()), ARF_RND_UP);
+}
+/// An exact number at most / at least b, as near as the precision allows.
+Ball below(const Ball& b)
+{
+    Ball r;
+    arb_get_lbound_arf(arb_midref(r.get()), b.get(), WorkingPrecision::bits());
+    return r;
+}
+Ball above(const Ball& b)
+{
+    Ball r;
+    arb_get_ubound_arf(arb_midref(r.get()), b.get(), WorkingPrecision::bits());
+    return r;
+}
+bool is_below(const Ball& a, const Ball& b) { return certainly(less(a, b)); }
+
+/// A point of S, or an end of a range: somewhere in [lo, hi], both exact.
+struct Bracket {
+    Ball lo, hi;
+};
+
+/// How panels are graded.
+struct Shape {
+    double ratio, rho;
+};
+
+/// One panel: mid +- half, its distance to the nearer end of the interval, and its Chebyshev points.
+struct Panel {
+    Ball mid, half;
+    long points;
+    std::size_t first;
+    double entered = 0; ///< sum of |weights|, rounded up
+};
+
+/// An interval between points of S, or a piece of one: panels shrinking towards both ends.
+struct Graded {
+    Ball lo, hi, middle, reach; ///< reach = (hi - lo)/2
+    double ratio;
+    long depth;                 ///< panels on either side; the last ends at reach ratio^-depth from the end
+    Ball last() const { return reach * power(-depth); }
+    Ball power(long k) const
+    {
+        Ball r = Ball::exactly(ratio);
+        arb_pow_ui(r.get(), r.get(), static_cast<ulong>(std::abs(k)), WorkingPrecision::bits());
+        return k < 0 ? 1 / r : r;
+    }
+};
+Graded graded(const Ball& lo, const Ball& hi, double ratio, double last)
+{
+    Graded g{lo, hi, (lo + hi) / 2, (hi - lo) / 2, ratio, 1};
+    g.depth = std::max(1L, static_cast<long>(std::ceil(std::log(approximate(g.reach) / last) / std::log(ratio))));
+    return g;
+}
+
+struct Gauss {
+    std::vector<Ball> root, weight; ///< the n roots, all of them
+};
+
+/// One load and one G.
+class FullContact {
+public:
+    FullContact(Scheme scheme, const Arguments& a, double accuracy, long scales_asked) : scales(scales_asked), wanted(accuracy + 2 + std::log(approximate(a.G()))), last(std::exp(-wanted) * std::pow(approximate(a.G()), -static_cast<double>(scales) / 2)), format(static_cast<long>(100 + wanted / std::numbers::ln2)), bits(static_cast<slong>(170 - std::log2(last)))
+    {
+        const WorkingPrecision precision(bits);
+        G = a.G();
+        load = a.load();
+        if (!is_below(Ball(2), G)) throw BeyondReach("G = gamma^(D-1) must be above 2");
+        if (!is_below(Ball(1), load) || !is_below(load, Ball(1000))) throw BeyondReach("load must be above 1 and below 1000");
+        shape = scheme == Scheme::force_weighted ? Shape{4, 2.9} : Shape{6, 2.3};
+        {
+            const double q = 1 / shape.ratio, limit = (1 + q) / (1 - q);
+            if (!((shape.rho + 1 / shape.rho) / 2 < limit * 0.99)) throw std::logic_error("full contact: an ellipse leaves its disc");
+        }
+        chain = std::make_shared<Discretisation>(scheme, a.G, std::max(wanted + 8, -std::log(last) / 0.95));
+        c = magnitudes(G, 64).back() * (1 + Traits::power_of_two(-30));
+        spread_measure();
+    }
+
+    // ---- Lemma 3
+
+    Ball Q(const Ball& X) const { return is_below(X, Ball(1)) || arb_is_one(X.get()) ? c : G * Q((X + 1) / G); }
+    Ball M(const Ball& X) const
+    {
+        if (is_below(X, Ball(1)) || arb_is_one(X.get())) return c;
+        return upper(Q(X) + 4 / Traits::pi() * sqrt(X / 4) * G * M(upper((X + 1) / G)));
+    }
+    /// The points of S from 0 to beyond `top`, those that cannot be told apart in one bracket.
+    std::vector<Bracket> singular(const Ball& top) const
+    {
+        std::vector<Bracket> all{{Ball(0), Ball(0)}, {Ball(1), Ball(1)}};
+        const Ball limit = above(G * (top + 2) + 2);
+        std::vector<Ball> generation{Ball(0), Ball(1)};
+        while (!generation.empty()) {
+            std::vector<Ball> next;
+            for (const Ball& s : generation)
+                for (const long sign : {-1L, 1L}) {
+                    const Ball t = G * s + sign;
+                    if (!is_below(Ball(1), t) || !is_below(t, limit)) continue; // 1 itself is there; G s - 1 = 1 only for G s = 2, s = 1
+                    next.push_back(t);
+                    all.push_back({below(t), above(t)});
+                }
+            generation = std::move(next);
+            if (all.size() > 5000) throw BeyondReach("the load has too many singular points below it");
+        }
+        std::sort(all.begin(), all.end(), [](const Bracket& a, const Bracket& b) { return arb_lt(a.lo.get(), b.lo.get()) != 0; });
+        std::vector<Bracket> merged;
+        for (const Bracket& b : all)
+            if (!merged.empty() && !is_below(merged.back().hi, b.lo)) merged.back().hi = is_below(merged.back().hi, b.hi) ? b.hi : merged.back().hi;
+            else merged.push_back(b);
+        return merged;
+    }
+
+    // ---- measures on the ratios of one scale
+
+    /// Weights at Chebyshev points of graded panels of one interval.
+    struct Grid {
+        Graded g;
+        std::vector<Panel> left, right;
+        std::size_t nodes = 0;
+        long most_points = 0;
+        Ball bound;                     ///< M
+        std::vector<mp_limb_t> moments; ///< sums of w T_k
+        double terms = 0, held = 0;     ///< entries; |weights| x sqrt(distance) of what was moved to the last panel's edge
+    };
+    Grid grid(const Ball& lo, const Ball& hi) const
+    {
+        Grid r;
+        r.g = graded(lo, hi, shape.ratio, last);
+        r.bound = M(hi);
+        const double log_bound = std::log(4 * upper_double(r.bound) / (shape.rho - 1));
+        Ball far = r.g.reach;
+        for (long k = 0; k < r.g.depth; ++k) {
+            const Ball near = r.g.reach * r.g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
+            // what enters a panel weighs about the root of its width
+            const double need = wanted + 2 + log_bound + std::min(0.0, std::log(approximate(far)) / 2);
+            const long p = 2 + std::max(0L, static_cast<long>(std::ceil(need / std::log(shape.rho))));
+            r.left.push_back({lo + at, half, p, r.nodes});
+            r.right.push_back({hi - at, half, p, r.nodes + static_cast<std::size_t>(p)});
+            r.nodes += 2 * static_cast<std::size_t>(p);
+            r.most_points = std::max(r.most_points, p);
+            far = near;
+        }
+        r.moments.assign(r.nodes * static_cast<std::size_t>(format.limbs()), 0);
+        return r;
+    }
+
+    /// Adds weight w at y to a grid.
+    void enter(Grid& g, Ball y, const Ball& w)
+    {
+        const bool on_left = arf_cmp(arb_midref(y.get()), arb_midref(g.g.middle.get())) < 0;
+        std::vector<Panel>& side = on_left ? g.left : g.right;
+        const double weight = upper_double(abs(w)), away = approximate(on_left ? y - g.g.lo : g.g.hi - y);
+        const double guess = away > 0 ? std::log(approximate(g.g.reach) / away) / std::log(shape.ratio) : 1e9;
+        auto k = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(side.size() - 1)));
+        Ball tau = (y - side[k].mid) / side[k].half;
+        if (!on_left) tau = -tau; // tau = -1 is next to the end of the interval
+        if (is_below(Ball(1), tau) && k > 0) --k;
+        else if (is_below(tau, Ball(-1)) && k + 1 < side.size()) ++k;
+        Panel& p = side[k];
+        tau = (y - p.mid) / p.half;
+        if (is_below(abs(tau), Ball(1))) ;
+        else {
+            const Ball edge = arf_sgn(arb_midref(tau.get())) < 0 ? Ball(-1) : Ball(1), moved = abs(tau - edge) * p.half;
+            g.held += weight * upper_double(Traits::sqrt_positive_part(moved)) * 1.000001;
+            tau = edge;
+        }
+        if (!(tau.radius_bound() < 0x1p-100)) throw BeyondReach("a singular point and a node are too close to be told apart");
+        p.entered += weight * 1.000001;
+        ++g.terms;
+
+        const auto limbs = static_cast<std::size_t>(format.limbs());
+        const auto n = static_cast<mp_size_t>(limbs);
+        buffer.resize(7 * limbs);
+        mp_limb_t *t = &buffer[0], *before = &buffer[limbs], *now = &buffer[2 * limbs], *next = &buffer[3 * limbs], *scratch = &buffer[4 * limbs];
+        format.put(t, tau);
+        format.put(before, w);
+        format.multiply(now, before, t, 0, scratch);
+        mp_limb_t* sum = &g.moments[p.first * limbs];
+        mpn_add_n(sum, sum, before, n);
+        mpn_add_n(sum + n, sum + n, now, n);
+        sum += 2 * n;
+        for (long k2 = 2; k2 < p.points; ++k2, sum += n) {
+            format.multiply(next, now, t, 1, scratch);
+            mpn_sub_n(next, next, before, n);
+            mpn_add_n(sum, sum, next, n);
+            mp_limb_t* const free = before;
+            before = now, now = next, next = free;
+        }
+    }
+
+    struct Node {
+        Ball x, weight;
+    };
+    /// The grid as weighted points; its errors are added up for level j.
+    std::vector<Node> nodes_of(Grid& g, long level)
+    {
+        std::vector<Node> all;
+        const auto limbs = static_cast<std::size_t>(format.limbs());
+        double lost = 0;
+        fmpz_t units;
+        fmpz_init(units);
+        for (std::vector<Panel>* side : {&g.left, &g.right})
+            for (const Panel& p : *side) {
+                if (p.entered == 0) continue;
+                lost += p.entered * 4 * std::pow(shape.rho, -static_cast<double>(p.points - 1)) / (shape.rho - 1);
+                lost += p.entered * 0x1p-100 * 100; // tau off by 2^-100: Cauchy's bound of the derivative, (rho + 1/rho)/2 - 1 > 1/100
+                const std::vector<Ball>& cosines = cosines_for(p.points);
+                std::vector<Ball> mu(static_cast<std::size_t>(p.points));
+                for (std::size_t k = 0; k < mu.size(); ++k) {
+                    format.get(units, &g.moments[(p.first + k) * limbs]);
+                    arb_set_fmpz(mu[k].get(), units);
+                    mu[k] = mu[k] * format.unit();
+                }
+                for (long j = 0; j < p.points; ++j) {
+                    Ball w = mu[0] / 2;
+                    for (long k = 1; k < p.points; ++k) w += mu[static_cast<std::size_t>(k)] * cosines[static_cast<std::size_t>(k * (2 * j + 1) % (4 * p.points))];
+                    all.push_back({p.mid + p.half * cosines[static_cast<std::size_t>(2 * j + 1)], 2 * w / Ball(p.points)});
+                }
+            }
+        fmpz_clear(units);
+        const double p = static_cast<double>(g.most_points);
+        lost += static_cast<double>(g.nodes) * 2 * (g.terms + 1) * (p * p + 4) * std::pow(2.0, -static_cast<double>(format.fraction()));
+        add_error(level, lost * upper_double(g.bound));
+        moved[level] += g.held;
+        return all;
+    }
+    const std::vector<Ball>& cosines_for(long p)
+    {
+        auto& c_p = cosines[p];
+        if (c_p.empty())
+            for (long k = 0; k < 4 * p; ++k) c_p.push_back(Traits::cos_pi(Ball(k) / Ball(2 * p)));
+        return c_p;
+    }
+    const Gauss& gauss(long n)
+    {
+        Gauss& g = rules[n];
+        if (g.root.empty())
+            for (long k = 0; k < n; ++k) {
+                Ball root, weight;
+                arb_hypgeom_legendre_p_ui_root(root.get(), weight.get(), static_cast<ulong>(n), static_cast<ulong>(k), WorkingPrecision::bits());
+                g.root.push_back(root);
+                g.weight.push_back(weight);
+            }
+        return g;
+    }
+    /// e times G^-(n - level) in A_n
+    void add_error(long level, double e) { errors[level] += e * 1.000001; }
+
+    // ---- one scale
+
+    /// The grids that serve the ratios of one scale: (0, 1), and the intervals above 1 within the range.
+    struct Scale {
+        Ball lo, hi; ///< range of the ratios
+        std::vector<Grid> grids; ///< the first is (0, 1)
+    };
+    Scale scale(const Ball& lo, const Ball& hi) const
+    {
+        Scale s{lo, hi, {}};
+        s.grids.push_back(grid(Ball(0), Ball(1)));
+        if (!is_below(hi, Ball(1)))
+            for (std::size_t i = 1; i + 1 < S.size(); ++i)
+                if (!is_below(S[i + 1].lo, lo) && !is_below(hi, S[i].hi)) s.grids.push_back(grid(S[i].hi, S[i + 1].lo));
+        return s;
+    }
+    void enter(Scale& s, const Ball& y, const Ball& w)
+    {
+        for (Grid& g : s.grids)
+            if (arf_cmp(arb_midref(y.get()), arb_midref(g.g.hi.get())) <= 0) return enter(g, y, w);
+        enter(s.grids.back(), y, w);
+    }
+
+    /// Gauss rules on a piece [a, b] whose ends keep off_lo and off_hi from those of the kernel's range, panels down to `finest`.
+    /// kernel(y) and its bound on an ellipse, in terms of real distances from a and b: bound(least from a, least from b, largest |y|).
+    template <class Kernel, class Bound>
+    Graded integrate(Scale& to, long level, const Ball& a, const Ball& b, const Ball& w, double tolerance, double finest, const Kernel& kernel, const Bound& bound)
+    {
+        Graded g = graded(a, b, shape.ratio, finest);
+        const double m = upper_double(M(upper(b))), rho = shape.rho, weight = upper_double(abs(w));
+        Ball far = g.reach;
+        for (long k = 0; k < g.depth; ++k) {
+            const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
+            const double major = (rho + 1 / rho) / 2, least = approximate(at) - approximate(half) * major;
+            const double length = 2 * approximate(g.reach), most = approximate(at) + approximate(half) * major;
+            for (const bool left : {true, false}) {
+                const double here = left ? bound(least, length - most, approximate(a) + most) : bound(length - most, least, approximate(b) - least);
+                const double scale_of_error = approximate(half) * 16 / 3 * m * here / (1 - 1 / rho) * 1.000001;
+                const long n = std::max(2L, static_cast<long>(std::ceil(std::log(scale_of_error * static_cast<double>(2 * g.depth) / tolerance) / (2 * std::log(rho)))));
+                add_error(level + 1, weight * scale_of_error * std::pow(rho, -2.0 * static_cast<double>(n)));
+                const Gauss& rule = gauss(n);
+                const Ball mid = left ? a + at : b - at;
+                for (std::size_t q = 0; q < rule.root.size(); ++q) {
+                    const Ball y = mid + half * rule.root[q];
+                    enter(to, y, w * half * rule.weight[q] * kernel(y));
+                }
+            }
+            far = near;
+        }
+        return g;
+    }
+
+    double tolerance_for(const Ball& w) const { return std::exp(-wanted) * std::max(1.0, 1 / (5000 * std::max(approximate(abs(w)), 1e-300))); }
+
+    /// (F1): the weight w at x >= 1 goes to the next scale.
+    void full(Scale& to, long level, const Ball& x, const Ball& w)
+    {
+        const double weight = upper_double(abs(w)), tolerance = tolerance_for(w);
+        const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
+        const Ball lo = (x - 1) / G, hi = (x + 1) / G;
+        std::vector<Bracket> cuts{{below(lo), above(lo)}};
+        for (const Bracket& s : S) {
+            if (is_below(s.hi, cuts.front().lo) || is_below(hi, s.lo)) continue;
+            if (!is_below(cuts.back().hi, s.lo)) cuts.back().hi = is_below(cuts.back().hi, s.hi) ? s.hi : cuts.back().hi;
+            else cuts.push_back(s);
+        }
+        if (is_below(cuts.back().hi, hi)) cuts.push_back({below(hi), above(hi)});
+        else cuts.back().hi = above(hi);
+        const auto share = [&](const Ball& y) { // of the wave, below y
+            const Ball t = at_least(at_most(G * y - x, Ball(1)), Ball(-1));
+            return 1 - acos(t) / Traits::pi();
+        };
+        const Ball one_over_pi = 1 / Traits::pi();
+        Ball done = cuts.front().lo; // up to here
+        Ball share_done(0);
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const Ball &a = cuts[i].hi, &b = cuts[i + 1].lo;
+            if (!is_below(a + Ball::exactly(4 * finest), b)) continue; // part of what is left out
+            const double off_a = approximate(a - lo), off_b = approximate(hi - b);
+            const Graded pieces = integrate(
+                to, level, a, b, w, tolerance, finest, [&](const Ball& y) { return one_over_pi / sqrt((y - lo) * (hi - y)); },
+                [&](double from_a, double from_b, double) {
+                    return 1 / (std::numbers::pi * std::sqrt((from_a + std::max(off_a, 0.0)) * (from_b + std::max(off_b, 0.0)))) * 1.000001;
+                });
+            const Ball start = a + pieces.last(), share_start = share(start);
+            leave(to, level, start, start - done, w, share_start - share_done, weight);
+            done = b - pieces.last();
+            share_done = share(done);
+        }
+        leave(to, level, done, above(hi) - done, w, 1 - share_done, weight);
+    }
+    /// A stretch of the wave's ratios no rule covers, `width` long beside y, all taken at y.
+    void leave(Scale& to, long level, const Ball& y, const Ball& width, const Ball& w, const Ball& measure, double weight)
+    {
+        moved[level + 1] += weight * upper_double(abs(measure)) * upper_double(Traits::sqrt_positive_part(width)) * 1.000001;
+        enter(to, y, w * measure);
+    }
+
+    /// (F2): the weight w at x in (2/G, 1) goes to the next scale.
+    void partial(Scale& to, long level, const Ball& x, const Ball& w)
+    {
+        const double weight = upper_double(abs(w)), tolerance = tolerance_for(w), g = approximate(G), root_x = approximate(sqrt(x));
+        const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
+        const Ball hi = 2 * sqrt(x) / G, gap = 1 - x, scale_of = G * G / (2 * Traits::pi());
+        const Graded pieces = integrate(
+            to, level, Ball(0), below(hi), w, tolerance, finest,
+            [&](const Ball& y) {
+                const Ball Gy = G * y, R = sqrt(gap * gap + Gy * Gy);
+                return scale_of * y / (R * sqrt(x - Gy * Gy / 4)) * sqrt((1 + x + R) / (gap + R));
+            },
+            // Re R > 0, |R| >= G Re y, |1-x+R| >= |R|, |1+x+R| <= 2 + |R|; x - G^2 y^2/4 = (G/2) (hi - y) (x^(1/2) + G y/2)
+            [&](double from_a, double from_b, double largest) {
+                const double R = g * from_a;
+                return g * g * largest / (2 * std::numbers::pi * R * std::sqrt(g / 2 * from_b * root_x)) * std::sqrt(2 / R + 1) * 1.0001;
+            });
+        const Ball start = pieces.last(), end = hi - pieces.last();
+        // below the first panel: dropped, B_m(y) <= B_m(start) there and k <= (3 G/(2 x y))^(1/2)/pi for G y <= 1, x - G^2 y^2/4 >= x/2
+        const double share_low = std::sqrt(6 * g / (approximate(x) * 1)) / std::numbers::pi * std::sqrt(upper_double(start));
+        moved[level + 1] += weight * share_low * std::sqrt(upper_double(start)) * 1.001;
+        const Ball P = G * end, R = sqrt(gap * gap + P * P);
+        const Ball share_high = 2 / Traits::pi() * asin(sqrt((4 * x - P * P) / (2 * (1 + x + R)))); // (2.17)
+        leave(to, level, end, hi - end, w, share_high, weight);
+    }
+
+    void spread_measure()
+    {
+        S = singular(load);
+        Scale now{load, load, {}};
+        std::vector<Node> above_one{{load, Ball(1)}}, between;
+        const double negligible = std::exp(-wanted - 12);
+        for (long level = 0; !above_one.empty() || !between.empty(); ++level) {
+            if (level > 60) throw std::logic_error("full contact: the chain does not end");
+            Ball total(0);
+            for (const Node& v : above_one) total += v.weight;
+            in_full.push_back(total);
+            between_nodes.push_back(between);
+            const Ball lo = at_least((now.lo - 1) / G, Ball(0)), hi = at_least((now.hi + 1) / G, 2 / G);
+            Scale next = scale(below(lo), above(hi));
+            for (const bool is_full : {true, false})
+                for (const Node& v : is_full ? above_one : between) {
+                    const double weight = upper_double(abs(v.weight));
+                    if (weight < negligible) add_error(level, weight * upper_double(Q(upper(now.hi))));
+                    else if (is_full) full(next, level, v.x, v.weight);
+                    else partial(next, level, v.x, v.weight);
+                }
+            above_one.clear();
+            between.clear();
+            std::vector<Node> ends;
+            for (std::size_t i = 0; i < next.grids.size(); ++i)
+                for (Node& v : nodes_of(next.grids[i], level + 1)) {
+                    if (i > 0) above_one.push_back(std::move(v));
+                    else if (is_below(v.x, edge_of_chain())) ends.push_back(std::move(v));
+                    else between.push_back(std::move(v));
+                }
+            terminal.push_back(std::move(ends));
+            now.lo = next.lo;
+            now.hi = next.hi;
+        }
+    }
+    /// Nodes up to here are served by the discretisation: 2/G or, where a panel of (0, 1) goes across it, that panel's end.
+    Ball edge_of_chain() const
+    {
+        const Graded g = graded(Ball(0), Ball(1), shape.ratio, last);
+        Ball edge = g.middle;
+        for (long k = 0; k < g.depth && is_below(edge, 2 / G); ++k) edge = g.hi - g.reach * g.power(-k - 1);
+        return edge;
+    }
+
+    Ball area(long n)
+    {
+        const WorkingPrecision precision(bits);
+        if (n == 0) return Ball(1);
+        Ball sum(0);
+        const auto at = static_cast<std::size_t>(n);
+        if (at < in_full.size()) {
+            sum += in_full[at];
+            for (const Node& v : between_nodes[at]) sum += v.weight * (2 / Traits::pi()) * asin(sqrt(v.x));
+        }
+        const double negligible = std::exp(-wanted - 12);
+        double dropped = 0;
+        for (std::size_t j = 1; j <= std::min(at, terminal.size()); ++j)
+            for (const Node& v : terminal[j - 1]) {
+                const double weight = upper_double(abs(v.weight));
+                if (weight < negligible) {
+                    dropped += weight * upper_double(c) * std::pow(upper_double(G), static_cast<double>(j)) * 1.000001;
+                    continue;
+                }
+                sum += v.weight * value(v.x, n - static_cast<long>(j));
+            }
+        Ball error = Ball::exactly(dropped);
+        for (const auto& [level, e] : errors)
+            if (level <= n) error += Ball::exactly(e) * pow(G, Ball(level));
+        error = error * pow(G, Ball(-n));
+        for (const auto& [level, e] : moved)
+            if (level <= n) error += Ball::exactly(e) * pow(G, Ball(level - n) / 2);
+        arb_add_error(sum.get(), upper(error).get());
+        return sum;
+    }
+    /// B_m(x), x < 1
+    const Ball& value(const Ball& x, long m)
+    {
+        auto& known = values[x.dump()];
+        while (static_cast<long>(known.size()) <= m) {
+            const auto k = static_cast<long>(known.size());
+            known.push_back(sqrt(x) * chain->force_share(k, x) * pow(G, Ball(-k)));
+        }
+        return known[static_cast<std::size_t>(m)];
+    }
+
+    std::string certificate(long n)
+    {
+        std::string text = fmt::format("full contact: {} points of S, panels shrink by {} to {:.2g}, ellipse rho = {}\n", S.size(), shape.ratio, last, shape.rho);
+        for (std::size_t j = 1; j <= terminal.size(); ++j)
+            text += fmt::format("  scale {}: {} nodes below 1; error <= {:.2g} G^-(n-{}) + {:.2g} G^-(n-{})/2\n", j, terminal[j - 1].size(),
+                                errors[static_cast<long>(j)], j, moved[static_cast<long>(j)], j);
+        return text + chain->certificate(n);
+    }
+
+private:
+    long scales;
+    double wanted, last; ///< accuracy in nats; width of the finest panels
+    FixedFormat format;
+    slong bits;
+    Ball G, load, c;
+    Shape shape;
+    std::vector<Bracket> S;
+    std::vector<Ball> in_full;                    ///< by level: the sum of weights above 1
+    std::vector<std::vector<Node>> between_nodes; ///< by level: weights in (2/G, 1)
+    std::vector<std::vector<Node>> terminal;      ///< by level, from 1: weights below
+    std::map<long, double> errors, moved;         ///< by level: times G^-(n - level), times G^-(n - level)/2
+    std::map<long, std::vector<Ball>> cosines;
+    std::map<long, Gauss> rules;
+    std::map<std::string, std::vector<Ball>> values;
+    std::vector<mp_limb_t> buffer;
+    std::shared_ptr<Discretisation> chain;
+};
+
+/// The last few, most recently used first.
+struct Kept {
+    std::string key;
+    std::mutex making;
+    std::shared_ptr<FullContact> made;
+};
+std::mutex kept_mutex;
+std::list<std::shared_ptr<Kept>> kept;
+constexpr std::size_t most_kept = 8;
+
+template <class F>
+auto with_full_contact(Scheme scheme, long n, const Arguments& a, F f)
+{
+    const double accuracy = std::max(44.0, static_cast<double>(WorkingPrecision::bits() - 56) * std::numbers::ln2);
+    if (accuracy > 160) throw BeyondReach("so many digits would cost too much for load > 1");
+    const long scales = 20 * ((std::max(n, 1L) + 19) / 20);
+    const WorkingPrecision precision(1024);
+    const Arguments same{[load = a.load()] { return load; }, [G = a.G()] { return G; }}; // what is kept holds for all G and loads in these balls
+    const std::string key = fmt::format("{} {} {} {} {}", static_cast<int>(scheme), accuracy, scales, same.load().dump(), same.G().dump());
+    std::shared_ptr<Kept> mine;
+    {
+        const std::lock_guard lock(kept_mutex);
+        const auto found = std::find_if(kept.begin(), kept.end(), [&](const auto& k) { return k->key == key; });
+        if (found != kept.end()) kept.splice(kept.begin(), kept, found);
+        else {
+            kept.push_front(std::make_shared<Kept>());
+            kept.front()->key = key;
+            if (kept.size() > most_kept) kept.pop_back();
+        }
+        mine = kept.front();
+    }
+    const std::lock_guard lock(mine->making);
+    if (!mine->made) mine->made = std::make_shared<FullContact>(scheme, same, accuracy, scales);
+    return f(*mine->made);
+}
+
+} // namespace
+
+Ball area_from_full_contact(Scheme scheme, long n, const Arguments& a)
+{
+    return with_full_contact(scheme, n, a, [n](FullContact& f) { return f.area(n); });
+}
+
+std::string full_contact_certificate(Scheme scheme, long n, const Arguments& a)
+{
+    return with_full_contact(scheme, n, a, [n](FullContact& f) { return f.certificate(n); });
+}
+
+} // namespace touchstone::transfer
