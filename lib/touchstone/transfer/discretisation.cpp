@@ -362,37 +362,63 @@ void Discretisation::extend_to(long n)
     }
 }
 
-/// The step from the grid to one load; those of the last few loads are kept.
-const Discretisation::Step& Discretisation::step_to(const Ball& x)
+/// The rows of all points, moments added up before they become nodal: a moment of the sum is off by what each w_i
+/// and each product is, (rad w_i + u) sum_q W + u, and a nodal entry by twice the largest of those.
+Discretisation::Functional Discretisation::functional(const std::vector<Point>& points)
+{
+    const WorkingPrecision precision(bits_);
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    const std::size_t N = nodes_.size();
+    const Ball u = format_.unit();
+    std::vector<mp_limb_t> moments(N * limbs), weight(limbs), product(limbs), scratch(2 * limbs);
+    Functional f;
+    f.first = f.budget = Ball(0);
+    Ball rounding(0);
+    for (const Point& point : points) {
+        const Ball& x = point.x;
+        const auto add = [&](const Rule& rule) {
+            const Row r = row(x, -log(x), rule);
+            format_.put(weight.data(), point.weight);
+            for (std::size_t k = 0; k < N; ++k) {
+                format_.multiply(product.data(), &r.moments[k * limbs], weight.data(), 0, scratch.data());
+                mpn_add_n(&moments[k * limbs], &moments[k * limbs], product.data(), static_cast<mp_size_t>(limbs));
+            }
+            f.budget = upper(f.budget + abs(point.weight) * budget(r, x, rule).total());
+            rounding += upper((radius(point.weight) + u) * (1 + r.total) + u);
+        };
+        if (certainly(less(x, 2 / G_))) add(rule_);
+        else {
+            const Ratios one{x, true};
+            const double V = cut_off(one, accuracy_);
+            add(scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, one, accuracy_, V) : gauss_panel_rule(G_, one, accuracy_, V));
+        }
+        f.first += point.weight * 2 * asin(sqrt(x)) / (Traits::pi() * sqrt(x));
+    }
+    f.budget = upper(f.budget + static_cast<long>(2 * N) * rounding);
+    f.weights = nodal(moments, 1);
+    fmpz_t units;
+    fmpz_init(units);
+    for (std::size_t j = 0; j < N; ++j) {
+        format_.get(units, &f.weights[j * limbs]);
+        Ball w;
+        arb_set_fmpz(w.get(), units);
+        f.modulus.push_back(upper_double(abs(w) * u));
+    }
+    fmpz_clear(units);
+    return f;
+}
+
+/// The row of one load; those of the last few loads are kept.
+const Discretisation::Functional& Discretisation::step_to(const Ball& x)
 {
     const std::string key = x.dump();
     const auto known = std::find_if(steps_.begin(), steps_.end(), [&](const Step& s) { return s.load == key; });
-    if (known != steps_.end()) {
-        steps_.splice(steps_.begin(), steps_, known);
-        return *known;
-    }
-    const auto step = [&](const Rule& rule) {
-        const Row r = row(x, -log(x), rule);
-        steps_.push_front({key, nodal(r.moments, 1), {}, budget(r, x, rule).total()});
-        if (steps_.size() > steps_kept) steps_.pop_back();
-    };
-    if (certainly(less(x, 2 / G_))) step(rule_);
+    if (known != steps_.end()) steps_.splice(steps_.begin(), steps_, known);
     else {
-        const Ratios one{x, true};
-        const double V = cut_off(one, accuracy_);
-        step(scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, one, accuracy_, V) : gauss_panel_rule(G_, one, accuracy_, V));
+        steps_.push_front({key, functional({{x, Ball(1)}})});
+        if (steps_.size() > steps_kept) steps_.pop_back();
     }
-    Step& made = steps_.front();
-    fmpz_t units;
-    fmpz_init(units);
-    for (std::size_t j = 0; j < nodes_.size(); ++j) {
-        format_.get(units, &made.weights[j * static_cast<std::size_t>(format_.limbs())]);
-        Ball w;
-        arb_set_fmpz(w.get(), units);
-        made.modulus.push_back(upper_double(abs(w) * format_.unit()));
-    }
-    fmpz_clear(units);
-    return made;
+    return steps_.front().row;
 }
 
 Ball Discretisation::force_share(long n, const Ball& x)
@@ -401,14 +427,28 @@ Ball Discretisation::force_share(long n, const Ball& x)
     if (n == 0) return 2 * asin(sqrt(x)) / (Traits::pi() * sqrt(x));
     const std::lock_guard lock(mutex_);
     extend_to(n - 1);
-    const Step& step = step_to(x);
+    return value(step_to(x), n);
+}
+
+Ball Discretisation::apply(const Functional& f, long n)
+{
+    if (n == 0) return f.first;
+    const WorkingPrecision precision(bits_);
+    const std::lock_guard lock(mutex_);
+    extend_to(n - 1);
+    return value(f, n);
+}
+
+/// Level n - 1 to level n. \pre n >= 1
+Ball Discretisation::value(const Functional& f, long n) const
+{
     const Level& level = levels_[static_cast<std::size_t>(n - 1)];
-    Ball F = scale_ * format_.dot(step.weights.data(), level.values.data(), nodes_.size());
+    Ball F = scale_ * format_.dot(f.weights.data(), level.values.data(), nodes_.size());
     double carried = 0;
-    for (std::size_t j = 0; j < nodes_.size(); ++j) carried += step.modulus[j] * level.errors[j];
+    for (std::size_t j = 0; j < nodes_.size(); ++j) carried += f.modulus[j] * level.errors[j];
     const WorkingPrecision coarse(64);
     const std::size_t m = std::min(static_cast<std::size_t>(n - 1), c_.size() - 1);
-    const Ball error = c_[m] * step.budget + Ball::exactly(carried * up) * Traits::power_of_two(-error_unit_);
+    const Ball error = c_[m] * f.budget + Ball::exactly(carried * up) * Traits::power_of_two(-error_unit_);
     arb_add_error(F.get(), upper(error).get());
     return F;
 }

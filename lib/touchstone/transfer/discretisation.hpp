@@ -66,6 +66,19 @@ public:
     /// \throws BeyondReach where x is below the reach of the grid
     Ball force_share(long n, const Ball& x);
 
+    struct Point {
+        Ball x, weight;
+    };
+    /// sum_i w_i F_n(x_i) as one row, for all n.
+    struct Functional {
+        Ball first;                     ///< n = 0
+        std::vector<mp_limb_t> weights; ///< by nodes, for n >= 1
+        std::vector<double> modulus;    ///< their absolute values, rounded up
+        Ball budget;                    ///< the row's error, divided by c_m
+    };
+    Functional functional(const std::vector<Point>&);
+    Ball apply(const Functional&, long n);
+
     /// The certificate: parameters, error budget of a row, and the proven error level by level up to n.
     std::string certificate(long n);
 
@@ -94,11 +107,10 @@ private:
     static FixedFormat format_for(double accuracy);
     struct Step {
         std::string load;
-        std::vector<mp_limb_t> weights; ///< the load's row, by nodes
-        std::vector<double> modulus;    ///< its absolute values, rounded up
-        Ball budget;                    ///< its error, divided by c_m
+        Functional row;
     };
-    const Step& step_to(const Ball& x);
+    const Functional& step_to(const Ball& x);
+    Ball value(const Functional&, long n) const;
     Row row(const Ball& x, const Ball& s, const Rule&) const;
     /// The row's error bound, divided by c_m, apart from what the level's values carry.
     Budget budget(const Row&, const Ball& x, const Rule&) const;

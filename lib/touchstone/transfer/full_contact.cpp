@@ -323,6 +323,7 @@ public:
         return g;
     }
 
+    double negligible() const { return std::exp(-wanted - 12); } ///< weights that are not followed
     double tolerance_for(const Ball& w) const { return std::exp(-wanted) * std::max(1.0, 1 / (5000 * std::max(approximate(abs(w)), 1e-300))); }
 
     /// (F1): the weight w at x >= 1 goes to the next scale.
@@ -400,7 +401,6 @@ public:
         S = singular(load);
         Scale now{load, load, {}};
         std::vector<Node> above_one{{load, Ball(1)}}, between;
-        const double negligible = std::exp(-wanted - 12);
         for (long level = 0; !above_one.empty() || !between.empty(); ++level) {
             if (level > 60) throw std::logic_error("full contact: the chain does not end");
             Ball total(0);
@@ -412,7 +412,7 @@ public:
             for (const bool is_full : {true, false})
                 for (const Node& v : is_full ? above_one : between) {
                     const double weight = upper_double(abs(v.weight));
-                    if (weight < negligible) add_error(level, weight * upper_double(Q(upper(now.hi))));
+                    if (weight < negligible()) add_error(level, weight * upper_double(Q(upper(now.hi))));
                     else if (is_full) full(next, level, v.x, v.weight);
                     else partial(next, level, v.x, v.weight);
                 }
@@ -449,18 +449,19 @@ public:
             sum += in_full[at];
             for (const Node& v : between_nodes[at]) sum += v.weight * (2 / Traits::pi()) * asin(sqrt(v.x));
         }
-        const double negligible = std::exp(-wanted - 12);
-        double dropped = 0;
-        for (std::size_t j = 1; j <= std::min(at, terminal.size()); ++j)
-            for (const Node& v : terminal[j - 1]) {
+        while (rows.size() < std::min(at, terminal.size())) { // sqrt(x) F_m is G^m B_m
+            std::vector<Discretisation::Point> points;
+            const std::size_t j = rows.size();
+            for (const Node& v : terminal[j]) {
                 const double weight = upper_double(abs(v.weight));
-                if (weight < negligible) {
-                    dropped += weight * upper_double(c) * std::pow(upper_double(G), static_cast<double>(j)) * 1.000001;
-                    continue;
-                }
-                sum += v.weight * value(v.x, n - static_cast<long>(j));
+                if (weight < negligible()) add_error(static_cast<long>(j) + 1, weight * upper_double(c));
+                else points.push_back({v.x, v.weight * sqrt(v.x)});
             }
-        Ball error = Ball::exactly(dropped);
+            rows.push_back(chain->functional(points));
+        }
+        for (std::size_t j = 1; j <= std::min(at, terminal.size()); ++j)
+            sum += chain->apply(rows[j - 1], n - static_cast<long>(j)) * pow(G, Ball(static_cast<long>(j) - n));
+        Ball error(0);
         for (const auto& [level, e] : errors)
             if (level <= n) error += Ball::exactly(e) * pow(G, Ball(level));
         error = error * pow(G, Ball(-n));
@@ -469,17 +470,6 @@ public:
         arb_add_error(sum.get(), upper(error).get());
         return sum;
     }
-    /// B_m(x), x < 1
-    const Ball& value(const Ball& x, long m)
-    {
-        auto& known = values[x.dump()];
-        while (static_cast<long>(known.size()) <= m) {
-            const auto k = static_cast<long>(known.size());
-            known.push_back(sqrt(x) * chain->force_share(k, x) * pow(G, Ball(-k)));
-        }
-        return known[static_cast<std::size_t>(m)];
-    }
-
     std::string certificate(long n)
     {
         std::string text = fmt::format("full contact: {} points of S, panels shrink by {} to {:.2g}, ellipse rho = {}\n", S.size(), shape.ratio, last, shape.rho);
@@ -500,10 +490,10 @@ private:
     std::vector<Ball> in_full;                    ///< by level: the sum of weights above 1
     std::vector<std::vector<Node>> between_nodes; ///< by level: weights in (2/G, 1)
     std::vector<std::vector<Node>> terminal;      ///< by level, from 1: weights below
+    std::vector<Discretisation::Functional> rows; ///< of the terminal weights
     std::map<long, double> errors, moved;         ///< by level: times G^-(n - level), times G^-(n - level)/2
     std::map<long, std::vector<Ball>> cosines;
     std::map<long, Gauss> rules;
-    std::map<std::string, std::vector<Ball>> values;
     std::vector<mp_limb_t> buffer;
     std::shared_ptr<Discretisation> chain;
 };

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+/// The area for load > 1, against integrals nested by hand, the partial-contact routes, and what is exact.
+#include "touchstone/transfer/full_contact.hpp"
+
+#include "touchstone/catalogue/evaluate.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using namespace touchstone::transfer;
+
+namespace {
+
+using Traits = ScalarTraits<Ball>;
+constexpr slong bits = 56 + 64; // about 19 digits
+
+Rational exactly(const char* text) { return *parse_rational(text); }
+
+Arguments at(const char* load, const char* G)
+{
+    return {[load] { return Ball(exactly(load)); }, [G] { return Ball(exactly(G)); }};
+}
+
+Ball first_area(const Ball& x) { return certainly(less(x, Ball(1))) ? 2 / Traits::pi() * asin(sqrt(x)) : Ball(1); }
+
+/// n = 1, 2 as midpoint sums over the angles (periodic and analytic while no ratio reaches 1 on its way), (F1) twice.
+Ball nested(long n, const Ball& x, const Ball& G, long points)
+{
+    if (n == 0) return first_area(x);
+    Ball sum(0);
+    for (long i = 0; i < points; ++i) sum += nested(n - 1, (x + Traits::cos_pi(Ball(2 * i + 1) / Ball(2 * points))) / G, G, points);
+    return sum / Ball(points);
+}
+
+bool near(const Ball& a, const Ball& b, const char* within) { return certainly(less(abs(a - b), Ball(exactly(within)))); }
+
+} // namespace
+
+TEST_CASE("two grids, two schemes, one area, and tight balls")
+{
+    const WorkingPrecision precision(bits);
+    for (const auto& [load, G] : {std::pair{"10", "4"}, {"1.5", "16"}, {"100", "12"}})
+        for (const long n : {1L, 2L, 3L, 7L, 20L}) {
+            CAPTURE(load); CAPTURE(G); CAPTURE(n);
+            const Ball a = area_from_full_contact(Scheme::force_weighted, n, at(load, G)), b = area_from_full_contact(Scheme::area, n, at(load, G));
+            CHECK(a.overlaps(b));
+            CHECK(a.relative_bits() > 62);
+            CHECK(b.relative_bits() > 62);
+        }
+}
+
+TEST_CASE("nested by hand, n = 1 and 2")
+{
+    const WorkingPrecision precision(bits);
+    // x_1 in (0.31, 0.94) of 16: load 10, all of scale 1 below 1, nothing singular on the way
+    const Ball one = area_from_full_contact(Scheme::force_weighted, 1, at("10", "16"));
+    CHECK(near(one, nested(1, Ball(10), Ball(16), 80), "1e-19"));
+    const Ball two = area_from_full_contact(Scheme::force_weighted, 2, at("10", "4"));
+    CHECK(near(two, nested(2, Ball(10), Ball(4), 80), "1e-17"));
+}
+
+TEST_CASE("load -> 1 from above meets the partial-contact route, no faster than Lemma 4 allows")
+{
+    const WorkingPrecision precision(bits);
+    for (const long n : {1L, 5L}) {
+        const Ball below = area(Scheme::force_weighted, n, at("1", "4"));
+        for (const char* beyond : {"1.0000000001", "1.0001"}) {
+            CAPTURE(n); CAPTURE(beyond);
+            const Ball rise = area_from_full_contact(Scheme::force_weighted, n, at(beyond, "4")) - below;
+            CHECK_FALSE(certainly(less(rise, Ball(0))));
+            CHECK(certainly(less(rise, sqrt((Ball(exactly(beyond)) - 1) / pow(Ball(4), Ball(n))))));
+        }
+    }
+}
+
+TEST_CASE("areas increase with the load")
+{
+    const WorkingPrecision precision(bits);
+    for (const long n : {2L, 10L}) {
+        Ball last = area(Scheme::force_weighted, n, at("1", "16"));
+        for (const char* load : {"1.5", "10", "17", "20"}) {
+            const Ball a = area_from_full_contact(Scheme::force_weighted, n, at(load, "16"));
+            CHECK(certainly(less(last, a)));
+            last = a;
+        }
+    }
+}
+
+TEST_CASE("full contact everywhere is exact, to the last load that keeps it; then it is certified")
+{
+    const auto eval = [](const char* name, std::map<std::string, Rational> in) { return evaluate(*find_quantity(name), Inputs(std::move(in)), {.digits = 17}); };
+    for (const char* G : {"4", "1.5"}) { // 1 + G + G^2
+        const Rational g = exactly(G), load = 1 + g + g * g;
+        CHECK(eval("contact.area", {{"n", 2}, {"load", load}, {"G", g}}).status == Status::exact);
+        CHECK(eval("contact.area", {{"n", 2}, {"load", load}, {"G", g}}).value == "1");
+        CHECK(eval("contact.area", {{"n", 0}, {"load", 1}, {"G", g}}).status == Status::exact);
+    }
+    CHECK(eval("segments.count", {{"n", 2}, {"load", 5}, {"D", exactly("1.5")}, {"gamma", 16}}).value == "256");
+    const auto e = eval("contact.area", {{"n", 1}, {"load", exactly("16.9")}, {"G", 16}});
+    CHECK(e.status == Status::certified);
+    CHECK(e.value < "1");
+}
+
+TEST_CASE("(1.5, 16) and (1.25, 256) give the same area, digit for digit")
+{
+    const auto eval = [](const char* D, long gamma) {
+        return evaluate(*find_quantity("contact.area"), Inputs({{"n", 3}, {"load", 10}, {"D", exactly(D)}, {"gamma", gamma}}), {.digits = 17});
+    };
+    const auto a = eval("1.5", 16), b = eval("1.25", 256);
+    CHECK(a.status == Status::certified);
+    CHECK(a.value == b.value);
+}
+
+TEST_CASE("out of reach is said")
+{
+    CHECK_THROWS_AS(area_from_full_contact(Scheme::area, 1, at("10", "2")), std::runtime_error);
+    CHECK_THROWS_AS(area_from_full_contact(Scheme::area, 1, at("1", "4")), std::runtime_error);
+    CHECK_THROWS_AS(area_from_full_contact(Scheme::area, 1, at("1e6", "4")), std::runtime_error);
+}
