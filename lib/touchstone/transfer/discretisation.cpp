@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace touchstone::transfer {
 namespace {
@@ -373,7 +374,10 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
     std::vector<mp_limb_t> moments(N * limbs), weight(limbs), product(limbs), scratch(2 * limbs);
     Functional f;
     f.first = f.budget = Ball(0);
-    Ball rounding(0);
+    Ball rounding(0), highest(0);
+    for (const Point& point : points) highest = larger(highest, point.x);
+    if (points.size() > 1) highest = upper(highest);
+    std::optional<Rule> beyond; // for ratios above 2/G
     for (const Point& point : points) {
         const Ball& x = point.x;
         const auto add = [&](const Rule& rule) {
@@ -388,9 +392,12 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
         };
         if (certainly(less(x, 2 / G_))) add(rule_);
         else {
-            const Ratios one{x, true};
-            const double V = cut_off(one, accuracy_);
-            add(scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, one, accuracy_, V) : gauss_panel_rule(G_, one, accuracy_, V));
+            if (!beyond) {
+                const Ratios ratios{highest, points.size() == 1};
+                const double V = cut_off(ratios, accuracy_);
+                beyond = scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, ratios, accuracy_, V) : gauss_panel_rule(G_, ratios, accuracy_, V);
+            }
+            add(*beyond);
         }
         f.first += point.weight * 2 * asin(sqrt(x)) / (Traits::pi() * sqrt(x));
     }

@@ -294,33 +294,65 @@ public:
         enter(s.grids.back(), y, w);
     }
 
-    /// Gauss rules on a piece [a, b] whose ends keep off_lo and off_hi from those of the kernel's range, panels down to `finest`.
-    /// kernel(y) and its bound on an ellipse, in terms of real distances from a and b: bound(least from a, least from b, largest |y|).
-    template <class Kernel, class Bound>
-    Graded integrate(Scale& to, long level, const Ball& a, const Ball& b, const Ball& w, double tolerance, double finest, const Kernel& kernel, const Bound& bound)
+    /// One piece of an integral, [a, b] without a point of S inside, and what is left of it at either end.
+    struct Piece {
+        Ball a, b;
+        double tolerance, finest;
+        /// Where the kernel's own end is that of the piece and B goes on: how far, until a point of S. Else 0.
+        double room_a = 0, room_b = 0;
+        Ball from, to; ///< the part the rules have covered
+    };
+
+    /// Gauss rules on panels of a piece, shrinking towards an end down to `finest`, or to what the room beyond the end allows: then
+    /// the last stretch, l long, is taken in v = (distance from the end)^(1/2), which removes the kernel's square root there, over
+    /// the ellipse of parameter rho^(1/2), whose image in y is the one of parameter rho about the stretch.
+    /// kernel(y); bound(least distance from a, from b, largest |y|) on an ellipse; kernel_at_end(left, y), bound_at_end(left, ...) with 2 v.
+    template <class Kernel, class Bound, class KernelAtEnd, class BoundAtEnd>
+    void integrate(Scale& to, long level, Piece& piece, const Ball& w, const Kernel& kernel, const Bound& bound, const KernelAtEnd& kernel_at_end,
+                   const BoundAtEnd& bound_at_end)
     {
-        Graded g = graded(a, b, shape.ratio, finest);
-        const double m = upper_double(M(upper(b))), rho = shape.rho, weight = upper_double(abs(w));
-        Ball far = g.reach;
-        for (long k = 0; k < g.depth; ++k) {
-            const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
-            const double major = (rho + 1 / rho) / 2, least = approximate(at) - approximate(half) * major;
-            const double length = 2 * approximate(g.reach), most = approximate(at) + approximate(half) * major;
-            for (const bool left : {true, false}) {
-                const double here = left ? bound(least, length - most, approximate(a) + most) : bound(length - most, least, approximate(b) - least);
+        const Graded g = graded(piece.a, piece.b, shape.ratio, piece.finest);
+        const double rho = shape.rho, beyond = ((rho + 1 / rho) / 2 - 1) / 2, weight = upper_double(abs(w));
+        const double m = upper_double(M(upper(piece.b + Ball::exactly(piece.room_b)))), length = 2 * approximate(g.reach), major = (rho + 1 / rho) / 2;
+        const double share_of_tolerance = piece.tolerance / static_cast<double>(2 * g.depth + 2);
+        const auto points = [&](double scale_of_error, double decay) {
+            const long n = std::max(2L, static_cast<long>(std::ceil(std::log(scale_of_error / share_of_tolerance) / (2 * std::log(rho)))));
+            add_error(level + 1, weight * scale_of_error * std::pow(decay, -static_cast<double>(n)));
+            return n;
+        };
+        for (const bool left : {true, false}) {
+            const double room = left ? piece.room_a : piece.room_b;
+            const Ball& end = left ? piece.a : piece.b;
+            const Ball inward = left ? Ball(1) : Ball(-1);
+            Ball far = g.reach;
+            bool reached = false;
+            for (long k = 0; k < g.depth && !reached; ++k) {
+                reached = approximate(far) * beyond * 1.01 < room;
+                if (reached) {
+                    const double l = approximate(far), here = bound_at_end(left, l * (1 + beyond), length - l * (1 + beyond));
+                    const double scale_of_error = std::sqrt(l) * 8 / 3 * m * here / (1 - 1 / std::sqrt(rho)) * 1.000001;
+                    const long n = points(scale_of_error, rho * rho);
+                    const Gauss& rule = gauss(2 * n);
+                    const Ball half = sqrt(far);
+                    for (std::size_t q = 0; q < static_cast<std::size_t>(n); ++q) { // the positive roots
+                        const Ball v = half * rule.root[q], y = end + inward * v * v;
+                        enter(to, y, w * half * rule.weight[q] * kernel_at_end(left, y));
+                    }
+                    break;
+                }
+                const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
+                const double least = approximate(at) - approximate(half) * major, most = approximate(at) + approximate(half) * major;
+                const double here = left ? bound(least, length - most, approximate(piece.a) + most) : bound(length - most, least, approximate(piece.b) - least);
                 const double scale_of_error = approximate(half) * 16 / 3 * m * here / (1 - 1 / rho) * 1.000001;
-                const long n = std::max(2L, static_cast<long>(std::ceil(std::log(scale_of_error * static_cast<double>(2 * g.depth) / tolerance) / (2 * std::log(rho)))));
-                add_error(level + 1, weight * scale_of_error * std::pow(rho, -2.0 * static_cast<double>(n)));
-                const Gauss& rule = gauss(n);
-                const Ball mid = left ? a + at : b - at;
+                const Gauss& rule = gauss(points(scale_of_error, rho * rho));
                 for (std::size_t q = 0; q < rule.root.size(); ++q) {
-                    const Ball y = mid + half * rule.root[q];
+                    const Ball y = end + inward * (at + half * rule.root[q]);
                     enter(to, y, w * half * rule.weight[q] * kernel(y));
                 }
+                far = near;
             }
-            far = near;
+            (left ? piece.from : piece.to) = reached ? end : end + inward * far;
         }
-        return g;
     }
 
     double negligible() const { return std::exp(-wanted - 12); } ///< weights that are not followed
@@ -333,13 +365,27 @@ public:
         const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
         const Ball lo = (x - 1) / G, hi = (x + 1) / G;
         std::vector<Bracket> cuts{{below(lo), above(lo)}};
+        double room_lo = 0, room_hi = 0; // how far B goes on beyond the ends, unless a point of S is there
         for (const Bracket& s : S) {
-            if (is_below(s.hi, cuts.front().lo) || is_below(hi, s.lo)) continue;
-            if (!is_below(cuts.back().hi, s.lo)) cuts.back().hi = is_below(cuts.back().hi, s.hi) ? s.hi : cuts.back().hi;
-            else cuts.push_back(s);
+            if (is_below(s.hi, cuts.front().lo)) {
+                room_lo = approximate(below(lo - s.hi)) * 0.999;
+                continue;
+            }
+            if (is_below(hi, s.lo)) {
+                room_hi = approximate(below(s.lo - hi)) * 0.999;
+                break;
+            }
+            if (is_below(cuts.back().hi, s.lo)) cuts.push_back(s);
+            else {
+                cuts.back().hi = is_below(cuts.back().hi, s.hi) ? s.hi : cuts.back().hi;
+                if (cuts.size() == 1) room_lo = 0;
+            }
         }
         if (is_below(cuts.back().hi, hi)) cuts.push_back({below(hi), above(hi)});
-        else cuts.back().hi = above(hi);
+        else {
+            cuts.back().hi = above(hi);
+            room_hi = 0;
+        }
         const auto share = [&](const Ball& y) { // of the wave, below y
             const Ball t = at_least(at_most(G * y - x, Ball(1)), Ball(-1));
             return 1 - acos(t) / Traits::pi();
@@ -350,17 +396,20 @@ public:
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
             const Ball &a = cuts[i].hi, &b = cuts[i + 1].lo;
             if (!is_below(a + Ball::exactly(4 * finest), b)) continue; // part of what is left out
-            const double off_a = approximate(a - lo), off_b = approximate(hi - b);
-            const Graded pieces = integrate(
-                to, level, a, b, w, tolerance, finest, [&](const Ball& y) { return one_over_pi / sqrt((y - lo) * (hi - y)); },
-                [&](double from_a, double from_b, double) {
-                    return 1 / (std::numbers::pi * std::sqrt((from_a + std::max(off_a, 0.0)) * (from_b + std::max(off_b, 0.0)))) * 1.000001;
-                });
-            const Ball start = a + pieces.last(), share_start = share(start);
-            leave(to, level, start, start - done, w, share_start - share_done, weight);
-            done = b - pieces.last();
-            share_done = share(done);
+            const bool is_first = i == 0 && room_lo > 0, is_last = i + 2 == cuts.size() && room_hi > 0;
+            Piece piece{is_first ? lo : a, is_last ? hi : b, tolerance, finest, is_first ? room_lo : 0, is_last ? std::min(room_hi, 1.0) : 0, {}, {}};
+            const double off_a = is_first ? 0 : std::max(approximate(a - lo), 0.0), off_b = is_last ? 0 : std::max(approximate(hi - b), 0.0);
+            integrate(
+                to, level, piece, w, [&](const Ball& y) { return one_over_pi / sqrt((y - lo) * (hi - y)); },
+                [&](double from_a, double from_b, double) { return 1 / (std::numbers::pi * std::sqrt((from_a + off_a) * (from_b + off_b))) * 1.000001; },
+                [&](bool left, const Ball& y) { return 2 * one_over_pi / sqrt(left ? hi - y : y - lo); },
+                [&](bool left, double, double other) { return 2 / (std::numbers::pi * std::sqrt(other + (left ? off_b : off_a))) * 1.000001; });
+            const Ball share_from = is_first && arb_equal(piece.from.get(), lo.get()) ? Ball(0) : share(piece.from);
+            if (!is_first || !arb_equal(piece.from.get(), lo.get())) leave(to, level, piece.from, piece.from - done, w, share_from - share_done, weight);
+            done = piece.to;
+            share_done = is_last && arb_equal(done.get(), hi.get()) ? Ball(1) : share(done);
         }
+        if (arb_equal(done.get(), hi.get()) && arb_is_one(share_done.get())) return;
         leave(to, level, done, above(hi) - done, w, 1 - share_done, weight);
     }
     /// A stretch of the wave's ratios no rule covers, `width` long beside y, all taken at y.
@@ -376,24 +425,33 @@ public:
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w), g = approximate(G), root_x = approximate(sqrt(x));
         const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
         const Ball hi = 2 * sqrt(x) / G, gap = 1 - x, scale_of = G * G / (2 * Traits::pi());
-        const Graded pieces = integrate(
-            to, level, Ball(0), below(hi), w, tolerance, finest,
+        Piece piece{Ball(0), hi, tolerance, finest, 0, approximate(1 - hi) * 0.999, {}, {}};
+        const auto root = [&](const Ball& R) { return sqrt((1 + x + R) / (gap + R)) / R; };
+        const auto root_bound = [](double R) { return std::sqrt(2 / R + 1) / R; };
+        // Re R > 0, |R| >= G Re y, |1-x+R| >= |R|, |1+x+R| <= 2 + |R|; x - G^2 y^2/4 = (G/2) (hi - y) (x^(1/2) + G y/2)
+        integrate(
+            to, level, piece, w,
             [&](const Ball& y) {
-                const Ball Gy = G * y, R = sqrt(gap * gap + Gy * Gy);
-                return scale_of * y / (R * sqrt(x - Gy * Gy / 4)) * sqrt((1 + x + R) / (gap + R));
+                const Ball Gy = G * y;
+                return scale_of * y * root(sqrt(gap * gap + Gy * Gy)) / sqrt(x - Gy * Gy / 4);
             },
-            // Re R > 0, |R| >= G Re y, |1-x+R| >= |R|, |1+x+R| <= 2 + |R|; x - G^2 y^2/4 = (G/2) (hi - y) (x^(1/2) + G y/2)
             [&](double from_a, double from_b, double largest) {
-                const double R = g * from_a;
-                return g * g * largest / (2 * std::numbers::pi * R * std::sqrt(g / 2 * from_b * root_x)) * std::sqrt(2 / R + 1) * 1.0001;
+                return g * g * largest / (2 * std::numbers::pi) * root_bound(g * from_a) / std::sqrt(g / 2 * from_b * root_x) * 1.0001;
+            },
+            [&](bool, const Ball& y) {
+                const Ball Gy = G * y;
+                return 2 * scale_of * y * root(sqrt(gap * gap + Gy * Gy)) / sqrt(G / 2 * (sqrt(x) + Gy / 2));
+            },
+            [&](bool, double beyond, double from_a) {
+                return 2 * g * g * (approximate(hi) + beyond) / (2 * std::numbers::pi) * root_bound(g * from_a) / std::sqrt(g / 2 * root_x) * 1.0001;
             });
-        const Ball start = pieces.last(), end = hi - pieces.last();
-        // below the first panel: dropped, B_m(y) <= B_m(start) there and k <= (3 G/(2 x y))^(1/2)/pi for G y <= 1, x - G^2 y^2/4 >= x/2
-        const double share_low = std::sqrt(6 * g / (approximate(x) * 1)) / std::numbers::pi * std::sqrt(upper_double(start));
-        moved[level + 1] += weight * share_low * std::sqrt(upper_double(start)) * 1.001;
-        const Ball P = G * end, R = sqrt(gap * gap + P * P);
+        // below the first panel: dropped; B_m(y) <= (y/G^m)^(1/2) and k <= (3 G/(2 x y))^(1/2)/pi for G y <= 1, x - G^2 y^2/4 >= x/2
+        const double start = upper_double(piece.from);
+        moved[level + 1] += weight * std::sqrt(6 * g / approximate(x)) / std::numbers::pi * start * 1.001;
+        if (arb_equal(piece.to.get(), hi.get())) return;
+        const Ball P = G * piece.to, R = sqrt(gap * gap + P * P);
         const Ball share_high = 2 / Traits::pi() * asin(sqrt((4 * x - P * P) / (2 * (1 + x + R)))); // (2.17)
-        leave(to, level, end, hi - end, w, share_high, weight);
+        leave(to, level, piece.to, hi - piece.to, w, share_high, weight);
     }
 
     void spread_measure()
@@ -513,7 +571,7 @@ auto with_full_contact(Scheme scheme, long n, const Arguments& a, F f)
 {
     const double accuracy = std::max(44.0, static_cast<double>(WorkingPrecision::bits() - 56) * std::numbers::ln2);
     if (accuracy > 160) throw BeyondReach("so many digits would cost too much for load > 1");
-    const long scales = 20 * ((std::max(n, 1L) + 19) / 20);
+    const long scales = n <= 5 ? 5 : 20 * ((n + 19) / 20);
     const WorkingPrecision precision(1024);
     const Arguments same{[load = a.load()] { return load; }, [G = a.G()] { return G; }}; // what is kept holds for all G and loads in these balls
     const std::string key = fmt::format("{} {} {} {} {}", static_cast<int>(scheme), accuracy, scales, same.load().dump(), same.G().dump());
