@@ -5,7 +5,7 @@
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
 #include "touchstone/transfer/distribution.hpp"
-#include "touchstone/transfer/full_contact.hpp"
+#include "touchstone/transfer/heavy_load.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ transfer::Arguments arguments(const Inputs& in)
 Ball area(Scheme scheme, long n, const Inputs& in)
 {
     require_G_above_2(in);
-    return in.real("load") > 1 ? transfer::area_from_full_contact(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
+    return in.real("load") > 1 ? transfer::area_at_heavy_load(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
 }
 
 /// Whether the least pressure of scale n, by (2.9) down the scales, is >= 0: load >= 1 + G + ... + G^n. Then A_n = 1.
@@ -77,8 +77,8 @@ std::string explain_area(const Inputs& in, long n, long digits)
     if (n == 0) return "A_0 = (2/pi) arcsin sqrt(load), (6.6)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
     if (in.real("load") > 1)
-        return transfer::full_contact_certificate(Scheme::force_weighted, n, arguments(in))
-             + transfer::full_contact_certificate(Scheme::area, n, arguments(in));
+        return transfer::heavy_load_certificate(Scheme::force_weighted, n, arguments(in))
+             + transfer::heavy_load_certificate(Scheme::area, n, arguments(in));
     return transfer::area_certificate(Scheme::force_weighted, n, arguments(in))
          + transfer::area_certificate(Scheme::area, n, arguments(in));
 }

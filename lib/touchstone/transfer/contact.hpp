@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Contact area of the recursion (6.1)-(6.7) while every scale is in partial contact: G = gamma^(D-1) > 2, load <= 1.
-/// (For load > 1 see full_contact.hpp.)
+/// (For load > 1 see heavy_load.hpp.)
 ///
 /// A_n/lambda_0 = B_n(load) = load^(1/2) F_n(load)/G^n (chain.hpp). It depends on D and gamma through G alone.
 /// Two certified routes, the two schemes of discretisation.hpp. The discretisation of a G is kept for later calls

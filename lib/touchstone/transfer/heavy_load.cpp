@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "touchstone/transfer/full_contact.hpp"
+#include "touchstone/transfer/heavy_load.hpp"
 
 #include "touchstone/catalogue/quantity.hpp"
 
@@ -82,14 +82,15 @@ struct Gauss {
 };
 
 /// One load and one G.
-class FullContact {
+class HeavyLoad {
 public:
-    FullContact(Scheme scheme, const Arguments& a, double accuracy, long scales_asked) : scales(scales_asked), wanted(accuracy + 2 + std::log(approximate(a.G()))), last(std::exp(-wanted) * std::pow(approximate(a.G()), -static_cast<double>(scales) / 2)), format(static_cast<long>(100 + wanted / std::numbers::ln2)), bits(static_cast<slong>(170 - std::log2(last)))
+    HeavyLoad(Scheme scheme, const Arguments& a, double accuracy, long scales_asked) : scales(scales_asked), wanted(accuracy + 2 + std::log(approximate(a.G()))), last(std::exp(-wanted) * std::pow(approximate(a.G()), -static_cast<double>(scales) / 2)), format(static_cast<long>(100 + wanted / std::numbers::ln2)), bits(static_cast<slong>(170 - std::log2(last)))
     {
         const WorkingPrecision precision(bits);
         G = a.G();
         load = a.load();
         if (!is_below(Ball(2), G)) throw BeyondReach("G = gamma^(D-1) must be above 2");
+        if (!is_below(Ball::exactly(2.02), G)) throw BeyondReach("for load > 1 so near G = 2 it would take hours: many scales have ratios about 1");
         if (!is_below(Ball(1), load) || !is_below(load, Ball(1000))) throw BeyondReach("load must be above 1 and below 1000");
         shape = scheme == Scheme::force_weighted ? Shape{4, 2.9} : Shape{6, 2.3};
         {
@@ -560,14 +561,14 @@ private:
 struct Kept {
     std::string key;
     std::mutex making;
-    std::shared_ptr<FullContact> made;
+    std::shared_ptr<HeavyLoad> made;
 };
 std::mutex kept_mutex;
 std::list<std::shared_ptr<Kept>> kept;
 constexpr std::size_t most_kept = 8;
 
 template <class F>
-auto with_full_contact(Scheme scheme, long n, const Arguments& a, F f)
+auto with_heavy_load(Scheme scheme, long n, const Arguments& a, F f)
 {
     const double accuracy = std::max(44.0, static_cast<double>(WorkingPrecision::bits() - 56) * std::numbers::ln2);
     if (accuracy > 160) throw BeyondReach("so many digits would cost too much for load > 1");
@@ -588,20 +589,20 @@ auto with_full_contact(Scheme scheme, long n, const Arguments& a, F f)
         mine = kept.front();
     }
     const std::lock_guard lock(mine->making);
-    if (!mine->made) mine->made = std::make_shared<FullContact>(scheme, same, accuracy, scales);
+    if (!mine->made) mine->made = std::make_shared<HeavyLoad>(scheme, same, accuracy, scales);
     return f(*mine->made);
 }
 
 } // namespace
 
-Ball area_from_full_contact(Scheme scheme, long n, const Arguments& a)
+Ball area_at_heavy_load(Scheme scheme, long n, const Arguments& a)
 {
-    return with_full_contact(scheme, n, a, [n](FullContact& f) { return f.area(n); });
+    return with_heavy_load(scheme, n, a, [n](HeavyLoad& f) { return f.area(n); });
 }
 
-std::string full_contact_certificate(Scheme scheme, long n, const Arguments& a)
+std::string heavy_load_certificate(Scheme scheme, long n, const Arguments& a)
 {
-    return with_full_contact(scheme, n, a, [n](FullContact& f) { return f.certificate(n); });
+    return with_heavy_load(scheme, n, a, [n](HeavyLoad& f) { return f.certificate(n); });
 }
 
 } // namespace touchstone::transfer
