@@ -42,6 +42,17 @@ TEST_CASE("the two discretisations overlap, tightly")
             }
 }
 
+TEST_CASE("very near G = 2")
+{
+    const WorkingPrecision precision(128);
+    for (const char* load : {"1", "0.3"}) {
+        const Ball a = area(Scheme::force_weighted, 20, at(load, "2.0001")), b = area(Scheme::area, 20, at(load, "2.0001"));
+        CHECK(a.overlaps(b));
+        CHECK(a.relative_bits() > 44);
+        CHECK(b.relative_bits() > 44);
+    }
+}
+
 TEST_CASE("a ball at low precision holds the value known from a high one, and is not idly wide")
 {
     for (const char* G : {"2.05", "10"})

@@ -147,7 +147,7 @@ Ball density(Law law, const Inputs& in, long n, const Ball& p)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; computed for load < 1000, G > 2", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; computed for load <= 1, G > 2, and load < 1000, G > 2.02", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
                        if (everywhere_in_contact(in, in.integer("n"))) return Exact(1);
@@ -202,7 +202,7 @@ void add_contact(std::vector<Quantity>& all)
                        return pi<Ball>() * unit * ScalarTraits<Ball>::sin_pi(2 * a) * density(law, in, n - 1, unit * s * s);
                    })});
 
-    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; computed for load < 1000, G > 2",
+    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; computed for load <= 1, G > 2, and load < 1000, G > 2.02",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
                    [](const Inputs& in) { check_contact(in); require_integer(in, "n", 1, largest_n); },
                    [](const Inputs& in) -> Exact {
