@@ -5,6 +5,7 @@
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
 #include "touchstone/transfer/distribution.hpp"
+#include "touchstone/transfer/full_contact.hpp"
 
 #include <fmt/format.h>
 
@@ -35,11 +36,65 @@ std::vector<Route> by_both_schemes(F f)
 {
     const auto route = [f](std::string name, Scheme scheme) {
         return Route{std::move(name), [f, scheme](const Inputs& in) -> Ball {
-                         require_partial_contact(in);
                          return f(scheme, in);
                      }};
     };
     return {route("force-weighted-chebyshev", Scheme::force_weighted), route("area-gauss-panels", Scheme::area)};
+}
+
+/// A_n, certified: both schemes; n = 0 is (6.6) for any G.
+Ball certified_area(Scheme scheme, long n, const Inputs& in)
+{
+    if (n > 0 || in.real("load") > 1) {
+        require_partial_contact(in);
+        return transfer::area(scheme, n, arguments(in));
+    }
+    const Ball x(in.real("load"));
+    if (scheme == Scheme::area) return 2 * westergaard::half_width(x);
+    Ball angle; // the other inverse function
+    arb_atan2(angle.get(), sqrt(x).get(), sqrt(1 - x).get(), WorkingPrecision::bits());
+    return 2 * angle / pi<Ball>();
+}
+
+/// A_n = 1 as long as no pressure gets down to zero: load >= 1 + G + ... + G^n.
+bool full_contact_everywhere(const Inputs& in, long n)
+{
+    if (in.real("load") < 1) return false;
+    const WorkingPrecision precision(256);
+    const auto tie = [&](long scale) { // G irrational: G^k = r with r rational, and no sum of such powers is rational
+        try {
+            const Exact G = in.G_exact();
+            if (!G.is_rational()) return false;
+            Rational sum = 1, power = 1;
+            for (long k = 0; k < scale; ++k) sum += power *= G.rational();
+            return in.real("load") >= sum;
+        }
+        catch (const NotExact&) {
+            return false;
+        }
+    };
+    return transfer::scales_in_full_contact(Ball(in.real("load")), in.G_ball(), n + 1, tie) > n;
+}
+
+/// lambda_0/lambda_n = gamma^n
+Ball potential_segments(const Inputs& in)
+{
+    Ball power(in.real("gamma"));
+    arb_pow_ui(power.get(), power.get(), static_cast<ulong>(in.integer("n")), WorkingPrecision::bits());
+    return power;
+}
+
+/// The two grids where full contact occurs as estimates of f(A_(n - behind)).
+std::vector<EstimateRoute> by_both_grids(long behind, std::function<Ball(const Inputs&)> factor)
+{
+    const auto route = [=](std::string name, transfer::Grid grid) {
+        return EstimateRoute{std::move(name), [=](const Inputs& in) {
+                                 const Estimate a = transfer::estimated_area(grid, in.integer("n") - behind, Ball(in.real("load")), in.G_ball());
+                                 const Ball f = factor(in);
+                                 return Estimate{a.value * f, a.error * f};
+                             }};
+    };
+    return {route("blind-halving", transfer::Grid::blind), route("tracked-singular-points", transfer::Grid::tracked)};
 }
 
 std::string explain_area(const Inputs& in, long n, long digits)
@@ -115,14 +170,16 @@ Ball density(Law law, const Inputs& in, long n, const Ball& p)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; computed for load <= 1, G > 2", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2, else estimated", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
-                       if (in.integer("n") > 0 || in.real("load") > 1) throw NotExact();
+                       if (full_contact_everywhere(in, in.integer("n"))) return Exact(1);
+                       if (in.integer("n") > 0) throw NotExact();
                        return 2 * westergaard::half_width(Exact(in.real("load")));
                    },
-                   by_both_schemes([](Scheme s, const Inputs& in) { return transfer::area(s, in.integer("n"), arguments(in)); }),
-                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); }});
+                   by_both_schemes([](Scheme s, const Inputs& in) { return certified_area(s, in.integer("n"), in); }),
+                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); },
+                   by_both_grids(0, [](const Inputs&) { return Ball(1); })});
 
     all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; computed for n <= 1, or p = 0, load <= 1, G > 2",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
@@ -170,20 +227,18 @@ void add_contact(std::vector<Quantity>& all)
                        return pi<Ball>() * unit * ScalarTraits<Ball>::sin_pi(2 * a) * density(law, in, n - 1, unit * s * s);
                    })});
 
-    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; computed for load <= 1, G > 2",
+    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified for load <= 1, G > 2, else estimated",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
                    [](const Inputs& in) { check_contact(in); require_integer(in, "n", 1, largest_n); },
                    [](const Inputs& in) -> Exact {
-                       if (in.integer("n") > 1 || in.real("load") > 1) throw NotExact();
+                       const long n = in.integer("n");
+                       if (full_contact_everywhere(in, n - 1)) return Exact(power(in.real("gamma"), n));
+                       if (n > 1) throw NotExact();
                        return 2 * (westergaard::half_width(Exact(in.real("load"))) * Exact(in.real("gamma")));
                    },
-                   by_both_schemes([](Scheme s, const Inputs& in) {
-                       const long n = in.integer("n");
-                       Ball power(in.real("gamma"));
-                       arb_pow_ui(power.get(), power.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-                       return transfer::area(s, n - 1, arguments(in)) * power;
-                   }),
-                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n") - 1, digits); }});
+                   by_both_schemes([](Scheme s, const Inputs& in) { return certified_area(s, in.integer("n") - 1, in) * potential_segments(in); }),
+                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n") - 1, digits); },
+                   by_both_grids(1, potential_segments)});
 }
 
 } // namespace touchstone

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/graded.hpp"
+
+#include "touchstone/transfer/parallel.hpp"
+
+namespace touchstone::transfer {
+namespace {
+
+/// ((tolerance N^(g+1)/c_g))^(1/(g/2+1))
+double floor_of(int g, double tolerance, int N)
+{
+    const double log_c = g * std::log(0.4) - 0.5 * std::lgamma(g + 1.0);
+    return std::exp((std::log(tolerance) + (g + 1) * std::log(static_cast<double>(N)) - log_c) / (0.5 * g + 1));
+}
+
+} // namespace
+
+template <class Real>
+GradedGrid<Real>::GradedGrid(const GradedRule& rule, const Ball& G, const Ball& reach) : rule_(rule)
+{
+    using std::cos, std::cosh, std::exp, std::sinh;
+    const Real b = Real(3) / 2;
+    std::vector<double> floors;
+    for (int g = 0; g < 30; ++g) {
+        const double f = floor_of(g, rule.tolerance, rule.degree);
+        if (f >= 0.5) break;
+        floors.push_back(f);
+    }
+    points_ = singular_points(G, reach, static_cast<int>(floors.size()) - 1, 1e-18);
+
+    struct Mark {
+        Real at, floor;
+    };
+    std::vector<Mark> marks{{Real(0), Real(rule.smallest)}};
+    const Real end = extended_pair(reach).high;
+    for (const SingularPoint& s : points_) {
+        const Real at = extended_pair(s.position).high;
+        if (at > rule.smallest && at < end) marks.push_back({at, Real(floors[static_cast<std::size_t>(s.generation)]) * (at < 1 ? at : Real(1))});
+    }
+    for (Real y = 0; y < end;) {
+        Real h = end - y, stop = end, last = end;
+        for (const Mark& m : marks) {
+            const Real d = m.at <= y ? Real(b * (y - m.at)) : Real(b / (1 + b) * (m.at - y));
+            Real most = d > m.floor ? d : m.floor;
+            if (most < 8 * y * std::numeric_limits<Real>::epsilon()) most = 8 * y * std::numeric_limits<Real>::epsilon();
+            if (m.at > y && m.at < stop) {
+                stop = m.at;
+                last = m.floor;
+            }
+            h = most < h ? most : h;
+        }
+        const Real rest = last / 2 < h / 8 ? last / 2 : h / 8; // no splinter before the point
+        if (y + h >= stop - rest) h = stop - y;
+        const Real right = h == stop - y ? stop : Real(y + h);
+        cells_.push_back({y, right, right - y});
+        y = right;
+    }
+
+    const int N = rule.degree;
+    const WorkingPrecision precision(256);
+    const auto real = [](const Ball& x) { return extended_pair(x).high; };
+    const auto cos_pi = [](long p, long q) { return ScalarTraits<Ball>::cos_pi(Ball(p) / Ball(q)); };
+    for (int j = 0; j <= N; ++j) {
+        const Ball c = cos_pi(N - j, N); // ascending
+        nodes_.push_back(real((1 + c) / 2));
+        mirrored_.push_back(real((1 - c) / 2));
+        Ball w(1);
+        for (int k = 1; k <= N / 2; ++k) w = w - Ball(k == N / 2 ? 1 : 2) * cos_pi(2L * j * k, N) / (4L * k * k - 1);
+        weights_.push_back(real(w / static_cast<long>(j == 0 || j == N ? 2 * N : N)));
+    }
+    for (int k = 0; k <= N; ++k)
+        for (int j = 0; j <= N; ++j) // coefficient of T_k from the value at node j
+            cosines_.push_back(real(cos_pi(static_cast<long>(N - j) * k, N) * static_cast<long>(2) / static_cast<long>((j == 0 || j == N ? 2 : 1) * (k == 0 || k == N ? 2 : 1) * N)));
+
+    const Ball step = Ball(1) / 6;
+    for (int i = -21; i <= 21; ++i) {
+        const Ball s = step * i, q = exp(pi<Ball>() * (exp(s) - exp(-s)) / 2); // t = q/(1+q)
+        const Ball t = q / (1 + q);
+        angle_.push_back({real(t), real(step * pi<Ball>() * (exp(s) + exp(-s)) / 2 * t / (1 + q))});
+    }
+}
+
+template <class Real>
+auto GradedGrid<Real>::sample(const std::function<Real(const Real&)>& f) const -> Function
+{
+    const std::size_t n = nodes_.size();
+    Function v;
+    v.moments.resize(n * cells_.size());
+    v.coefficients.assign(n * cells_.size(), Real(0));
+    in_parallel(cells_.size(), [&](std::size_t i) {
+        const Cell& c = cells_[i];
+        std::vector<Real> values(n);
+        for (std::size_t j = 0; j < n; ++j) { // a point at an end is seen from inside its interval, never from the next one
+            const Real x = nodes_[j] < Real(0.5) ? Real(c.left + c.width * nodes_[j]) : Real(c.right - c.width * mirrored_[j]);
+            values[j] = f(x);
+        }
+        for (std::size_t j = 0; j < n; ++j) v.moments[i * n + j] = weights_[j] * c.width * values[j];
+        for (std::size_t k = 0; k < n; ++k) {
+            Real sum = 0;
+            for (std::size_t j = 0; j < n; ++j) sum += cosines_[k * n + j] * values[j];
+            v.coefficients[i * n + k] = sum;
+        }
+    });
+    return v;
+}
+
+template <class Real>
+Real GradedGrid<Real>::series(const Function& v, std::size_t cell, const Real& t) const
+{
+    const std::size_t n = nodes_.size();
+    const Real* c = &v.coefficients[cell * n];
+    const Real z = 2 * t - 1, z2 = 2 * z;
+    Real b1 = 0, b2 = 0;
+    for (std::size_t k = n - 1; k > 0; --k) {
+        const Real b0 = c[k] + (z2 * b1 - b2);
+        b2 = b1;
+        b1 = b0;
+    }
+    return c[0] + (z * b1 - b2);
+}
+
+template <class Real>
+Real GradedGrid<Real>::near(const Function& v, std::size_t cell, const Wave<Real>& wave) const
+{
+    using std::asin, std::sin, std::sqrt;
+    const Cell& c = cells_[cell];
+    const Real r = wave.radius();
+    Real total = 0;
+    const auto part = [&](const Real& first, const Real& last, const Real& offset, int sign) {
+        const Real from = first <= 0 ? Real(0) : Real(2 * asin(sqrt(first / (2 * r))));
+        const Real to = 2 * asin(sqrt(last / (2 * r)));
+        Real sum = 0;
+        for (const AngleNode& q : angle_) {
+            const Real s = sin((from + (to - from) * q.t) / 2), beyond = offset + sign * 2 * r * s * s;
+            sum += q.weight * wave.angular_density(c.left + beyond) * series(v, cell, beyond / c.width);
+        }
+        total += (to - from) * sum;
+    };
+    const Real up_l = wave.below_hi(c.left), up_r = wave.below_hi(c.right);
+    if (!wave.full()) {
+        part(up_r, up_l < r ? up_l : r, up_l, -1);
+        return total;
+    }
+    const Real down_l = wave.above_lo(c.left), down_r = wave.above_lo(c.right);
+    if (up_r < r) part(up_r, up_l < r ? up_l : r, up_l, -1);
+    if (down_l < r) part(down_l, down_r < r ? down_r : r, -down_l, 1);
+    return total;
+}
+
+template <class Real>
+Real GradedGrid<Real>::after(const Function& v, const Wave<Real>& wave) const
+{
+    const std::size_t n = nodes_.size();
+    Real total = 0;
+    // the first interval that reaches beyond lo
+    auto cell = std::upper_bound(cells_.begin(), cells_.end(), wave, [](const Wave<Real>& w, const Cell& c) { return w.above_lo(c.right) > 0; });
+    for (; cell != cells_.end() && wave.below_hi(cell->left) > 0; ++cell) {
+        const auto i = static_cast<std::size_t>(cell - cells_.begin());
+        if (wave.clearance(cell->left, cell->right) * 3 < cell->width * 2 * Real(0.999)) {
+            total += near(v, i, wave);
+            continue;
+        }
+        const Real up_l = wave.below_hi(cell->left), up_r = wave.below_hi(cell->right), down_l = wave.above_lo(cell->left), down_r = wave.above_lo(cell->right);
+        Real sum = 0;
+        for (std::size_t j = 0; j < n; ++j) {
+            const bool left = nodes_[j] < Real(0.5);
+            const Real ahead = cell->width * nodes_[j], behind = cell->width * mirrored_[j];
+            sum += v.moments[i * n + j] * wave.density(cell->left + ahead, left ? up_l - ahead : up_r + behind, left ? down_l + ahead : down_r - behind);
+        }
+        total += sum;
+    }
+    return total;
+}
+
+template class GradedGrid<Extended>;
+
+} // namespace touchstone::transfer
