@@ -48,7 +48,7 @@ public:
             progress("scale", n, n);
             last = after(n - 1);
         }
-        return last(Wave<Real>(load, G_));
+        return last(wave_from(load, G_));
     }
     bool serves(const Ball& reach) const { return extended_pair(reach).high <= reach_; }
 
@@ -73,7 +73,7 @@ private:
     void extend() override
     {
         if (levels_.empty()) levels_.emplace_back(rule_, reach_, first_area);
-        else levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Real& x) { return last.after(Wave<Real>(x, G_)); });
+        else levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Real& x) { return last.after(wave_from(Pair<Real>{x, Real(0)}, G_)); });
     }
     std::function<Real(const Wave<Real>&)> after(long m) const override
     {
@@ -86,19 +86,21 @@ private:
 
 class TrackedAreas final : public Areas {
 public:
-    TrackedAreas(const Ball& G, const Ball& reach, double smallest) : Areas(G, reach), grid_({.smallest = smallest}, G, reach) {}
+    TrackedAreas(const Ball& G, const Ball& reach, double smallest) : Areas(G, reach), grid_(rule(smallest), singular_points(G, reach, GradedGrid<Real>::generations(rule(smallest)) - 1, 1e-18), reach) {}
 
 private:
     long levels() const override { return static_cast<long>(levels_.size()); }
     void extend() override
     {
         levels_.push_back(levels_.empty() ? grid_.sample(first_area)
-                                          : grid_.sample([this](const Real& x) { return grid_.after(levels_.back(), Wave<Real>(x, G_)); }));
+                                          : grid_.sample([this](const Real& x) { return grid_.after(levels_.back(), wave_from(Pair<Real>{x, Real(0)}, G_)); }));
     }
     std::function<Real(const Wave<Real>&)> after(long m) const override
     {
         return [this, &v = *std::next(levels_.begin(), m)](const Wave<Real>& w) { return grid_.after(v, w); };
     }
+
+    static GradedRule rule(double smallest) { return {.smallest = smallest}; }
 
     GradedGrid<Real> grid_;
     std::list<GradedGrid<Real>::Function> levels_;
@@ -163,7 +165,7 @@ Estimate estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
     const Real value = n == 0 ? first_area(x.high) : areas_of(grid, G, load)->area(n, x);
     const Ball exact = exact_ball(value);
     // Measured (bench_full_contact): halving every tolerance changes values by less than this.
-    return {exact, exact * Ball::exactly(1e-18 + 1e-19 * std::sqrt(static_cast<double>(n)))};
+    return {exact, exact * Ball::exactly(5e-19 + 1e-19 * std::sqrt(static_cast<double>(n)))};
 }
 
 long scales_in_full_contact(const Ball& load, const Ball& G, long most, const std::function<bool(long)>& tie)

@@ -16,26 +16,26 @@ double floor_of(int g, double tolerance, int N)
 } // namespace
 
 template <class Real>
-GradedGrid<Real>::GradedGrid(const GradedRule& rule, const Ball& G, const Ball& reach) : rule_(rule)
+int GradedGrid<Real>::generations(const GradedRule& rule)
+{
+    int g = 0;
+    while (g < 30 && floor_of(g, rule.tolerance, rule.degree) < 0.5) ++g;
+    return g;
+}
+
+template <class Real>
+GradedGrid<Real>::GradedGrid(const GradedRule& rule, const std::vector<SingularPoint>& points, const Ball& reach) : rule_(rule)
 {
     using std::cos, std::cosh, std::exp, std::sinh;
     const Real b = Real(3) / 2;
-    std::vector<double> floors;
-    for (int g = 0; g < 30; ++g) {
-        const double f = floor_of(g, rule.tolerance, rule.degree);
-        if (f >= 0.5) break;
-        floors.push_back(f);
-    }
-    points_ = singular_points(G, reach, static_cast<int>(floors.size()) - 1, 1e-18);
-
     struct Mark {
         Real at, floor;
     };
     std::vector<Mark> marks{{Real(0), Real(rule.smallest)}};
     const Real end = extended_pair(reach).high;
-    for (const SingularPoint& s : points_) {
+    for (const SingularPoint& s : points) {
         const Real at = extended_pair(s.position).high;
-        if (at > rule.smallest && at < end) marks.push_back({at, Real(floors[static_cast<std::size_t>(s.generation)]) * (at < 1 ? at : Real(1))});
+        if (at > rule.smallest && at < end) marks.push_back({at, Real(floor_of(s.generation, rule.tolerance, rule.degree)) * (at < 1 ? at : Real(1))});
     }
     for (Real y = 0; y < end;) {
         Real h = end - y, stop = end, last = end;
@@ -72,8 +72,8 @@ GradedGrid<Real>::GradedGrid(const GradedRule& rule, const Ball& G, const Ball& 
         for (int j = 0; j <= N; ++j) // coefficient of T_k from the value at node j
             cosines_.push_back(real(cos_pi(static_cast<long>(N - j) * k, N) * static_cast<long>(2) / static_cast<long>((j == 0 || j == N ? 2 : 1) * (k == 0 || k == N ? 2 : 1) * N)));
 
-    const Ball step = Ball(1) / 6;
-    for (int i = -21; i <= 21; ++i) {
+    const Ball step = Ball(1) / 10;
+    for (int i = -34; i <= 34; ++i) {
         const Ball s = step * i, q = exp(pi<Ball>() * (exp(s) - exp(-s)) / 2); // t = q/(1+q)
         const Ball t = q / (1 + q);
         angle_.push_back({real(t), real(step * pi<Ball>() * (exp(s) + exp(-s)) / 2 * t / (1 + q))});
@@ -120,30 +120,46 @@ Real GradedGrid<Real>::series(const Function& v, std::size_t cell, const Real& t
 }
 
 template <class Real>
-Real GradedGrid<Real>::near(const Function& v, std::size_t cell, const Wave<Real>& wave) const
+auto GradedGrid<Real>::derivative(const Function& v) const -> Function
 {
-    using std::asin, std::sin, std::sqrt;
+    const std::size_t n = nodes_.size();
+    Function d = v;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const Real* c = &v.coefficients[i * n];
+        Real* b = &d.coefficients[i * n];
+        b[n - 1] = 0;
+        for (std::size_t k = n - 1; k > 0; --k) // b_{k-1} = b_{k+1} + 2 k c_k, T_0 halved
+            b[k - 1] = (k + 1 < n ? b[k + 1] : Real(0)) + static_cast<Real>(2 * k) * c[k];
+        b[0] /= 2;
+        for (std::size_t k = 0; k < n; ++k) b[k] *= 2 / cells_[i].width;
+        for (std::size_t j = 0; j < n; ++j) d.moments[i * n + j] = weights_[j] * cells_[i].width * series(d, i, nodes_[j]);
+    }
+    return d;
+}
+
+template <class Real>
+Real GradedGrid<Real>::near(const Function& v, std::size_t cell, const Arc<Real>& arc) const
+{
     const Cell& c = cells_[cell];
-    const Real r = wave.radius();
     Real total = 0;
-    const auto part = [&](const Real& first, const Real& last, const Real& offset, int sign) {
-        const Real from = first <= 0 ? Real(0) : Real(2 * asin(sqrt(first / (2 * r))));
-        const Real to = 2 * asin(sqrt(last / (2 * r)));
+    const auto over_angle = [&](bool from_lo, const Real& first, const Real& last) {
+        const Real from = arc.angle(first), to = arc.angle(last), offset = from_lo ? Real(-arc.above_lo(c.left)) : arc.below_hi(c.left);
         Real sum = 0;
         for (const AngleNode& q : angle_) {
-            const Real s = sin((from + (to - from) * q.t) / 2), beyond = offset + sign * 2 * r * s * s;
-            sum += q.weight * wave.angular_density(c.left + beyond) * series(v, cell, beyond / c.width);
+            const Real d = arc.distance(from + (to - from) * q.t), beyond = from_lo ? Real(offset + d) : Real(offset - d);
+            sum += q.weight * arc.angular_density(c.left + beyond, (1 - c.left) - beyond) * series(v, cell, beyond / c.width);
         }
         total += (to - from) * sum;
     };
-    const Real up_l = wave.below_hi(c.left), up_r = wave.below_hi(c.right);
-    if (!wave.full()) {
-        part(up_r, up_l < r ? up_l : r, up_l, -1);
-        return total;
-    }
-    const Real down_l = wave.above_lo(c.left), down_r = wave.above_lo(c.right);
-    if (up_r < r) part(up_r, up_l < r ? up_l : r, up_l, -1);
-    if (down_l < r) part(down_l, down_r < r ? down_r : r, -down_l, 1);
+    const auto over_distance_from_one = [&](const Real& first, const Real& last) {
+        Real sum = 0;
+        for (const AngleNode& q : angle_) {
+            const Real d = first + (last - first) * q.t, y = 1 - d;
+            sum += q.weight * arc.density(y, Real(1), arc.above_lo(y), d) * series(v, cell, 1 - d / c.width);
+        }
+        total += (last - first) * sum;
+    };
+    arc.stretches(c.left, c.right, over_angle, over_distance_from_one);
     return total;
 }
 
@@ -152,22 +168,27 @@ Real GradedGrid<Real>::after(const Function& v, const Wave<Real>& wave) const
 {
     const std::size_t n = nodes_.size();
     Real total = 0;
-    // the first interval that reaches beyond lo
-    auto cell = std::upper_bound(cells_.begin(), cells_.end(), wave, [](const Wave<Real>& w, const Cell& c) { return w.above_lo(c.right) > 0; });
-    for (; cell != cells_.end() && wave.below_hi(cell->left) > 0; ++cell) {
-        const auto i = static_cast<std::size_t>(cell - cells_.begin());
-        if (wave.clearance(cell->left, cell->right) * 3 < cell->width * 2 * Real(0.999)) {
-            total += near(v, i, wave);
-            continue;
+    for (int k = 0; k < wave.count; ++k) {
+        const Arc<Real>& arc = wave.arcs[k];
+        // the first interval that reaches beyond lo
+        auto cell = std::upper_bound(cells_.begin(), cells_.end(), arc, [](const Arc<Real>& w, const Cell& c) { return w.above_lo(c.right) > 0; });
+        for (; cell != cells_.end() && arc.below_hi(cell->left) > 0 && cell->left < arc.end; ++cell) {
+            if (!arc.meets(cell->left, cell->right)) continue;
+            const auto i = static_cast<std::size_t>(cell - cells_.begin());
+            if (arc.clearance(cell->left, cell->right) * 3 < cell->width * 2 * Real(0.999)) {
+                total += near(v, i, arc);
+                continue;
+            }
+            const Real up_l = arc.below_hi(cell->left), up_r = arc.below_hi(cell->right), down_l = arc.above_lo(cell->left), down_r = arc.above_lo(cell->right);
+            Real sum = 0;
+            for (std::size_t j = 0; j < n; ++j) {
+                const bool left = nodes_[j] < Real(0.5);
+                const Real ahead = cell->width * nodes_[j], behind = cell->width * mirrored_[j];
+                sum += v.moments[i * n + j] * arc.density(cell->left + ahead, left ? up_l - ahead : up_r + behind, left ? down_l + ahead : down_r - behind,
+                                                          left ? (1 - cell->left) - ahead : (1 - cell->right) + behind);
+            }
+            total += sum;
         }
-        const Real up_l = wave.below_hi(cell->left), up_r = wave.below_hi(cell->right), down_l = wave.above_lo(cell->left), down_r = wave.above_lo(cell->right);
-        Real sum = 0;
-        for (std::size_t j = 0; j < n; ++j) {
-            const bool left = nodes_[j] < Real(0.5);
-            const Real ahead = cell->width * nodes_[j], behind = cell->width * mirrored_[j];
-            sum += v.moments[i * n + j] * wave.density(cell->left + ahead, left ? up_l - ahead : up_r + behind, left ? down_l + ahead : down_r - behind);
-        }
-        total += sum;
     }
     return total;
 }

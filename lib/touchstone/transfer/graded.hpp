@@ -27,15 +27,17 @@ namespace touchstone::transfer {
 
 struct GradedRule {
     int degree = 32;
-    double tolerance = 1e-19;
+    double tolerance = 1e-20;
     double smallest = 1e-20; ///< the interval at 0
 };
 
 template <class Real>
 class GradedGrid {
 public:
-    /// On [0, reach]. \pre reach >= 1
-    GradedGrid(const GradedRule&, const Ball& G, const Ball& reach);
+    /// On [0, reach], graded towards points ascending, and 0. \pre reach > 1
+    GradedGrid(const GradedRule&, const std::vector<SingularPoint>& points, const Ball& reach);
+    /// How many generations matter.
+    static int generations(const GradedRule&);
 
     /// A function's Chebyshev data on this grid.
     struct Function {
@@ -44,21 +46,20 @@ public:
     };
     /// From its values; `f` is called from several threads.
     Function sample(const std::function<Real(const Real&)>& f) const;
+    Function derivative(const Function&) const;
     /// Expectation after one wave.
     Real after(const Function&, const Wave<Real>&) const;
 
     std::size_t intervals() const { return cells_.size(); }
-    const std::vector<SingularPoint>& points() const { return points_; }
 
 private:
     struct Cell {
         Real left, right, width;
     };
-    Real near(const Function&, std::size_t cell, const Wave<Real>&) const;
+    Real near(const Function&, std::size_t cell, const Arc<Real>&) const;
     Real series(const Function&, std::size_t cell, const Real& t) const;
 
     GradedRule rule_;
-    std::vector<SingularPoint> points_;
     std::vector<Cell> cells_;
     std::vector<Real> nodes_, mirrored_, weights_, cosines_; ///< t, 1 - t on [0, 1]; Clenshaw-Curtis; cos(pi j k/N)
     struct AngleNode {

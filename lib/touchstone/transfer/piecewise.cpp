@@ -142,6 +142,13 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
         }
         begin = end;
     }
+    sum_moments();
+}
+
+template <class Real>
+void Piecewise<Real>::sum_moments()
+{
+    const auto N = static_cast<std::size_t>(rule_.points);
     for (std::size_t i = nodes_.size(); i-- > 0;) { // halves come after their whole
         const Node& node = nodes_[i];
         if (node.child < 0) continue;
@@ -188,34 +195,49 @@ Real Piecewise<Real>::at(const Real& x) const
 }
 
 template <class Real>
-Real Piecewise<Real>::near_leaf(const Node& node, const Wave<Real>& wave) const
+Piecewise<Real> Piecewise<Real>::derivative() const
 {
-    using std::asin, std::sqrt, std::sin;
-    const Real a = node.left, b = node.left + node.width, r = wave.radius();
-    const auto angle = [&](const Real& distance) { return distance <= 0 ? Real(0) : Real(2 * asin(sqrt(distance / (2 * r)))); };
+    Piecewise d = *this;
+    const auto N = static_cast<std::size_t>(rule_.points);
+    for (const Node& node : nodes_) {
+        if (node.child >= 0) continue;
+        const Real* c = &coefficients_[node.data];
+        Real* b = &d.coefficients_[node.data];
+        Real above[2] = {Real(0), Real(0)}; // P'_k = sum of (2j+1) P_j over j = k-1, k-3, ...
+        for (std::size_t k = N; k-- > 0;) {
+            b[k] = static_cast<Real>(2 * k + 1) * above[(k + 1) % 2] * 2 / node.width;
+            above[k % 2] += c[k];
+        }
+        for (std::size_t j = 0; j < N; ++j) d.moments_[node.data + j] = gauss_->weights[j] * node.width * d.series(node, gauss_->nodes[j]);
+    }
+    d.sum_moments();
+    return d;
+}
+
+template <class Real>
+Real Piecewise<Real>::near_leaf(const Node& node, const Arc<Real>& arc) const
+{
+    const Real a = node.left, b = node.left + node.width;
     Real total = 0;
-    // from the end at distance `first`, ascending, to distance `last`; y - a = offset + sign (distance from that end)
-    const auto part = [&](const Real& first, const Real& last, const Real& offset, int sign) {
-        const Real from = angle(first), to = angle(last);
+    const auto over_angle = [&](bool from_lo, const Real& first, const Real& last) {
+        // y - a = offset +- the distance from that end
+        const Real from = arc.angle(first), to = arc.angle(last), offset = from_lo ? Real(-arc.above_lo(a)) : arc.below_hi(a);
         Real sum = 0;
         for (std::size_t q = 0; q < angle_->nodes.size(); ++q) {
-            const Real s = sin((from + (to - from) * angle_->nodes[q]) / 2), beyond = offset + sign * 2 * r * s * s;
-            sum += angle_->weights[q] * wave.angular_density(a + beyond) * series(node, beyond / node.width);
+            const Real d = arc.distance(from + (to - from) * angle_->nodes[q]), beyond = from_lo ? Real(offset + d) : Real(offset - d);
+            sum += angle_->weights[q] * arc.angular_density(a + beyond, (1 - a) - beyond) * series(node, beyond / node.width);
         }
         total += (to - from) * sum;
     };
-    if (!wave.full()) { // halved towards the zeros of R, next to y = 0
-        Real from = b;
-        for (Real to = b / 2; to > a && to > wave.lost() && from - to > wave.lost(); to /= 2) {
-            if (wave.below_hi(to) > 0) part(wave.below_hi(from), wave.below_hi(to), wave.below_hi(a), -1);
-            from = to;
+    const auto over_distance_from_one = [&](const Real& first, const Real& last) {
+        Real sum = 0;
+        for (std::size_t q = 0; q < angle_->nodes.size(); ++q) {
+            const Real d = first + (last - first) * angle_->nodes[q], y = 1 - d;
+            sum += angle_->weights[q] * arc.density(y, Real(1), arc.above_lo(y), d) * series(node, 1 - d / node.width);
         }
-        part(wave.below_hi(from), wave.below_hi(a), wave.below_hi(a), -1);
-        return total;
-    }
-    const Real up_a = wave.below_hi(a), up_b = wave.below_hi(b), down_a = wave.above_lo(a), down_b = wave.above_lo(b);
-    if (up_b < r) part(up_b, up_a < r ? up_a : r, up_a, -1);
-    if (down_a < r) part(down_a, down_b < r ? down_b : r, -down_a, 1);
+        total += (last - first) * sum;
+    };
+    arc.stretches(a, b, over_angle, over_distance_from_one);
     return total;
 }
 
@@ -226,25 +248,28 @@ Real Piecewise<Real>::after(const Wave<Real>& wave) const
     Real total = 0;
     std::vector<const Node*> stack;
     stack.reserve(128);
-    for (std::size_t i = 0; i < roots_; ++i) stack.push_back(&nodes_[i]);
-    while (!stack.empty()) {
-        const Node& node = *stack.back();
-        stack.pop_back();
-        const Real right = node.left + node.width;
-        if (wave.below_hi(node.left) <= 0 || wave.above_lo(right) <= 0) continue;
-        if (wave.clearance(node.left, right) >= node.width) {
-            const Real up = wave.below_hi(node.left), down = wave.above_lo(node.left);
-            Real sum = 0;
-            for (std::size_t j = 0; j < N; ++j) {
-                const Real t = node.width * gauss_->nodes[j];
-                sum += moments_[node.data + j] * wave.density(node.left + t, up - t, down + t);
+    for (int k = 0; k < wave.count; ++k) {
+        const Arc<Real>& arc = wave.arcs[k];
+        for (std::size_t i = 0; i < roots_; ++i) stack.push_back(&nodes_[i]);
+        while (!stack.empty()) {
+            const Node& node = *stack.back();
+            stack.pop_back();
+            const Real right = node.left + node.width;
+            if (!arc.meets(node.left, right)) continue;
+            if (arc.clearance(node.left, right) >= node.width) {
+                const Real up = arc.below_hi(node.left), down = arc.above_lo(node.left), to_one = 1 - node.left;
+                Real sum = 0;
+                for (std::size_t j = 0; j < N; ++j) {
+                    const Real t = node.width * gauss_->nodes[j];
+                    sum += moments_[node.data + j] * arc.density(node.left + t, up - t, down + t, to_one - t);
+                }
+                total += sum;
             }
-            total += sum;
-        }
-        else if (node.child < 0) total += near_leaf(node, wave);
-        else {
-            stack.push_back(&nodes_[static_cast<std::size_t>(node.child)]);
-            stack.push_back(&nodes_[static_cast<std::size_t>(node.child) + 1]);
+            else if (node.child < 0) total += near_leaf(node, arc);
+            else {
+                stack.push_back(&nodes_[static_cast<std::size_t>(node.child)]);
+                stack.push_back(&nodes_[static_cast<std::size_t>(node.child) + 1]);
+            }
         }
     }
     return total;

@@ -37,8 +37,10 @@ public:
     /// V on [0, 1], [1, 2], [2, 4], ... until `reach` is covered, from its values. `f` is called from several threads.
     Piecewise(const BlindRule&, const Real& reach, const std::function<Real(const Real&)>& f);
 
-    /// Expectation of V after one wave: int V density dy. V is 0 below 0.
+    /// Expectation of V after one wave: int V density dy. V is 0 outside the grid.
     Real after(const Wave<Real>&) const;
+    /// dV/dx, on the same intervals.
+    Piecewise derivative() const;
     Real at(const Real& x) const;
     /// Number of leaves.
     std::size_t leaves() const { return leaves_; }
@@ -51,7 +53,8 @@ private:
         long child = -1; ///< index of the left half, the right half follows; -1: a leaf
         std::size_t data; ///< where its N moments, and N coefficients, begin
     };
-    Real near_leaf(const Node&, const Wave<Real>&) const;
+    Real near_leaf(const Node&, const Arc<Real>&) const;
+    void sum_moments();
     Real series(const Node&, const Real& t) const;
 
     BlindRule rule_;
