@@ -6,11 +6,18 @@
 namespace touchstone::transfer {
 namespace {
 
-/// ((tolerance N^(g+1)/c_g))^(1/(g/2+1))
-double floor_of(int g, double tolerance, int N)
+/// log c_g
+double strength(int g) { return g * std::log(0.4) - 0.5 * std::lgamma(g + 1.0); }
+
+double floor_of(int g, const GradedRule& rule)
 {
-    const double log_c = g * std::log(0.4) - 0.5 * std::lgamma(g + 1.0);
-    return std::exp((std::log(tolerance) + (g + 1) * std::log(static_cast<double>(N)) - log_c) / (0.5 * g + 1));
+    return std::exp((std::log(rule.tolerance) + (g + 1) * std::log(static_cast<double>(rule.degree)) - strength(g)) / (0.5 * g + 1));
+}
+
+/// The longest interval that may have a point of generation g inside.
+double longest(int g, const GradedRule& rule)
+{
+    return std::exp((std::log(rule.tolerance) + 0.5 * (g + 1) * std::log(2.0 * rule.degree) - strength(g)) / (0.5 * g + 1));
 }
 
 } // namespace
@@ -19,7 +26,7 @@ template <class Real>
 int GradedGrid<Real>::generations(const GradedRule& rule)
 {
     int g = 0;
-    while (g < 30 && floor_of(g, rule.tolerance, rule.degree) < 0.5) ++g;
+    while (g < 30 && floor_of(g, rule) < 0.5) ++g;
     return g;
 }
 
@@ -35,10 +42,11 @@ GradedGrid<Real>::GradedGrid(const GradedRule& rule, const std::vector<SingularP
     const Real end = extended_pair(reach).high;
     for (const SingularPoint& s : points) {
         const Real at = extended_pair(s.position).high;
-        if (at > rule.smallest && at < end) marks.push_back({at, Real(floor_of(s.generation, rule.tolerance, rule.degree)) * (at < 1 ? at : Real(1))});
+        if (at > rule.smallest && at < end) marks.push_back({at, Real(floor_of(s.generation, rule)) * (at < 1 ? at : Real(1))});
     }
+    const Real most_ever = longest(generations(rule), rule);
     for (Real y = 0; y < end;) {
-        Real h = end - y, stop = end, last = end;
+        Real h = end - y < most_ever ? Real(end - y) : most_ever, stop = end, last = end;
         for (const Mark& m : marks) {
             const Real d = m.at <= y ? Real(b * (y - m.at)) : Real(b / (1 + b) * (m.at - y));
             Real most = d > m.floor ? d : m.floor;
@@ -81,7 +89,7 @@ GradedGrid<Real>::GradedGrid(const GradedRule& rule, const std::vector<SingularP
 }
 
 template <class Real>
-auto GradedGrid<Real>::sample(const std::function<Real(const Real&)>& f) const -> Function
+auto GradedGrid<Real>::sample(const std::function<Real(const Pair<Real>&)>& f) const -> Function
 {
     const std::size_t n = nodes_.size();
     Function v;
@@ -91,8 +99,8 @@ auto GradedGrid<Real>::sample(const std::function<Real(const Real&)>& f) const -
         const Cell& c = cells_[i];
         std::vector<Real> values(n);
         for (std::size_t j = 0; j < n; ++j) { // a point at an end is seen from inside its interval, never from the next one
-            const Real x = nodes_[j] < Real(0.5) ? Real(c.left + c.width * nodes_[j]) : Real(c.right - c.width * mirrored_[j]);
-            values[j] = f(x);
+            const bool left = nodes_[j] < Real(0.5);
+            values[j] = f(sum(Pair<Real>{left ? c.left : c.right, Real(0)}, left ? Real(c.width * nodes_[j]) : Real(-c.width * mirrored_[j])));
         }
         for (std::size_t j = 0; j < n; ++j) v.moments[i * n + j] = weights_[j] * c.width * values[j];
         for (std::size_t k = 0; k < n; ++k) {

@@ -14,7 +14,8 @@
 ///
 ///     c_g floor^(g/2 + 1) N^-(g+1) = tolerance,   c_g = 0.4^g/sqrt(g!) (measured for G = 1.08; smaller for larger G).
 ///
-/// Lengths are relative to s for s < 1. Points of generations with floor >= 1/2 need no mark and are left out.
+/// Lengths are relative to s for s < 1. The generations with a floor below 1/2 are marked; no interval is so long that a
+/// point of the first generation left out, g, inside it matters: c_g (h/2N)^((g+1)/2) h^(1/2) <= tolerance.
 #pragma once
 
 #include "touchstone/transfer/singular_points.hpp"
@@ -27,7 +28,7 @@ namespace touchstone::transfer {
 
 struct GradedRule {
     int degree = 32;
-    double tolerance = 1e-20;
+    double tolerance = 1e-19;
     double smallest = 1e-20; ///< the interval at 0
 };
 
@@ -44,8 +45,8 @@ public:
         std::vector<Real> moments;      ///< values times Clenshaw-Curtis weights and interval length
         std::vector<Real> coefficients;
     };
-    /// From its values; `f` is called from several threads.
-    Function sample(const std::function<Real(const Real&)>& f) const;
+    /// From its values at points given to twice the digits; `f` is called from several threads.
+    Function sample(const std::function<Real(const Pair<Real>&)>& f) const;
     Function derivative(const Function&) const;
     /// Expectation after one wave.
     Real after(const Function&, const Wave<Real>&) const;

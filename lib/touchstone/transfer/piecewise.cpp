@@ -94,7 +94,7 @@ const GaussRule<Real>& gauss_rule(int n)
 }
 
 template <class Real>
-Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::function<Real(const Real&)>& f)
+Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::function<Real(const Pair<Real>&)>& f)
     : rule_(rule), gauss_(&gauss_rule<Real>(rule.points)), angle_(&gauss_rule<Real>(rule.angle_points))
 {
     using std::abs, std::sqrt;
@@ -114,7 +114,7 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
             Answer& a = answers[i];
             a.values.resize(N);
             a.series.assign(N, Real(0));
-            for (std::size_t j = 0; j < N; ++j) a.values[j] = f(node.left + node.width * gauss_->nodes[j]);
+            for (std::size_t j = 0; j < N; ++j) a.values[j] = f(sum(Pair<Real>{node.left, Real(0)}, Real(node.width * gauss_->nodes[j])));
             for (std::size_t k = 0; k < N; ++k)
                 for (std::size_t j = 0; j < N; ++j) a.series[k] += gauss_->to_coefficients[k * N + j] * a.values[j];
             Real tail = 0;
@@ -211,6 +211,12 @@ Piecewise<Real> Piecewise<Real>::derivative() const
         for (std::size_t j = 0; j < N; ++j) d.moments_[node.data + j] = gauss_->weights[j] * node.width * d.series(node, gauss_->nodes[j]);
     }
     d.sum_moments();
+    std::vector<const Node*> leaves;
+    for (const Node& node : nodes_)
+        if (node.child < 0) leaves.push_back(&node);
+    std::sort(leaves.begin(), leaves.end(), [](const Node* a, const Node* b) { return a->left < b->left; });
+    for (std::size_t i = 1; i < leaves.size(); ++i)
+        d.masses_.push_back({leaves[i]->left, series(*leaves[i], Real(0)) - series(*leaves[i - 1], Real(1))});
     return d;
 }
 
@@ -270,6 +276,10 @@ Real Piecewise<Real>::after(const Wave<Real>& wave) const
                 stack.push_back(&nodes_[static_cast<std::size_t>(node.child)]);
                 stack.push_back(&nodes_[static_cast<std::size_t>(node.child) + 1]);
             }
+        }
+        for (const Mass& m : masses_) {
+            const Real up = arc.below_hi(m.at), down = arc.above_lo(m.at);
+            if (up > 0 && down > 0 && m.at >= arc.begin && m.at < arc.end) total += m.size * arc.density(m.at, up, down, 1 - m.at);
         }
     }
     return total;

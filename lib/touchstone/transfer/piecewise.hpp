@@ -34,12 +34,13 @@ struct BlindRule {
 template <class Real>
 class Piecewise {
 public:
-    /// V on [0, 1], [1, 2], [2, 4], ... until `reach` is covered, from its values. `f` is called from several threads.
-    Piecewise(const BlindRule&, const Real& reach, const std::function<Real(const Real&)>& f);
+    /// V on [0, 1], [1, 2], [2, 4], ... until `reach` is covered, from its values at points that
+    /// are given to twice the digits. `f` is called from several threads.
+    Piecewise(const BlindRule&, const Real& reach, const std::function<Real(const Pair<Real>&)>& f);
 
     /// Expectation of V after one wave: int V density dy. V is 0 outside the grid.
     Real after(const Wave<Real>&) const;
-    /// dV/dx, on the same intervals.
+    /// dV/dx, on the same intervals; the small steps of V between two of them are kept as point masses.
     Piecewise derivative() const;
     Real at(const Real& x) const;
     /// Number of leaves.
@@ -63,6 +64,10 @@ private:
     std::size_t roots_ = 0;
     std::vector<Node> nodes_;
     std::vector<Real> moments_, coefficients_;
+    struct Mass {
+        Real at, size;
+    };
+    std::vector<Mass> masses_;
     std::size_t leaves_ = 0;
     double worst_tail_ = 0;
 };

@@ -4,35 +4,59 @@
 #include <algorithm>
 
 namespace touchstone::transfer {
+namespace {
 
-std::vector<SingularPoint> singular_points(const Ball& G, const Ball& reach, int generations, double merge)
+bool below(const Ball& a, const Ball& b) { return arf_cmp(arb_midref(a.get()), arb_midref(b.get())) < 0; }
+
+/// `seeds` and their images, generation by generation.
+template <class Images>
+std::vector<SingularPoint> orbit(std::vector<Ball> seeds, const Images& images, const Tracking& t)
 {
-    const auto mid_less = [](const Ball& a, const Ball& b) { return arf_cmp(arb_midref(a.get()), arb_midref(b.get())) < 0; };
-    const auto same = [merge](const Ball& a, const Ball& b) { // a <= b by their midpoints
-        return a.overlaps(b) || certainly(less(b - a, Ball::exactly(merge) * b));
+    const auto same = [&](const Ball& a, const Ball& b) { // a <= b by their midpoints
+        return a.overlaps(b) || certainly(less(b - a, Ball::exactly(t.merge) * b));
     };
-    std::vector<SingularPoint> all{{Ball(1), 0}};
-    std::vector<Ball> last{Ball(1)};
-    for (int g = 1; g <= generations; ++g) {
-        std::vector<Ball> next;
-        for (const Ball& s : last) {
-            const Ball below = G * s - 1;
-            next.push_back(G * s + 1);
-            // a ball that cannot tell which side of 1 it is on: both forms give the same point, 1
-            next.push_back(certainly(less(below, Ball(1))) ? Ball(G * G * s * s / 4) : below);
-        }
-        std::erase_if(next, [&](const Ball& s) { return certainly(less(reach, s)); });
-        std::sort(next.begin(), next.end(), mid_less);
+    std::vector<SingularPoint> all;
+    std::vector<Ball> next = std::move(seeds);
+    for (int g = 0; g < t.generations; ++g) {
+        std::erase_if(next, [&](const Ball& s) { return certainly(less(t.reach, s)) || !certainly(less(Ball(0), s)); });
+        std::sort(next.begin(), next.end(), below);
         next.erase(std::unique(next.begin(), next.end(), same), next.end());
         std::erase_if(next, [&](const Ball& s) { // what an earlier generation has, it has more strongly, with all its images
-            return std::any_of(all.begin(), all.end(), [&](const SingularPoint& p) {
-                return mid_less(s, p.position) ? same(s, p.position) : same(p.position, s);
-            });
+            return std::any_of(all.begin(), all.end(), [&](const SingularPoint& p) { return below(s, p.position) ? same(s, p.position) : same(p.position, s); });
         });
-        for (const Ball& s : next) all.push_back({s, g});
-        last = std::move(next);
+        std::vector<Ball> last = std::move(next);
+        next.clear();
+        for (const Ball& s : last) {
+            all.push_back({s, g});
+            for (const Ball& image : images(s)) next.push_back(image);
+        }
     }
-    std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return mid_less(a.position, b.position); });
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return below(a.position, b.position); });
+    return all;
+}
+
+} // namespace
+
+std::vector<SingularPoint> area_points(const Ball& G, const Tracking& t)
+{
+    const auto images = [&](const Ball& s) {
+        const Ball down = G * s - 1; // a ball that cannot tell which side of 1 it is on: both forms give 1
+        return std::vector<Ball>{G * s + 1, certainly(less(down, Ball(1))) ? Ball(G * G * s * s / 4) : down};
+    };
+    return orbit({Ball(1)}, images, t);
+}
+
+std::vector<SingularPoint> exceedance_points(const Ball& load, const Ball& G, const Tracking& t)
+{
+    const auto images = [&](const Ball& s) { // s = 1: both forms give 2/G
+        if (certainly(less(s, Ball(1)))) return std::vector<Ball>{2 * sqrt(s) / G};
+        return std::vector<Ball>{(s + 1) / G, (s - 1) / G};
+    };
+    std::vector<Ball> seeds = images(load);
+    seeds.push_back(2 / G);
+    std::vector<SingularPoint> all = orbit(std::move(seeds), images, t);
+    const auto at = std::find_if(all.begin(), all.end(), [](const SingularPoint& p) { return !below(p.position, Ball(1)); });
+    if (at == all.end() || !at->position.overlaps(Ball(1))) all.insert(at, {Ball(1), t.generations - 1});
     return all;
 }
 
