@@ -98,9 +98,14 @@ void estimate(const Quantity& q, const Inputs& in, long digits, Evaluation& e)
     e.ball = hull;
     e.routes.clear();
     for (const EstimateRoute& r : q.estimates) e.routes.push_back(r.name);
-    const auto decimal = round_to_digits(hull, std::min(digits, most_estimated_digits));
+    auto decimal = round_to_digits(hull, std::min(digits, most_estimated_digits));
     e.note = "no proof: two discretisations agree" + std::string(digits > most_estimated_digits ? fmt::format("; at most {} digits are estimated", most_estimated_digits) : "");
-    if (!decimal || digits > most_estimated_digits) return;
+    if (digits > most_estimated_digits) return;
+    if (!decimal && digits > 1) { // next to a tie of the last digit: one digit fewer
+        decimal = round_to_digits(hull, --digits);
+        e.note += ", to all digits but the last asked for";
+    }
+    if (!decimal) return;
     e.value = decimal->text();
     e.error_bound = decimal->half_unit();
     e.digits = digits;

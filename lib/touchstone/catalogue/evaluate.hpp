@@ -41,7 +41,8 @@ constexpr long most_estimated_digits = 15;
 /// every route's ball rounds to the same digits (a ball of radius zero is the value itself, which the other routes' balls must contain). Exact rational values (and so all ties this
 /// toolkit can recognise) are rounded exactly, ties to even.
 /// Where the certified routes refuse (BeyondReach) and the quantity has `estimates`, the value is `estimated`: the hull of all
-/// of them, each widened by 8 times the larger of their difference and their own errors, rounds to the digits asked for.
+/// of them, each widened by 8 times the larger of their difference and their own errors, rounds to the digits asked for,
+/// or, next to a tie of the last one, to one fewer.
 /// If it does not, or more than `most_estimated_digits` are asked for, those that it decides are given, `undecided`.
 /// \throws DomainError, RoutesDisagree
 Evaluation evaluate(const Quantity&, const Inputs&, const EvaluationOptions& = {});

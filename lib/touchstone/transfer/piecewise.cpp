@@ -195,6 +195,14 @@ Real Piecewise<Real>::at(const Real& x) const
 }
 
 template <class Real>
+Real Piecewise<Real>::integral() const
+{
+    Real sum = 0;
+    for (std::size_t i = 0; i < roots_ * static_cast<std::size_t>(rule_.points); ++i) sum += moments_[i]; // the roots come first
+    return sum;
+}
+
+template <class Real>
 Piecewise<Real> Piecewise<Real>::derivative() const
 {
     Piecewise d = *this;

@@ -43,6 +43,7 @@ public:
     /// dV/dx, on the same intervals; the small steps of V between two of them are kept as point masses.
     Piecewise derivative() const;
     Real at(const Real& x) const;
+    Real integral() const;
     /// Number of leaves.
     std::size_t leaves() const { return leaves_; }
     /// Sum over intervals of |tail| min(1, sqrt(h/(a+h)))/|V|: worst one.
