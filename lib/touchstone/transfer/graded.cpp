@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/graded.hpp"
 
+#include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/parallel.hpp"
 
 namespace touchstone::transfer {
@@ -60,6 +61,7 @@ GradedGrid<Real>::GradedGrid(const GradedRule& rule, const std::vector<SingularP
         const Real rest = last / 2 < h / 8 ? last / 2 : h / 8; // no splinter before the point
         if (y + h >= stop - rest) h = stop - y;
         const Real right = h == stop - y ? stop : Real(y + h);
+        if (cells_.size() > 40'000) throw BeyondReach("too many singular points for a grid");
         cells_.push_back({y, right, right - y});
         y = right;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/piecewise.hpp"
 
-#include "touchstone/scalar/ball.hpp"
+#include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/parallel.hpp"
 
 #include <map>
@@ -102,12 +102,14 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
     nodes_.push_back({Real(0), Real(1), -1, 0});
     for (Real left = 1; left < reach; left *= 2) nodes_.push_back({left, left, -1, 0});
     roots_ = nodes_.size();
+    constexpr std::size_t most_nodes = 80'000; // ordinary ones need some 1000; rounding noise would be halved without end
     struct Answer {
         std::vector<Real> values, series;
         double tail;
     };
     for (std::size_t begin = 0; begin < nodes_.size();) {
         const std::size_t end = nodes_.size();
+        if (end > most_nodes) throw BeyondReach("a function of the recursion is not resolved by 40000 intervals");
         std::vector<Answer> answers(end - begin);
         in_parallel(end - begin, [&](std::size_t i) {
             const Node& node = nodes_[begin + i];
