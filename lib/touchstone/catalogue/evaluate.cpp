@@ -103,7 +103,7 @@ void estimate(const Quantity& q, const Inputs& in, long digits, Evaluation& e)
     if (digits > most_estimated_digits) return;
     if (!decimal && digits > 1) { // next to a tie of the last digit: one digit fewer
         decimal = round_to_digits(hull, --digits);
-        e.note += ", to all digits but the last asked for";
+        if (decimal) e.note += ", to all digits but the last asked for";
     }
     if (!decimal) return;
     e.value = decimal->text();

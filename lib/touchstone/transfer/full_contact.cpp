@@ -34,10 +34,11 @@ Real first_area(const Pair<Real>& x)
     return lost <= 0 ? Real(1) : Real(atan2(sqrt(x.high), sqrt(lost)) / half_pi);
 }
 
-/// F(x; P), the share of a wave above P, from the distance to the highest pressure: near it, it goes to 0 with full accuracy.
+/// F(x; P), the share of a wave above P, from the distances to the highest and the lowest pressure: rounding noise
+/// at a square root would be halved without end by a blind grid.
 class FirstExceedance {
 public:
-    FirstExceedance(const Pair<Real>& x, const Pair<Real>& G) : x_(x), G_(G), highest_(wave_from(x, G).arcs[0].hi), full_(wave_from(x, G).arcs[0].kind == Arc<Real>::Kind::full) {}
+    FirstExceedance(const Pair<Real>& x, const Pair<Real>& G) : x_(x), G_(G), highest_(wave_from(x, G).arcs[0].hi), lowest_(wave_from(x, G).arcs[0].lo), full_(wave_from(x, G).arcs[0].kind == Arc<Real>::Kind::full) {}
     /// P = G y
     Real operator()(const Pair<Real>& y) const
     {
@@ -46,13 +47,17 @@ public:
         if (below <= 0) return Real(0);
         static const Real half_pi = 2 * atan(Real(1));
         const Real P = G_.high * y.high;
-        if (full_) return below >= 2 ? Real(1) : Real(asin(sqrt(below / 2)) / half_pi);
+        if (full_) {
+            const Real above = G_.high * ((y.high - lowest_.high) + (y.low - lowest_.low)); // P - (x - 1)
+            if (above <= 0) return Real(1);
+            return above < below ? Real(1 - asin(sqrt(above / 2)) / half_pi) : Real(asin(sqrt(below / 2)) / half_pi);
+        }
         const Real one_minus_x = (1 - x_.high) - x_.low, R = sqrt(one_minus_x * one_minus_x + P * P);
         return asin(sqrt(below * (G_.high * highest_.high + P) / (2 * (1 + x_.high + R)))) / half_pi;
     }
 
 private:
-    Pair<Real> x_, G_, highest_;
+    Pair<Real> x_, G_, highest_, lowest_;
     bool full_;
 };
 
