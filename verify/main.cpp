@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "touchstone/oracle/baseline.hpp"
 #include "touchstone/table/format.hpp"
+#include "touchstone/transfer/full_contact.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
@@ -73,6 +75,11 @@ int main(int argc, char** argv)
     add_table(app, run);
     add_paper(app, run);
     add_judge(app, run);
+    if (::isatty(2) != 0)
+        transfer::report_progress_to([](std::string_view what, long done, long total) {
+            fmt::print(stderr, "\r{} {} of {}", what, done, total);
+            if (done == total) fmt::print(stderr, "\r{:40}\r", "");
+        });
     try {
         app.parse(argc, argv);
     }

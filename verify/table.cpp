@@ -30,6 +30,7 @@ struct TableOptions {
     std::string out;
     unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
     bool check = false;
+    bool skip_slow = false;
 };
 
 /// Where two texts part: the line number and the two lines.
@@ -82,7 +83,8 @@ nlohmann::ordered_json with_entries(const std::string& stored, const nlohmann::o
 
 int make_tables(const TableOptions& o)
 {
-    const auto specs = chosen(o.names);
+    auto specs = chosen(o.names);
+    if (o.skip_slow) std::erase_if(specs, [](const TableSpec* t) { return t->slow; });
     if (o.digits && (*o.digits < 1 || *o.digits > 10'000)) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
     if (o.out.empty() && (specs.size() > 1 || o.check))
         throw Failure(usage_error, o.check ? "--check needs --out DIR, the folder of the stored tables" : "several tables need --out DIR");
@@ -148,6 +150,7 @@ void add_table(CLI::App& app, Run& run)
     command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")->check(CLI::IsMember(table_formats()))->capture_default_str();
     command->add_option("--out", o->out, "Folder for the files; without it one table goes to standard output");
     command->add_option("--jobs", o->jobs, "Threads")->check(CLI::Range(1u, 1024u));
+    command->add_flag("--skip-slow", o->skip_slow, "Leave out the tables that take minutes (full contact)");
     command->add_flag("--check", o->check, "Write nothing: regenerate and compare with the files in --out, byte for byte");
     command->callback([&run, o] { run = [o] { return make_tables(*o); }; });
 }

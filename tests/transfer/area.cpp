@@ -171,14 +171,17 @@ TEST_CASE("the first scale is (6.6), exact where it is rational")
 
 TEST_CASE("out of reach is said, not guessed")
 {
-    for (const char* G : {"2", "1.5"}) {
-        const auto e = eval("contact.area", {{"n", 1}, {"load", exactly("0.5")}, {"G", exactly(G)}}, 10);
+    for (const char* G : {"2", "1.5"}) { // estimated, full_contact.hpp; not to 20 digits
+        const auto e = eval("contact.area", {{"n", 1}, {"load", exactly("0.5")}, {"G", exactly(G)}}, 20);
+        CHECK(e.status == Status::undecided);
+        CHECK(e.digits <= 15);
+    }
+    for (const char* G : {"2", "1.0000001"}) {
+        const auto e = eval("contact.area", {{"n", 500}, {"load", exactly("0.5")}, {"G", exactly(G)}}, 10);
         CHECK(e.status == Status::undecided);
         CHECK(e.value == "nan");
-        CHECK(e.note.find("G = gamma^(D-1) <= 2") != std::string::npos);
+        CHECK(e.note.find("n > 200") != std::string::npos);
     }
-    CHECK(eval("contact.area", {{"n", 1}, {"load", 2}, {"G", exactly("1.5")}}, 10).status == Status::undecided);
-    CHECK(eval("contact.density", {{"n", 1}, {"p", 1}, {"load", 2}, {"G", 3}}, 10).note.find("load > 1") != std::string::npos);
     CHECK_THROWS_AS(eval("contact.area", {{"n", -1}, {"load", 1}, {"G", 3}}, 10), DomainError);
 }
 

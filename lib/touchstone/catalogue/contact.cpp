@@ -5,6 +5,7 @@
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
 #include "touchstone/transfer/distribution.hpp"
+#include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 
 #include <fmt/format.h>
@@ -34,31 +35,6 @@ transfer::Arguments arguments(const Inputs& in)
     return {[&in] { return Ball(in.real("load")); }, [&in] { return in.G_ball(); }};
 }
 
-Ball area(Scheme scheme, long n, const Inputs& in)
-{
-    require_G_above_2(in);
-    return in.real("load") > 1 ? transfer::area_at_heavy_load(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
-}
-
-/// Whether the least pressure of scale n, by (2.9) down the scales, is >= 0: load >= 1 + G + ... + G^n. Then A_n = 1.
-bool everywhere_in_contact(const Inputs& in, long n)
-{
-    const Rational load = in.real("load");
-    if (load < n + 1) return false; // G > 1
-    const auto sum = [n]<class Number>(const Number& G) {
-        Number s(1);
-        for (long k = 0; k < n; ++k) s = 1 + G * s;
-        return s;
-    };
-    const WorkingPrecision precision(512);
-    try {
-        if (const Exact G = in.G_exact(); G.is_rational()) return sum(G.rational()) <= load;
-    }
-    catch (const NotExact&) {
-    }
-    return certainly(less(sum(in.G_ball()), Ball(load)));
-}
-
 /// The two discretisations of the transfer operator as routes of f(scheme, inputs).
 template <class F>
 std::vector<Route> by_both_schemes(F f)
@@ -69,6 +45,72 @@ std::vector<Route> by_both_schemes(F f)
                      }};
     };
     return {route("force-weighted-chebyshev", Scheme::force_weighted), route("area-gauss-panels", Scheme::area)};
+}
+
+/// A_n, certified: both schemes; n = 0 is (6.6) for any G.
+Ball certified_area(Scheme scheme, long n, const Inputs& in)
+{
+    if (n > 0 || in.real("load") > 1) {
+        require_G_above_2(in);
+        return in.real("load") > 1 ? transfer::area_at_heavy_load(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
+    }
+    const Ball x(in.real("load"));
+    if (scheme == Scheme::area) return 2 * westergaard::half_width(x);
+    Ball angle; // the other inverse function
+    arb_atan2(angle.get(), sqrt(x).get(), sqrt(1 - x).get(), WorkingPrecision::bits());
+    return 2 * angle / pi<Ball>();
+}
+
+/// Whether p_n > p almost everywhere, p >= 0: load - (1 + G + ... + G^n) >= p, by (5.2), (5.4).
+bool everywhere_above(const Inputs& in, long n, const Rational& p)
+{
+    const Rational load = in.real("load") - p;
+    if (load < 1) return false;
+    const WorkingPrecision precision(256);
+    const auto tie = [&](long scale) { // G irrational: G^k = r with r rational, and no sum of such powers is rational
+        try {
+            const Exact G = in.G_exact();
+            if (!G.is_rational()) return false;
+            Rational sum = 1, power = 1;
+            for (long k = 0; k < scale; ++k) sum += power *= G.rational();
+            return load >= sum;
+        }
+        catch (const NotExact&) {
+            return false;
+        }
+    };
+    return transfer::scales_in_full_contact(Ball(load), in.G_ball(), n + 1, tie) > n;
+}
+
+/// lambda_0/lambda_n = gamma^n
+Ball potential_segments(const Inputs& in)
+{
+    Ball power(in.real("gamma"));
+    arb_pow_ui(power.get(), power.get(), static_cast<ulong>(in.integer("n")), WorkingPrecision::bits());
+    return power;
+}
+
+/// The two grids where full contact occurs as estimates f(grid, inputs).
+template <class F>
+std::vector<EstimateRoute> by_both_grids(F f)
+{
+    const auto route = [f](std::string name, transfer::Grid grid) {
+        return EstimateRoute{std::move(name), [f, grid](const Inputs& in) -> Estimate { return f(grid, in); }};
+    };
+    return {route("blind-halving", transfer::Grid::blind), route("tracked-singular-points", transfer::Grid::tracked)};
+}
+
+Estimate scaled(const Estimate& e, const Ball& factor) { return {e.value * factor, e.error * factor}; }
+
+Estimate estimated_area(transfer::Grid grid, long n, const Inputs& in)
+{
+    return transfer::estimated_area(grid, n, Ball(in.real("load")), in.G_ball());
+}
+
+Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const Ball& p)
+{
+    if (!certainly(less(Ball(0), p))) throw BeyondReach("not computed at p = 0, where q_n is 0 unless a singular point lies there; ask for p > 0");
+    return transfer::estimated_density(grid, n, p, Ball(in.real("load")), in.G_ball());
 }
 
 std::string explain_area(const Inputs& in, long n, long digits)
@@ -112,6 +154,13 @@ bool above_support(const Inputs& in, long n, const Rational& p)
     return certainly(less(highest_pressure(in, n), Ball(p)));
 }
 
+/// p certainly less than p_n^min > 0, in full contact everywhere.
+bool below_support(const Inputs& in, long n, const Rational& p)
+{
+    const WorkingPrecision precision(256);
+    return transfer::scales_in_full_contact(Ball(Rational(in.real("load") - p)), in.G_ball(), n + 1, [](long) { return false; }) > n;
+}
+
 template <class F>
 std::vector<Route> by_both_laws(F f)
 {
@@ -136,88 +185,124 @@ void check_pressure(const Inputs& in)
 
 Ball density(Law law, const Inputs& in, long n, const Ball& p)
 {
-    require_distribution(in, n);
+    if (n > 0) require_distribution(in, n);
     if (certainly(less(highest_pressure(in, n), p))) return Ball(0);
     const Ball load(in.real("load"));
-    if (n == 0) return law == Law::pressures ? westergaard::density(p, load) : as_printed::density_partial(p, load);
+    if (n == 0) {
+        if (certainly(less(p, load - 1))) return Ball(0);
+        if (law == Law::pressures) return westergaard::density(p, load);
+        return in.real("load") < 1 ? as_printed::density_partial(p, load) : as_printed::density_full(p, load);
+    }
     return transfer::density_1(law, p, load, in.G_ball());
+}
+
+/// (9.3): the pressure at scale n - 1 under which segments have half-width a, and what q_{n-1} is multiplied by.
+/// Regions in full contact at scale n, p_{n-1} >= p*_n, have no ends there, a = 1/2 and beyond: they are in no segment.
+std::pair<Ball, Ball> of_segments(const Inputs& in)
+{
+    const Ball a(in.real("a")), s = ScalarTraits<Ball>::sin_pi(a);
+    Ball unit;
+    arb_pow_ui(unit.get(), in.G_ball().get(), static_cast<ulong>(in.integer("n")), WorkingPrecision::bits());
+    return {unit * s * s, pi<Ball>() * unit * ScalarTraits<Ball>::sin_pi(2 * a)};
 }
 
 } // namespace
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; computed for load <= 1, G > 2, and load < 1000, G > 2.02", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2, else estimated", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
-                       if (everywhere_in_contact(in, in.integer("n"))) return Exact(1);
+                       if (everywhere_above(in, in.integer("n"), 0)) return Exact(1);
                        if (in.integer("n") > 0) throw NotExact();
                        return 2 * westergaard::half_width(Exact(in.real("load")));
                    },
-                   by_both_schemes([](Scheme s, const Inputs& in) { return area(s, in.integer("n"), in); }),
-                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); }});
+                   by_both_schemes([](Scheme s, const Inputs& in) { return certified_area(s, in.integer("n"), in); }),
+                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); },
+                   by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_area(g, in.integer("n"), in); })});
 
-    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; computed for n <= 1, or p = 0, load <= 1, G > 2",
+    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or p = 0, load <= 1, G > 2, else estimated",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
-                       if (in.real("load") <= 1 && in.compare_G(2) > 0 && above_support(in, in.integer("n"), in.real("p"))) return Exact(0);
+                       if (above_support(in, in.integer("n"), in.real("p"))) return Exact(0);
+                       if (everywhere_above(in, in.integer("n"), in.real("p"))) return Exact(1);
                        throw NotExact();
                    },
                    [] {
                        const auto f = [](Law law, Scheme scheme, const Inputs& in) -> Ball {
                            const long n = in.integer("n");
-                           if (in.real("p") == 0) return area(scheme, n, in);
-                           require_distribution(in, n);
+                           if (in.real("p") == 0) return certified_area(scheme, n, in);
                            const Ball p(in.real("p")), load(in.real("load"));
-                           if (n == 0) return law == Law::pressures ? westergaard::exceedance(p, load) : as_printed::exceedance_partial(p, load);
+                           if (n == 0) {
+                               if (law == Law::pressures) return westergaard::exceedance(p, load);
+                               return in.real("load") < 1 ? as_printed::exceedance_partial(p, load) : as_printed::exceedance_full(p, load);
+                           }
+                           require_distribution(in, n);
                            return transfer::exceedance_1(law, p, load, in.G_ball());
                        };
                        return std::vector<Route>{
                            {"forward-pressures", [f](const Inputs& in) { return f(Law::pressures, Scheme::force_weighted, in); }},
                            {"forward-force-chain", [f](const Inputs& in) { return f(Law::force_chain, Scheme::area, in); }}};
-                   }()});
+                   }(),
+                   {},
+                   by_both_grids([](transfer::Grid g, const Inputs& in) {
+                       const long n = in.integer("n");
+                       if (in.real("p") == 0) return estimated_area(g, n, in);
+                       return transfer::estimated_exceedance(g, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball());
+                   })});
 
-    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; computed for n <= 1, load <= 1, G > 2",
+    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, load <= 1, G > 2, else estimated",
                    {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
-                       const bool at_zero = in.real("p") == 0 && (in.integer("n") > 0 || in.real("load") < 1); // q ~ p, (2.19)
-                       if (in.real("load") <= 1 && in.compare_G(2) > 0 && (at_zero || above_support(in, in.integer("n"), in.real("p"))))
-                           return Exact(0);
+                       const bool partial = in.real("load") <= 1 && in.compare_G(2) > 0;
+                       const bool at_zero = in.real("p") == 0 && ((partial && in.integer("n") > 0) || (in.integer("n") == 0 && in.real("load") < 1)); // q ~ p, (2.19)
+                       if (at_zero || above_support(in, in.integer("n"), in.real("p")) || below_support(in, in.integer("n"), in.real("p"))) return Exact(0);
                        throw NotExact();
                    },
-                   by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), Ball(in.real("p"))); })});
+                   by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), Ball(in.real("p"))); }),
+                   {},
+                   by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_density(g, in.integer("n"), in, Ball(in.real("p"))); })});
 
-    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; computed for n <= 2, load <= 1, G > 2",
+    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, load <= 1, G > 2, else estimated",
                    {"n", "a", "load", "G"}, "density of segments by half-width a (in lambda_n), N^_n lambda_n",
                    [](const Inputs& in) {
                        check_contact(in);
                        require_integer(in, "n", 1, largest_n);
                        require(in.real("a") >= 0 && in.real("a") <= Rational(1, 2), in, "a", ">= 0 and <= 1/2");
                    },
-                   {}, by_both_laws([](Law law, const Inputs& in) {
+                   [](const Inputs& in) -> Exact { // no pressures, no segments
+                       const WorkingPrecision precision(256);
                        const long n = in.integer("n");
-                       const Ball a(in.real("a")), s = ScalarTraits<Ball>::sin_pi(a);
-                       Ball unit;
-                       arb_pow_ui(unit.get(), in.G_ball().get(), static_cast<ulong>(n), WorkingPrecision::bits());
-                       return pi<Ball>() * unit * ScalarTraits<Ball>::sin_pi(2 * a) * density(law, in, n - 1, unit * s * s);
+                       const Ball p = of_segments(in).first;
+                       if (certainly(less(highest_pressure(in, n - 1), p))) return Exact(0);
+                       const auto none = [](long) { return false; };
+                       if (transfer::scales_in_full_contact(Ball(in.real("load")) - p, in.G_ball(), n, none) >= n) return Exact(0);
+                       throw NotExact();
+                   },
+                   by_both_laws([](Law law, const Inputs& in) {
+                       const auto [p, factor] = of_segments(in);
+                       return factor * density(law, in, in.integer("n") - 1, p);
+                   }),
+                   {},
+                   by_both_grids([](transfer::Grid g, const Inputs& in) {
+                       const auto [p, factor] = of_segments(in);
+                       return scaled(estimated_density(g, in.integer("n") - 1, in, p), factor);
                    })});
 
-    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; computed for load <= 1, G > 2, and load < 1000, G > 2.02",
+    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified for load <= 1, G > 2, else estimated",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
                    [](const Inputs& in) { check_contact(in); require_integer(in, "n", 1, largest_n); },
                    [](const Inputs& in) -> Exact {
-                       const Rational& gamma = in.real("gamma");
-                       if (everywhere_in_contact(in, in.integer("n") - 1)) return Exact(gamma).power(Rational(in.integer("n")));
-                       if (in.integer("n") > 1) throw NotExact();
+                       const long n = in.integer("n");
+                       if (everywhere_above(in, n - 1, 0)) return Exact(power(in.real("gamma"), n));
+                       if (n > 1) throw NotExact();
                        return 2 * (westergaard::half_width(Exact(in.real("load"))) * Exact(in.real("gamma")));
                    },
-                   by_both_schemes([](Scheme s, const Inputs& in) {
-                       const long n = in.integer("n");
-                       Ball power(in.real("gamma"));
-                       arb_pow_ui(power.get(), power.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-                       return area(s, n - 1, in) * power;
-                   }),
-                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n") - 1, digits); }});
+                   by_both_schemes([](Scheme s, const Inputs& in) { return certified_area(s, in.integer("n") - 1, in) * potential_segments(in); }),
+                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n") - 1, digits); },
+                   by_both_grids([](transfer::Grid g, const Inputs& in) {
+                       return scaled(estimated_area(g, in.integer("n") - 1, in), potential_segments(in));
+                   })});
 }
 
 } // namespace touchstone

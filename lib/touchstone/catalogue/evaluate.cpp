@@ -72,6 +72,47 @@ void show_what_is_known(Evaluation& e, long digits)
     e.digits = 0;
 }
 
+/// The certified routes refused, for the reason in e.note: what the estimates agree on, if there are any.
+void estimate(const Quantity& q, const Inputs& in, long digits, Evaluation& e)
+{
+    std::vector<Estimate> found;
+    const WorkingPrecision precision(256);
+    try {
+        std::vector<std::future<Estimate>> running;
+        for (const EstimateRoute& r : q.estimates) running.push_back(std::async(std::launch::deferred, [&] { return r.estimate(in); }));
+        for (auto& f : running) found.push_back(f.get());
+    }
+    catch (const BeyondReach& reason) {
+        e.note = reason.what();
+        return;
+    }
+    if (found.empty()) return;
+    Ball hull = found.front().value, wide(0);
+    for (const Estimate& f : found) {
+        const Ball off = abs(f.value - found.front().value);
+        for (const Ball& b : {off, f.error})
+            if (certainly(less(wide, b))) wide = b;
+        arb_union(hull.get(), hull.get(), f.value.get(), WorkingPrecision::bits());
+    }
+    arb_add_error(hull.get(), Ball(8 * wide).get());
+    e.ball = hull;
+    e.routes.clear();
+    for (const EstimateRoute& r : q.estimates) e.routes.push_back(r.name);
+    auto decimal = round_to_digits(hull, std::min(digits, most_estimated_digits));
+    e.note = "no proof: two discretisations agree" + std::string(digits > most_estimated_digits ? fmt::format("; at most {} digits are estimated", most_estimated_digits) : "");
+    if (digits > most_estimated_digits) return;
+    if (!decimal && digits > 1) { // next to a tie of the last digit: one digit fewer
+        decimal = round_to_digits(hull, --digits);
+        if (decimal) e.note += ", to all digits but the last asked for";
+    }
+    if (!decimal) return;
+    e.value = decimal->text();
+    e.error_bound = decimal->half_unit();
+    e.digits = digits;
+    e.binary64 = nearest_double(hull);
+    e.status = Status::estimated;
+}
+
 } // namespace
 
 std::string_view to_string(Status s)
@@ -96,6 +137,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
 
     Evaluation e;
     e.ball = Ball::indeterminate();
+    long shown = options.digits; // digits of an undecided value
     for (const auto& r : q.routes) e.routes.push_back(r.name);
     const slong natural = bits_for_digits(options.digits) + 48;
     const slong limit = options.limit_bits > 0 ? options.limit_bits : 16 * natural + 8192;
@@ -132,12 +174,15 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
         }
         catch (const BeyondReach& reason) {
             e.note = reason.what();
+            estimate(q, in, options.digits, e);
+            if (e.status == Status::estimated) return e;
+            if (!q.estimates.empty()) shown = std::min(shown, most_estimated_digits);
             break;
         }
     }
     if (e.note.empty()) e.note = fmt::format("not decided at {} bits; a larger --max-precision may", e.bits);
     e.status = Status::undecided;
-    show_what_is_known(e, options.digits);
+    show_what_is_known(e, shown);
     return e;
 }
 

@@ -58,6 +58,18 @@ struct Route {
     bool takes_boxes = false;
 };
 
+/// A value found without proof, and how far off its own method thinks it is.
+struct Estimate {
+    Ball value; ///< radius zero
+    Ball error; ///< >= 0; no bound
+};
+
+/// One way to compute a quantity where no certified route reaches.
+struct EstimateRoute {
+    std::string name;
+    std::function<Estimate(const Inputs&)> estimate;
+};
+
 struct Quantity {
     std::string name;        ///< as typed: "westergaard.half_width"
     std::string equation;    ///< number in the paper
@@ -73,6 +85,8 @@ struct Quantity {
     std::vector<Route> routes;
     /// Prints how the error of a value is made up, for `eval --explain`. May be empty.
     std::function<std::string(const Inputs&, long digits)> explain = {};
+    /// Two or more, independent of one another, for what the certified routes refuse with BeyondReach. May be empty.
+    std::vector<EstimateRoute> estimates = {};
 };
 
 /// All quantities, in the order of the paper's sections.

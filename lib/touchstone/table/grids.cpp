@@ -268,6 +268,29 @@ Rows contact_area_grid()
     return distinct(rows);
 }
 
+/// Where full contact occurs: (D, gamma) = (1.05, 5), (1.05, 10) at every load of the paper; (1.5, 5), (1.5, 10) at load 10.
+Rows contact_area_full_grid()
+{
+    Rows rows;
+    for (const double G : {1.0837983867343681, 1.1220184543019633})
+        for (const double s : paper_loads)
+            for (int n = 0; n <= 20; ++n) rows.push_back({static_cast<double>(n), s, G});
+    for (const double G : {2.2360679774997896, 3.1622776601683795})
+        for (int n = 0; n <= 20; ++n) rows.push_back({static_cast<double>(n), 10., G});
+    return distinct(rows);
+}
+
+Rows segments_count_full_grid()
+{
+    Rows rows;
+    for (const double g : {5., 10.})
+        for (const double s : paper_loads)
+            for (int n = 1; n <= 21; ++n) rows.push_back({static_cast<double>(n), s, 1.05, g});
+    for (const double g : {5., 10.})
+        for (int n = 1; n <= 21; ++n) rows.push_back({static_cast<double>(n), 10., 1.5, g});
+    return distinct(rows);
+}
+
 /// Shares of the highest pressure (or of the widest segment), the edge from both sides included.
 const std::vector<double> shares{0x1p-20, 0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 1 - 0x1p-12, 1 - 0x1p-20, 1.25};
 
@@ -350,6 +373,7 @@ const std::vector<TableSpec>& table_specs()
         {"peaks_iterate", "peaks.iterate", digits, iterate_grid},
         {"peaks_fixed_point", "peaks.fixed_point", digits, fixed_point_grid},
         {"contact_area", "contact.area", digits, contact_area_grid},
+        {"contact_area_full", "contact.area", most_estimated_digits, contact_area_full_grid, true},
         {"archard_K", "archard.K", digits, n_grid},
         {"archard_K_inf", "archard.K_inf", 1000, [] { return Rows{{}}; }},
         {"archard_delta", "archard.delta", digits, n_grid},
@@ -360,6 +384,7 @@ const std::vector<TableSpec>& table_specs()
         {"contact_exceedance", "contact.exceedance", 30, contact_distribution_grid},
         {"contact_density", "contact.density", 30, contact_distribution_grid},
         {"segments_count", "segments.count", digits, segments_count_grid},
+        {"segments_count_full", "segments.count", most_estimated_digits, segments_count_full_grid, true},
         {"segments_density", "segments.density", 30, segments_density_grid},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };

@@ -18,6 +18,7 @@ struct TableSpec {
     std::string quantity;
     long digits = 40;
     std::function<std::vector<std::vector<double>>()> grid; ///< rows of inputs, in the quantity's order, distinct
+    bool slow = false;                      ///< takes minutes
 };
 
 struct TableRow {

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/full_contact.hpp"
+
+#include "touchstone/transfer/graded.hpp"
+#include "touchstone/transfer/piecewise.hpp"
+
+#include <fmt/format.h>
+
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace touchstone::transfer {
+namespace {
+
+using Real = Extended;
+
+std::mutex progress_mutex;
+Progress progress_hook;
+
+void progress(std::string_view what, long done, long total)
+{
+    const std::scoped_lock lock(progress_mutex);
+    if (progress_hook) progress_hook(what, done, total);
+}
+
+/// (6.6)
+Real first_area(const Pair<Real>& x)
+{
+    using std::atan2, std::sqrt, std::atan;
+    static const Real half_pi = 2 * atan(Real(1));
+    const Real lost = (1 - x.high) - x.low;
+    return lost <= 0 ? Real(1) : Real(atan2(sqrt(x.high), sqrt(lost)) / half_pi);
+}
+
+/// F(x; P), the share of a wave above P, from the distances to the highest and the lowest pressure: rounding noise
+/// at a square root would be halved without end by a blind grid.
+class FirstExceedance {
+public:
+    FirstExceedance(const Pair<Real>& x, const Pair<Real>& G) : x_(x), G_(G), highest_(wave_from(x, G).arcs[0].hi), lowest_(wave_from(x, G).arcs[0].lo), full_(wave_from(x, G).arcs[0].kind == Arc<Real>::Kind::full) {}
+    /// P = G y
+    Real operator()(const Pair<Real>& y) const
+    {
+        using std::asin, std::sqrt, std::atan;
+        const Real below = G_.high * ((highest_.high - y.high) + (highest_.low - y.low)); // x + 1 - P, or 2 sqrt(x) - P
+        if (below <= 0) return Real(0);
+        static const Real half_pi = 2 * atan(Real(1));
+        const Real P = G_.high * y.high;
+        if (full_) {
+            const Real above = G_.high * ((y.high - lowest_.high) + (y.low - lowest_.low)); // P - (x - 1)
+            if (above <= 0) return Real(1);
+            return above < below ? Real(1 - asin(sqrt(above / 2)) / half_pi) : Real(asin(sqrt(below / 2)) / half_pi);
+        }
+        const Real one_minus_x = (1 - x_.high) - x_.low, R = sqrt(one_minus_x * one_minus_x + P * P);
+        return asin(sqrt(below * (G_.high * highest_.high + P) / (2 * (1 + x_.high + R)))) / half_pi;
+    }
+
+private:
+    Pair<Real> x_, G_, highest_, lowest_;
+    bool full_;
+};
+
+/// Functions V_0, V_1, ..., each from the one before it, on one of the two grids.
+class Levels {
+public:
+    using First = std::function<Real(const Pair<Real>&)>;
+    using Step = std::function<Wave<Real>(const Pair<Real>&)>; ///< V_{m+1}(x) is the mean of V_m over this wave
+    Levels(First first, Step step) : first_(std::move(first)), step_(std::move(step)) {}
+    virtual ~Levels() = default;
+
+    /// The mean of V_m, or of its derivative, over a wave.
+    Real mean(long m, const Wave<Real>& wave, bool derivative)
+    {
+        std::function<Real(const Wave<Real>&)> mean;
+        {
+            const std::scoped_lock lock(mutex_);
+            for (long k = size(); k <= m; ++k) {
+                progress("scale", k, m + 1);
+                extend();
+            }
+            progress("scale", m + 1, m + 1);
+            mean = mean_of(m, derivative);
+        }
+        return mean(wave);
+    }
+
+protected:
+    virtual long size() const = 0;
+    virtual void extend() = 0;
+    /// A function that stays valid without the lock.
+    virtual std::function<Real(const Wave<Real>&)> mean_of(long m, bool derivative) = 0;
+
+    First first_;
+    Step step_;
+
+private:
+    std::mutex mutex_;
+};
+
+class BlindLevels final : public Levels {
+public:
+    BlindLevels(const Real& reach, double smallest, First first, Step step) : Levels(std::move(first), std::move(step)), reach_(reach) { rule_.smallest = smallest; }
+
+private:
+    long size() const override { return static_cast<long>(levels_.size()); }
+    void extend() override
+    {
+        if (levels_.empty()) levels_.emplace_back(rule_, reach_, first_);
+        else levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Pair<Real>& x) { return last.after(step_(x)); });
+    }
+    std::function<Real(const Wave<Real>&)> mean_of(long m, bool derivative) override
+    {
+        const Piecewise<Real>& v = *std::next(levels_.begin(), m);
+        const Piecewise<Real>& f = derivative ? derivatives_.try_emplace(m, v.derivative()).first->second : v;
+        return [&f](const Wave<Real>& w) { return f.after(w); };
+    }
+
+    BlindRule rule_;
+    Real reach_;
+    std::list<Piecewise<Real>> levels_;
+    std::map<long, Piecewise<Real>> derivatives_;
+};
+
+class TrackedLevels final : public Levels {
+public:
+    TrackedLevels(const Ball& reach, const std::vector<SingularPoint>& points, const GradedRule& rule, First first, Step step)
+        : Levels(std::move(first), std::move(step)), grid_(rule, points, reach) {}
+
+private:
+    using Function = GradedGrid<Real>::Function;
+    long size() const override { return static_cast<long>(levels_.size()); }
+    void extend() override
+    {
+        levels_.push_back(levels_.empty() ? grid_.sample(first_)
+                                          : grid_.sample([this](const Pair<Real>& x) { return grid_.after(levels_.back(), step_(x)); }));
+    }
+    std::function<Real(const Wave<Real>&)> mean_of(long m, bool derivative) override
+    {
+        const Function& v = *std::next(levels_.begin(), m);
+        const Function& f = derivative ? derivatives_.try_emplace(m, grid_.derivative(v)).first->second : v;
+        return [this, &f](const Wave<Real>& w) { return grid_.after(f, w); };
+    }
+
+    GradedGrid<Real> grid_;
+    std::list<Function> levels_;
+    std::map<long, Function> derivatives_;
+};
+
+/// The range [0, reach] that the chain does not leave once it is there, and enters with the first wave: y <= f(x)/G, (5.6).
+Ball reach_of(const Ball& load, const Ball& G)
+{
+    Ball reach(1), end;
+    for (const Ball& b : {Ball((load + 1) / G), Ball(1 / (G - 1)), Ball(2 / G)})
+        if (!certainly(less(b, reach))) reach = b;
+    arb_get_ubound_arf(arb_midref(end.get()), reach.get(), 60);
+    return end;
+}
+
+/// What is kept: the most recently used first.
+class Store {
+public:
+    std::shared_ptr<Levels> get(const std::string& key, const std::function<std::shared_ptr<Levels>()>& make)
+    {
+        const std::scoped_lock lock(mutex_);
+        for (auto it = kept_.begin(); it != kept_.end(); ++it)
+            if (it->first == key) {
+                kept_.splice(kept_.begin(), kept_, it);
+                return kept_.front().second;
+            }
+        kept_.emplace_front(key, make());
+        if (kept_.size() > 12) kept_.pop_back();
+        return kept_.front().second;
+    }
+
+private:
+    std::mutex mutex_;
+    std::list<std::pair<std::string, std::shared_ptr<Levels>>> kept_;
+};
+
+Store& store()
+{
+    static Store s;
+    return s;
+}
+
+Tracking tracking(const Ball& reach, const GradedRule& rule) { return {reach, GradedGrid<Real>::generations(rule), 1e-18}; }
+
+/// B_0, B_1, ... of chain.hpp
+std::shared_ptr<Levels> areas_of(Grid grid, const Ball& G, const Ball& load)
+{
+    const Ball heaviest = certainly(less(load, Ball(10))) ? Ball(10) : load; // loads up to 10 share a grid
+    // what lies below sqrt(load) 1e-17 reaches B(load) with a weight of less than 1e-34
+    const double magnitude = static_cast<double>(arf_abs_bound_lt_2exp_si(arb_midref(load.get()))) * 0.30103 / 2;
+    const int decade = magnitude > -3 ? -20 : -20 - 10 * static_cast<int>(-magnitude / 10 + 1);
+    const Ball reach = reach_of(heaviest, G);
+    return store().get(fmt::format("areas {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade), [&]() -> std::shared_ptr<Levels> {
+        const auto step = [g = extended_pair(G)](const Pair<Real>& x) { return wave_from(x, g); };
+        const double smallest = std::pow(10.0, decade);
+        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, smallest, first_area, step);
+        const GradedRule rule{.smallest = smallest};
+        return std::make_shared<TrackedLevels>(reach, area_points(G, tracking(reach, rule)), rule, first_area, step);
+    });
+}
+
+/// E_1, E_2, ...: E_k(x) is the share of lambda_0 with p_{k-1}/p*_k > x.
+std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& load)
+{
+    return store().get(fmt::format("exceedances {} {} {}", static_cast<int>(grid), G.to_string(40), load.to_string(40)), [&]() -> std::shared_ptr<Levels> {
+        const Ball reach = reach_of(load, G);
+        const Pair<Real> g = extended_pair(G);
+        const FirstExceedance first(extended_pair(load), g);
+        const auto step = [g](const Pair<Real>& y) { return wave_to(product(g, y), false); };
+        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, 1e-20, first, step);
+        const GradedRule rule{.tolerance = 1e-18}; // many more points than the areas have
+        return std::make_shared<TrackedLevels>(reach, exceedance_points(load, G, tracking(reach, rule)), rule, first, step);
+    });
+}
+
+void require_reach(long n, const Ball& load, const Ball& G)
+{
+    if (n > 200) throw BeyondReach("not computed for n > 200 where full contact occurs (G <= 2 or load > 1)");
+    if (!certainly(less(Ball(1) + Ball::exactly(1e-6), G))) throw BeyondReach("not computed for G within 1e-6 of 1");
+    if (!certainly(less(load, Ball(1'000'000))) || !certainly(less(Ball::exactly(1e-300), load)))
+        throw BeyondReach("not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)");
+}
+
+/// What rounding does to a sum of n levels, measured (full_contact.md): the differences of the two grids are 3e-19 on average.
+Estimate estimate(const Real& value, long n)
+{
+    const Ball exact = exact_ball(value);
+    return {exact, abs(exact) * Ball::exactly(5e-19 + 1e-19 * std::sqrt(static_cast<double>(n)))};
+}
+
+} // namespace
+
+void report_progress_to(Progress hook)
+{
+    const std::scoped_lock lock(progress_mutex);
+    progress_hook = std::move(hook);
+}
+
+Estimate estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
+{
+    const WorkingPrecision precision(256);
+    require_reach(n, load, G);
+    const Pair<Real> x = extended_pair(load);
+    return estimate(n == 0 ? first_area(x) : areas_of(grid, G, load)->mean(n - 1, wave_from(x, extended_pair(G)), false), n);
+}
+
+Estimate estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
+{
+    const WorkingPrecision precision(256);
+    require_reach(n, load, G);
+    Ball unit;
+    arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
+    return estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), false), false), n);
+}
+
+Estimate estimated_density(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
+{
+    const WorkingPrecision precision(256);
+    require_reach(n, load, G);
+    Ball unit;
+    arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
+    const Estimate slope = estimate(-exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n);
+    return {slope.value / unit, slope.error / unit};
+}
+
+long scales_in_full_contact(const Ball& load, const Ball& G, long most, const std::function<bool(long)>& tie)
+{
+    Ball needed(1), power(1);
+    for (long n = 0; n < most; ++n) {
+        if (certainly(less(load, needed))) return n;
+        if (!certainly(less(needed, load)) && !tie(n)) return n;
+        power = power * G;
+        needed = needed + power;
+    }
+    return most;
+}
+
+} // namespace touchstone::transfer
