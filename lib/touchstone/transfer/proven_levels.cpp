@@ -137,6 +137,7 @@ struct Cluster {
     int first, last;         ///< panels
     int left = -1, right = -1;
     Real a, b, mid, half;
+    int panels() const { return last - first + 1; }
 };
 
 int add_clusters(std::vector<Cluster>& all, const std::vector<Panel>& panels, int first, int last)
@@ -200,7 +201,9 @@ struct ProvenLevels::State {
     std::vector<Real> weights;       ///< [(cluster * kernel_terms + q) * levels + m]: integral of V_m times the q-th Lagrange polynomial
     std::vector<Real> growth;        ///< [panel * levels + m]: sum |c_k| 6^k
     std::vector<Real> rounding;      ///< [panel * levels + m]: error of evaluating V_m on the panel, the point's own rounding included
+    std::vector<Real> jump;          ///< [panel * levels + m]: at least the jumps of V_m at the panel's edges and at those of its neighbours
     std::vector<Real> size;          ///< [panel * levels + m]: sum |c_k|
+    std::vector<Real> noise;         ///< [cluster * levels + m]: mean error of V_m on the cluster, from `rounding`
     std::vector<Real> largest;       ///< [m]: at least |V_m|
     std::vector<Real> defect;        ///< [panel * levels + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|
 
@@ -211,7 +214,8 @@ struct ProvenLevels::State {
         add_clusters(clusters, panels, 0, static_cast<int>(panels.size()) - 1);
         coefficients.resize(panels.size() * terms * levels);
         weights.resize(clusters.size() * kernel_terms * levels);
-        for (auto* table : {&growth, &rounding, &size, &defect}) table->resize(panels.size() * levels);
+        for (auto* table : {&growth, &rounding, &jump, &size, &defect}) table->resize(panels.size() * levels);
+        noise.resize(clusters.size() * levels);
         largest.resize(levels);
         collocate();
         prove();
@@ -267,6 +271,8 @@ struct Kernel {
           end(x_ < 1 ? 4 * x_ / (G_ * G_) : ((x_ + 1) / G_) * ((x_ + 1) / G_)), full(x_ >= 1)
     {
     }
+    /// z where 1 - c = gap, x < 1
+    Real z_of(Real gap) const { return max(Real(0), (2 - gap) * (2 * x - gap)) / G2; }
     Real root(Real z) const { return sqrt((1 - x) * (1 - x) + G2 * z); }
     Real one_minus_c(Real z) const
     {
@@ -281,11 +287,16 @@ struct Kernel {
     }
 };
 
+struct ClusterError {
+    Real total;   ///< per unit of |V|
+    Real measure; ///< per unit of an error of V on average
+};
+
 /// Bounds on a cluster, interpolation of dtheta/dz and every rounding, per unit of |V|. Infinite where the cluster will not do.
-Real cluster_error(const Kernel& k, const Cluster& c, int terms, Real affordable)
+ClusterError cluster_error(const Kernel& k, const Cluster& c, int terms, Real affordable)
 {
     const Real e = min((c.mid - k.begin) / c.half, (k.end - c.mid) / c.half);
-    if (!(e > 1.3L)) return infinite;
+    if (!(e > 1.3L)) return {infinite, infinite};
     const Real axis = 1 + 0.8L * (e - 1), rho = axis + sqrt(axis * axis - 1);
     const Real far = c.mid + c.half * axis;
     const Real from_begin = c.mid - k.begin - c.half * axis, from_end = k.end - c.mid - c.half * axis;
@@ -299,10 +310,11 @@ Real cluster_error(const Kernel& k, const Cluster& c, int terms, Real affordable
         cancellation = 4 * k.x / (4 * k.x - k.G2 * c.b);
     }
     const Real interpolation = 4 / (power(rho, terms - 1) * (rho - 1));
-    const Real roundings = u * (4 * terms * terms + 500 + 48 * cancellation);
+    // the moments of V meet the kernel's Chebyshev coefficients, which fall like rho^-k; they are sums over the panels
+    const Real roundings = u * (4 * terms * terms + 500 + 2 * terms * c.panels() * rho / (rho - 1) + 48 * cancellation);
     const Real scale = margin * bound * 2 * c.half / pi_below;
-    if (scale * interpolation > affordable || scale * roundings > max(affordable, 2000 * u)) return infinite;
-    return scale * (interpolation + roundings);
+    if (scale * interpolation > affordable || scale * roundings > max(affordable, 4000 * u)) return {infinite, infinite};
+    return {scale * (interpolation + roundings), 4 * scale}; // Lebesgue constant of up to 40 points below 4
 }
 
 } // namespace
@@ -311,13 +323,20 @@ void ProvenLevels::State::apply(Real x, int from, int to, Values& out) const
 {
     const Kernel k(x, G);
     const Real begin = max(k.full ? k.begin : 0, panels.front().z0);
-    if (!(k.end > begin)) return;
+    if (!(k.end > begin)) {
+        for (int m = from; m < to; ++m) out.error[m] = sqrt(16 * u * (1 + x)) * largest[m];
+        return;
+    }
     if (k.end > panels.back().z1) { // outside the mesh: nothing is known
         for (int m = from; m < to; ++m) out.error[m] = infinite;
         return;
     }
     std::vector<Real> moment(terms);
     enum class Variable { sine, cosine, square };
+    const auto seam = [&](Real z) { // the same edge, rounded differently on its two sides
+        const Real lost = margin * u * 16 * (1 + x) / sqrt(k.one_minus_c(z) * k.one_plus_c(z)) / pi_below;
+        for (int m = from; m < to; ++m) out.error[m] += lost * largest[m];
+    };
     // part of panel j; limits are sin(theta/2), cos(theta/2) or z
     const auto piece = [&](int j, Variable variable, Real low, Real high) {
         if (!(high > low)) return;
@@ -383,7 +402,7 @@ void ProvenLevels::State::apply(Real x, int from, int to, Values& out) const
             } else w = 2 / sqrt(1 - (mid + d) * (mid + d));
             quadrature = margin * 64 / 15 * half * w / pi_below / (power(rho, 2 * gauss_count - 2) * (1 - 1 / (rho * rho)));
         }
-        for (int m = from; m < to; ++m) out.error[m] += quadrature * growth[at(j, m)] + margin * measure * rounding[at(j, m)];
+        for (int m = from; m < to; ++m) out.error[m] += (growth[at(j, m)] > 0 ? quadrature * growth[at(j, m)] : 0) + margin * measure * rounding[at(j, m)];
         for (int d2 = 0; d2 < terms; ++d2) {
             const Real* c = row(j, d2);
             for (int m = from; m < to; ++m) out.value[m] += c[m] * moment[d2];
@@ -394,6 +413,7 @@ void ProvenLevels::State::apply(Real x, int from, int to, Values& out) const
         if (!k.full && low < k.end / 6) { // near the edge of contact, distances are kept in z itself
             const Real cut = min(high, k.end / 4);
             piece(j, Variable::square, low, cut);
+            seam(cut);
             if (high <= cut) return;
             low = cut;
         }
@@ -408,29 +428,28 @@ void ProvenLevels::State::apply(Real x, int from, int to, Values& out) const
     };
     const Real affordable = tolerance / 256;
     bool after_cluster = false, after_direct = false;
-    const auto seam = [&](Real z) { // the same edge, rounded differently on its two sides
-        const Real lost = margin * u * 16 * (1 + x) / sqrt(k.one_minus_c(z) * k.one_plus_c(z)) / pi_below;
-        for (int m = from; m < to; ++m) out.error[m] += lost * largest[m];
-    };
     std::vector<int> waiting{0};
     std::vector<Real> kernel(kernel_terms);
+    int visits = 0; // each adds `terms` numbers to a sum of at most 2 largest[m]
     while (!waiting.empty()) {
         const int index = waiting.back();
         waiting.pop_back();
         const Cluster& c = clusters[index];
         if (c.b <= begin || c.a >= k.end) continue;
         if (c.a >= begin && c.b <= k.end) {
-            const Real lost = cluster_error(k, c, kernel_terms, affordable);
-            if (lost < infinite) {
+            const ClusterError lost = cluster_error(k, c, kernel_terms, affordable);
+            if (lost.total < infinite) {
                 if (after_direct) seam(c.a);
                 after_cluster = true;
+                ++visits;
                 after_direct = false;
                 for (int q = 0; q < kernel_terms; ++q) kernel[q] = k.density(c.mid + c.half * kernel_points.at[q]) / pi_below;
                 for (int q = 0; q < kernel_terms; ++q) {
                     const Real* w = &weights[(static_cast<std::size_t>(index) * kernel_terms + q) * levels];
                     for (int m = from; m < to; ++m) out.value[m] += kernel[q] * w[m];
                 }
-                for (int m = from; m < to; ++m) out.error[m] += lost * largest[m];
+                for (int m = from; m < to; ++m)
+                    out.error[m] += lost.total * largest[m] + lost.measure * noise[static_cast<std::size_t>(index) * levels + m];
                 continue;
             }
         }
@@ -442,8 +461,14 @@ void ProvenLevels::State::apply(Real x, int from, int to, Values& out) const
         if (after_cluster) seam(c.a);
         after_direct = true;
         after_cluster = false;
+        visits += 3;
         direct(c.first, max(c.a, begin), min(c.b, k.end));
     }
+    // edges of panels next to the kernel's ends move by their rounding, a share of at most (16 u (1 + x))^(1/2): what jumps there is lost
+    const Real strip = sqrt(16 * u * (1 + x));
+    const std::size_t at_end = static_cast<std::size_t>(find(k.end)), at_begin = static_cast<std::size_t>(find(begin));
+    for (int m = from; m < to; ++m)
+        out.error[m] += margin * (u * 2 * terms * visits * largest[m] + strip * (jump[at(at_end, m)] + jump[at(at_begin, m)]));
 }
 
 // ---- V_0 ... V_19
@@ -466,6 +491,17 @@ void ProvenLevels::State::finish_level(int m, const std::vector<Real>& nodal)
         // z is known within 40 u z (T and the rounding of G), |T_k'| <= k^2; recurrences for T_k lose at most 2 k^2 u
         rounding[at(j, m)] = margin * u * ((40 * panels[j].right() / panels[j].half + 2) * squares + (40 + 4 * terms) * total);
     });
+    std::vector<Real> edge{size[at(0, m)]}; // V is 0 below the first panel
+    for (std::size_t j = 1; j < panels.size(); ++j) {
+        const Panel &a = panels[j - 1], &b = panels[j];
+        edge.push_back(abs(value(j - 1, m, (a.z1 - a.centre) / a.half) - value(j, m, (b.z0 - b.centre) / b.half)) + rounding[at(j - 1, m)] + rounding[at(j, m)]);
+    }
+    edge.push_back(size[at(panels.size() - 1, m)]);
+    for (std::size_t j = 0; j < panels.size(); ++j) {
+        jump[at(j, m)] = edge[j] + edge[j + 1];
+        if (j > 0) jump[at(j, m)] += edge[j - 1];
+        if (j + 2 < edge.size()) jump[at(j, m)] += edge[j + 2];
+    }
     Real most = 0;
     for (std::size_t j = 0; j < panels.size(); ++j) most = max(most, size[at(j, m)]);
     largest[m] = most;
@@ -481,8 +517,10 @@ void ProvenLevels::State::finish_level(int m, const std::vector<Real>& nodal)
     in_parallel(clusters.size(), [&](std::size_t index) {
         const Cluster& c = clusters[index];
         std::vector<Real> moment(kernel_terms);
+        Real lost = 0;
         for (int j = c.first; j <= c.last; ++j) {
             const Panel& p = panels[j];
+            lost += rounding[at(j, m)] * (p.z1 - p.z0);
             for (int g = 0; g < terms; ++g) {
                 const Real z = (p.z0 + p.z1) / 2 + (p.z1 - p.z0) / 2 * exact_gauss.nodes[g];
                 const Real local = (z - c.mid) / c.half, w = inside[j * terms + g];
@@ -497,6 +535,7 @@ void ProvenLevels::State::finish_level(int m, const std::vector<Real>& nodal)
                 }
             }
         }
+        noise[index * levels + m] = margin * lost / (2 * c.half);
         for (int q = 0; q < kernel_terms; ++q) {
             Real sum = moment[0];
             for (int k = 1; k < kernel_terms; ++k) sum += 2 * kernel_points.T[k * kernel_terms + q] * moment[k];
@@ -539,10 +578,10 @@ void ProvenLevels::State::prove_panel(std::size_t i, std::vector<Real>& overlap_
 
     { // |B_0 - V_0|
         const Real distance = min(p.centre, 1 - p.centre) / p.half * 0.999L;
-        if (p.left() >= 1) D[0] = margin * rounding[at(i, 0)];
+        if (p.left() >= 1) D[0] = margin * (terms * terms * u + rounding[at(i, 0)]);
         else if (distance > 1.05L) {
             const Real r = distance + sqrt(distance * distance - 1);
-            D[0] = margin * (4 / (power(r, terms - 1) * (r - 1)) + 100 * u) + rounding[at(i, 0)];
+            D[0] = margin * (4 / (power(r, terms - 1) * (r - 1)) + (terms * terms + 100) * u) + rounding[at(i, 0)];
         } else { // increasing, between its ends
             const WorkingPrecision precision(128);
             const Real low = i == 0 ? 0 : to_real(2 * asin(sqrt(sqrt(to_ball(p.left())))) / pi<Ball>()) * (1 - 4 * u);
@@ -569,7 +608,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, std::vector<Real>& overlap_
     while (!waiting.empty()) {
         const auto [low, high] = waiting.back();
         waiting.pop_back();
-        const Real x = (low + high) / 2, half = (high - low) / 2 * (1 + 4 * u), r = half * spread * margin;
+        const Real x = (low + high) / 2, half = (high - low) / 2 * (1 + 4 * u) + 2 * u * x, r = half * spread * margin;
         End ends[2];
         Real middle = 0;
         bool seam = low < 1 && high > 1, near_one = seam;
@@ -585,7 +624,8 @@ void ProvenLevels::State::prove_panel(std::size_t i, std::vector<Real>& overlap_
                     }
                     const int e = end_panel(y * y, upper);
                     const Panel& q = panels[e];
-                    const Real inner = upper ? q.y0 : q.y1, gap = upper ? 1 + x - G * inner : G * inner - x + 1;
+                    const Real inner = upper ? max(q.y0, y - 0.8L / G) : min(q.y1, y + 0.8L / G); // any point of the panel will do
+                    const Real gap = upper ? 1 + x - G * inner : G * inner - x + 1;
                     if (r > 0.79L * gap || gap > 0.9L || y_low * y_low < q.left() * (1 + 8 * u) || y_high * y_high > q.right() * (1 - 8 * u)) return false;
                     ends[upper] = {e, sqrt(1.8L * gap) * 2 / sqrt(2 - 1.8L * gap) / pi_below, (2 * max(y, inner) * r + r * r / G) / G / q.half,
                                    sqrt(G * (upper ? sqrt(q.right()) - q.y1 : q.y0 - sqrt(max(Real(0), q.left()))) / 2)};
@@ -598,7 +638,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, std::vector<Real>& overlap_
                 const int e = end_panel(y2, true);
                 const Panel& q = panels[e];
                 const Kernel k(x, G);
-                const Real gap = k.one_minus_c(q.z0), dc = 2.36L * r;
+                const Real gap = k.one_minus_c(max(q.z0, k.z_of(0.8L))), dc = 2.36L * r;
                 if (dc > 0.79L * gap || gap > 0.9L || 4 * low / (G * G) < q.left() * (1 + 8 * u) || 4 * high / (G * G) > q.right() * (1 - 8 * u)) return false;
                 ends[1] = {e, sqrt(1.8L * gap) * 2 / sqrt(2 - 1.8L * gap) / pi_below,
                            (2 * (2 * r + dc) + 2 * x * dc + dc * (2 * r + dc)) / (G * G) / q.half, sqrt(G * (sqrt(q.right()) - q.y1) / 2)};
@@ -608,7 +648,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, std::vector<Real>& overlap_
         };
         bool ok = analytic();
         Real bounds[levels];
-        const Real small = 1e-6L * width;
+        const Real small = max(1e-6L * width, 1e6L * u * x); // so that rounding moves a check point by less than 1e-6 of J
         if (ok) {
             const Real own_distance = (2 * x * r + r * r) / p.half;
             for (int m = 1; m < levels; ++m) {
@@ -643,8 +683,10 @@ void ProvenLevels::State::prove_panel(std::size_t i, std::vector<Real>& overlap_
             const Real at_x = x + half * node, local = (at_x * at_x - p.centre) / p.half;
             Values v;
             apply(at_x, 0, levels - 1, v);
-            for (int m = 1; m < levels; ++m)
-                most[m] = max(most[m], abs(v.value[m - 1] - value(i, m, local)) + v.error[m - 1] + 2 * rounding[at(i, m)]);
+            for (int m = 1; m < levels; ++m) {
+                const Real difference = abs(v.value[m - 1] - value(i, m, local)) + v.error[m - 1] + 2 * rounding[at(i, m)];
+                most[m] = difference <= infinite ? max(most[m], difference) : infinite; // not a number: nothing is known
+            }
         }
         for (int m = 1; m < levels; ++m) {
             Real overlap = 0;
@@ -713,6 +755,7 @@ Real ProvenLevels::State::effect(int m, Real reach) const
 
 ProvenLevels::ProvenLevels(const Ball& G, long double highest, long double tolerance)
 {
+    if (!(tolerance >= 1e-15L && tolerance <= 1e-5L)) throw std::invalid_argument("tolerance from 1e-15 to 1e-5");
     const WorkingPrecision precision(256);
     const Real nearest = to_real(G);
     const Ball off = abs(to_ball(nearest) / G - Ball(1));
@@ -736,6 +779,7 @@ struct Share {
 
 static Ball area_and_budget(const ProvenLevels::State& s, long n, const Ball& load, std::vector<Share>* budget)
 {
+    if (n < 1 || n > levels) throw BeyondReach(fmt::format("proven levels: n from 1 to {}", levels));
     const WorkingPrecision precision(256);
     const Real x = to_real(load), low = x * (1 - 4 * u), high = x * (1 + 4 * u);
     if (!certainly(less(to_ball(low), load)) || !certainly(less(load, to_ball(high)))) throw BeyondReach("load not known to 64 bits");
@@ -791,8 +835,8 @@ std::list<std::shared_ptr<Mesh>> meshes; // most recently used first
 std::shared_ptr<const ProvenLevels> proven_levels(const Arguments& a)
 {
     const slong bits = WorkingPrecision::bits();
-    if (bits > 224) throw BeyondReach("in full contact areas are certified to 10 to 14 digits so far");
-    const Real tolerance = bits <= 84 ? 1e-9L : bits <= 98 ? 1e-12L : 1e-14L;
+    if (bits > 98) throw BeyondReach("with full contact areas are certified to about ten digits");
+    const Real tolerance = bits <= 91 ? 1e-12L : 1e-14L;
     const WorkingPrecision precision(192);
     const Ball G = a.G();
     const Real load = to_real(a.load());
@@ -823,7 +867,7 @@ std::shared_ptr<const ProvenLevels> proven_levels(const Arguments& a)
 
 Ball area_by_proven_levels(long n, const Arguments& a)
 {
-    if (n < 1 || n > levels) throw BeyondReach(fmt::format("in full contact areas are certified for n <= {} only", levels));
+    if (n > levels) throw BeyondReach(fmt::format("with full contact areas are certified for n <= {} only", levels));
     return proven_levels(a)->area(n, a.load());
 }
 
