@@ -2,7 +2,11 @@
 #include "proofs/lemmas/model_area.hpp"
 
 #include "touchstone/paper/archard.hpp"
+#include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/proven_levels.hpp"
+
+#include <map>
 
 namespace touchstone::proofs {
 
@@ -35,12 +39,50 @@ Ball over_loads(const std::vector<Rational>& loads, F&& f)
 
 } // namespace
 
-Ball ratios_to_hertz(long first, long last, long gamma, const std::vector<Rational>& loads)
+namespace {
+
+Ball G_low_D(long gamma) { return pow(Ball(gamma), Ball(Rational(1, 20))); }
+
+template <class Ratio>
+Ball over_scales(long first, long last, const std::vector<Rational>& loads, Ratio&& ratio)
 {
-    const auto ratio = [gamma](long n, const Rational& load) { return model_area(n, load, gamma) / hertz_area(n, load, gamma); };
     Ball all = ratio(first, loads.front());
     for (long n = first; n <= last; ++n) all = hull(all, over_loads(loads, [&](const Rational& load) { return ratio(n, load); }));
     return all;
+}
+
+} // namespace
+
+Ball model_area_low_D(long n, const Rational& load, long gamma)
+{
+    static std::map<long, transfer::ProvenLevels> kept; // the ledger judges one entry at a time
+    auto it = kept.find(gamma);
+    if (it == kept.end()) {
+        const WorkingPrecision precision(160);
+        it = kept.emplace(gamma, transfer::ProvenLevels(G_low_D(gamma), 10, 1e-6L)).first;
+    }
+    return it->second.area(n, Ball(load));
+}
+
+Ball hertz_area_low_D(long n, const Rational& load, long gamma)
+{
+    return archard::area<Ball>(n, Ball(load), G_low_D(gamma), archard::K_by_recursion<Ball>(n));
+}
+
+Ball ratios_to_hertz_low_D(long first, long last, long gamma, const std::vector<Rational>& loads)
+{
+    return over_scales(first, last, loads, [gamma](long n, const Rational& load) { return model_area_low_D(n, load, gamma) / hertz_area_low_D(n, load, gamma); });
+}
+
+Ball local_slope_low_D(long n, const Rational& load, long gamma)
+{
+    const Ball now = n > 0 ? model_area_low_D(n, load, gamma) : load >= 1 ? Ball(1) : 2 * westergaard::half_width(Ball(load));
+    return -log(model_area_low_D(n + 1, load, gamma) / now) / log(G_low_D(gamma));
+}
+
+Ball ratios_to_hertz(long first, long last, long gamma, const std::vector<Rational>& loads)
+{
+    return over_scales(first, last, loads, [gamma](long n, const Rational& load) { return model_area(n, load, gamma) / hertz_area(n, load, gamma); });
 }
 
 Ball local_slope(long n, const Rational& load, long gamma)

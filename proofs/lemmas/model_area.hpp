@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The area (6.7) of the model at given scales, certified, for the cases of figures 3c, 3d: D = 1.5, gamma = 5 and 10.
+/// The area (6.7) of the model at given scales, certified, for the cases of figure 3: D = 1.5 and 1.05, gamma = 5 and 10.
 #pragma once
 
 #include "proofs/ledger.hpp"
@@ -18,6 +18,14 @@ const std::vector<Rational>& loads_tried();
 Ball model_area(long n, const Rational& load, long gamma);
 /// (7.18), corrected, at the same parameters.
 Ball hertz_area(long n, const Rational& load, long gamma);
+
+/// The same at D = 1.05, figures 3a and 3b, where part of the contact is full: 1 <= n <= 20, load <= 10, within 3e-6
+/// (1.5e-8 at load 0.001), through touchstone/transfer/proven_levels.hpp.
+Ball model_area_low_D(long n, const Rational& load, long gamma);
+Ball hertz_area_low_D(long n, const Rational& load, long gamma);
+Ball ratios_to_hertz_low_D(long first, long last, long gamma, const std::vector<Rational>& loads);
+/// -log(A_{n+1}/A_n)/log G there, n >= 0.
+Ball local_slope_low_D(long n, const Rational& load, long gamma);
 
 /// The hull of A_n/(7.18), over the loads and the scales from first to last.
 Ball ratios_to_hertz(long first, long last, long gamma, const std::vector<Rational>& loads = loads_tried());

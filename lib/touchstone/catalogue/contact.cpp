@@ -7,6 +7,7 @@
 #include "touchstone/transfer/distribution.hpp"
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
+#include "touchstone/transfer/proven_levels.hpp"
 
 #include <fmt/format.h>
 
@@ -47,11 +48,22 @@ std::vector<Route> by_both_schemes(F f)
     return {route("force-weighted-chebyshev", Scheme::force_weighted), route("area-gauss-panels", Scheme::area)};
 }
 
+/// A_n, n >= 1, where some regions stay in full contact: the proven levels, and a grid of full_contact.hpp, which they do not share
+/// anything with. The latter's radius is an estimate; the proof is the former's alone.
+Ball area_with_full_contact(Scheme scheme, long n, const Inputs& in)
+{
+    if (scheme == Scheme::force_weighted) return transfer::area_by_proven_levels(n, arguments(in));
+    const Estimate e = transfer::estimated_area(transfer::Grid::blind, n, Ball(in.real("load")), in.G_ball());
+    Ball result = e.value;
+    arb_add_error(result.get(), (64 * e.error + abs(e.value) * Ball(Rational(1, 100'000'000'000'000))).get());
+    return result;
+}
+
 /// A_n, certified: both schemes; n = 0 is (6.6) for any G.
 Ball certified_area(Scheme scheme, long n, const Inputs& in)
 {
     if (n > 0 || in.real("load") > 1) {
-        require_G_above_2(in);
+        if (in.compare_G(2) <= 0) return area_with_full_contact(scheme, n, in);
         return in.real("load") > 1 ? transfer::area_at_heavy_load(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
     }
     const Ball x(in.real("load"));
@@ -113,11 +125,17 @@ Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const 
     return transfer::estimated_density(grid, n, p, Ball(in.real("load")), in.G_ball());
 }
 
+std::vector<std::string> area_route_names(const Inputs& in)
+{
+    if (in.compare_G(2) <= 0) return {"proven-levels", "blind-halving (estimated radius)"};
+    return {"force-weighted-chebyshev", "area-gauss-panels"};
+}
+
 std::string explain_area(const Inputs& in, long n, long digits)
 {
-    require_G_above_2(in);
     if (n == 0) return "A_0 = (2/pi) arcsin sqrt(load), (6.6)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
+    if (in.compare_G(2) <= 0) return transfer::proven_levels_certificate(n, arguments(in));
     if (in.real("load") > 1)
         return transfer::heavy_load_certificate(Scheme::force_weighted, n, arguments(in))
              + transfer::heavy_load_certificate(Scheme::area, n, arguments(in));
@@ -219,7 +237,7 @@ void add_contact(std::vector<Quantity>& all)
                    },
                    by_both_schemes([](Scheme s, const Inputs& in) { return certified_area(s, in.integer("n"), in); }),
                    [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); },
-                   by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_area(g, in.integer("n"), in); })});
+                   by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_area(g, in.integer("n"), in); }), area_route_names});
 
     all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or p = 0, load <= 1, G > 2, else estimated",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
@@ -302,7 +320,8 @@ void add_contact(std::vector<Quantity>& all)
                    [](const Inputs& in, long digits) { return explain_area(in, in.integer("n") - 1, digits); },
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        return scaled(estimated_area(g, in.integer("n") - 1, in), potential_segments(in));
-                   })});
+                   }),
+                   area_route_names});
 }
 
 } // namespace touchstone

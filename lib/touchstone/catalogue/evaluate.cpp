@@ -138,7 +138,8 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
     Evaluation e;
     e.ball = Ball::indeterminate();
     long shown = options.digits; // digits of an undecided value
-    for (const auto& r : q.routes) e.routes.push_back(r.name);
+    if (q.route_names) e.routes = q.route_names(in);
+    else for (const auto& r : q.routes) e.routes.push_back(r.name);
     const slong natural = bits_for_digits(options.digits) + 48;
     const slong limit = options.limit_bits > 0 ? options.limit_bits : 16 * natural + 8192;
     // The last precision tried is always `limit`, whatever the first was: what is decided does not depend on the start.

@@ -87,6 +87,8 @@ struct Quantity {
     std::function<std::string(const Inputs&, long digits)> explain = {};
     /// Two or more, independent of one another, for what the certified routes refuse with BeyondReach. May be empty.
     std::vector<EstimateRoute> estimates = {};
+    /// What the routes are at these inputs, where they are not the same everywhere. May be empty.
+    std::function<std::vector<std::string>(const Inputs&)> route_names = {};
 };
 
 /// All quantities, in the order of the paper's sections.

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/proven_levels.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using transfer::ProvenLevels;
+
+namespace {
+
+Ball G_of(const char* D, const char* gamma)
+{
+    return Inputs({{"D", *parse_rational(D)}, {"gamma", *parse_rational(gamma)}}).G_ball();
+}
+
+/// A_1(load) for load < 1 by Arb's integration of B_0(y) over theta: no panel, no transfer operator.
+struct One {
+    Ball load, G;
+};
+int integrand(acb_ptr out, const acb_t theta, void* param, slong order, slong bits)
+{
+    const WorkingPrecision precision(bits);
+    const auto& p = *static_cast<One*>(param);
+    ComplexBall t;
+    acb_set(t.get(), theta);
+    const ComplexBall c = cos(t), y2 = (ComplexBall(1) + c) * (ComplexBall(2 * p.load - Ball(1)) + c) / ComplexBall(p.G * p.G);
+    ComplexBall y, root, value;
+    acb_sqrt_analytic(y.get(), y2.get(), order != 0, bits);
+    acb_sqrt_analytic(root.get(), y.get(), order != 0, bits);
+    value = asin(root);
+    if (order != 0 && !certainly(less(abs(root), Ball(1)))) value = ComplexBall::indeterminate();
+    acb_set(out, (ComplexBall(2) * value / ComplexBall(ScalarTraits<Ball>::pi() * ScalarTraits<Ball>::pi())).get());
+    return 0;
+}
+Ball area_1(const Ball& load, const Ball& G)
+{
+    const WorkingPrecision precision(128);
+    One p{load, G};
+    const Ball edge = acos(Ball(1) - 2 * load); // out of contact beyond
+    // y = 1 where (x + c)^2 = G^2 + (1 - x)^2
+    const Ball at_one = sqrt(G * G + (Ball(1) - load) * (Ball(1) - load)) - load;
+    const bool reaches_one = certainly(less(at_one, Ball(1)));
+    const Ball from = reaches_one ? acos(at_one) : Ball(0);
+    ComplexBall sum;
+    mag_t tolerance;
+    mag_init(tolerance);
+    mag_set_ui_2exp_si(tolerance, 1, -50);
+    acb_calc_integrate(sum.get(), integrand, &p, ComplexBall(from).get(), ComplexBall(edge).get(), 50, tolerance, nullptr, 128);
+    mag_clear(tolerance);
+    return sum.real() + from / ScalarTraits<Ball>::pi();
+}
+
+} // namespace
+
+TEST_CASE("where both apply, partial contact's own proof gives the same areas")
+{
+    for (const auto& [D, gamma] : {std::pair{"3/2", "5"}, {"3/2", "10"}}) {
+        const WorkingPrecision precision(120);
+        const Ball G = G_of(D, gamma);
+        const ProvenLevels levels(G, 1, 1e-9L);
+        for (const char* text : {"1/1000", "1/10", "1"})
+            for (const long n : {1L, 2L, 7L, 20L}) {
+                const Ball load(*parse_rational(text)), proven = levels.area(n, load);
+                const Ball known = transfer::area(transfer::Scheme::area, n, {[&] { return load; }, [&] { return G_of(D, gamma); }});
+                INFO(gamma, " load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
+                CHECK(proven.contains(known));
+                CHECK(proven.radius_bound() < 1e-7);
+            }
+    }
+}
+
+TEST_CASE("full contact: against direct integration at n = 1, and exactly 1 while every pressure is positive")
+{
+    const WorkingPrecision precision(160);
+    const Ball G = G_of("21/20", "5");
+    const ProvenLevels levels(G, 10, 1e-8L);
+    for (const char* text : {"1/1000", "1/3", "1/2", "9/10"}) {
+        const Ball load(*parse_rational(text)), direct = area_1(load, G), proven = levels.area(1, load);
+        INFO(text, ": ", proven.to_string(), " ", direct.to_string());
+        REQUIRE(direct.radius_bound() < 1e-12);
+        CHECK(proven.overlaps(direct));
+        CHECK(proven.radius_bound() < 1e-6);
+    }
+    Ball least(10); // the least ratio at scale n; as long as it is above 1 nothing loses contact
+    bool full = true;
+    long still_full = 0;
+    for (long n = 1; n <= ProvenLevels::levels; ++n) {
+        least = (least - Ball(1)) / G;
+        full = full && certainly(less(Ball(1), least));
+        const Ball area = levels.area(n, Ball(10));
+        INFO("n = ", n, ": ", area.to_string());
+        if (full) still_full = n;
+        if (full) CHECK(area.contains(Ball(1)));
+    }
+    CHECK(still_full == 6);
+    CHECK(certainly(less(levels.area(8, Ball(10)), Ball(1))));
+    CHECK(certainly(less(levels.area(20, Ball(10)), Ball(3) / Ball(4))));
+    Ball before(2); // a share lost is never regained
+    for (long n = 1; n <= ProvenLevels::levels; ++n) {
+        const Ball area = levels.area(n, Ball(10));
+        CHECK_FALSE(certainly(less(before, area)));
+        before = area;
+    }
+}
+
+TEST_CASE("G = 2 exactly and beside it, load = 1")
+{
+    const WorkingPrecision precision(160);
+    const ProvenLevels two(Ball(2), 2, 1e-9L);
+    const Ball direct = area_1(Ball(1) - Ball(*parse_rational("1/1000000")), Ball(2));
+    CHECK(certainly(less(direct, two.area(1, Ball(1)) + Ball(*parse_rational("1/1000000")))));
+    // areas fall with G: each scale's ratio y is smaller
+    const ProvenLevels above(Ball(*parse_rational("2000001/1000000")), 2, 1e-9L), below(Ball(*parse_rational("1999999/1000000")), 2, 1e-9L);
+    for (const long n : {1L, 5L, 20L})
+        for (const char* text : {"1/10", "1", "2"}) {
+            const Ball load(*parse_rational(text));
+            CHECK_FALSE(certainly(less(two.area(n, load), above.area(n, load))));
+            CHECK_FALSE(certainly(less(below.area(n, load), two.area(n, load))));
+            CHECK(certainly(less(abs(above.area(n, load) - below.area(n, load)), Ball(*parse_rational("1/10000")))));
+        }
+}
+
+TEST_CASE("what cannot be had is refused")
+{
+    CHECK_THROWS_AS(ProvenLevels(Ball(*parse_rational("1001/1000")), 1, 1e-9L), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels(Ball(1), 1, 1e-9L), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels(Ball(2), 1000, 1e-9L), BeyondReach);
+    const ProvenLevels levels(Ball(3), 1, 1e-8L);
+    CHECK(levels.area(3, Ball(*parse_rational("1e-200"))).relative_bits() <= 1);
+}
