@@ -73,6 +73,8 @@ struct Quantity {
     std::vector<Route> routes;
     /// Prints how the error of a value is made up, for `eval --explain`. May be empty.
     std::function<std::string(const Inputs&, long digits)> explain = {};
+    /// The routes are worth a thread each at any number of digits.
+    bool costly = false;
 };
 
 /// All quantities, in the order of the paper's sections.
