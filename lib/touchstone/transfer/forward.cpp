@@ -94,13 +94,14 @@ constexpr std::array directions{0.0, 0.02, 0.05, 0.1, 0.16, 0.23, 0.31, 0.4, 0.5
                                 1.1, 1.2,  1.3,  1.4, 1.5,  1.57, 1.75, 2.0, 2.3, 2.7, 3.1416};
 constexpr int n_directions = static_cast<int>(directions.size()) - 1;
 
-/// Shell 0 is |d| <= inner, shell j up to radius(j) = inner 2^(j/2).
+/// Shell 0 is |d| <= inner, shell j up to radius(j) = inner 2^(j/density).
 class Shells {
 public:
-    Shells(double inner, double outer) : inner_(inner), count_(static_cast<int>(std::ceil(2 * std::log2(outer / inner)))) {}
+    static constexpr int density = 6;
+    Shells(double inner, double outer) : inner_(inner), count_(static_cast<int>(std::ceil(density * std::log2(outer / inner)))) {}
     int count() const { return count_; } ///< shells 0 ... count
-    double radius(int j) const { return inner_ * std::exp2(0.5 * j); }
-    int shell(double r) const { return r <= inner_ ? 0 : std::max(0, static_cast<int>(std::ceil(2 * std::log2(r / inner_) - slack))); }
+    double radius(int j) const { return inner_ * std::exp2(static_cast<double>(j) / density); }
+    int shell(double r) const { return r <= inner_ ? 0 : std::max(0, static_cast<int>(std::ceil(density * std::log2(r / inner_) - slack))); }
 
 private:
     double inner_;
@@ -195,8 +196,8 @@ struct Settings {
 };
 const Settings& settings(Law law)
 {
-    static const Settings density{{5.66, 4, 2.83, 2, 1.6, 1.35, 1.2, 1.1, 1.05, 1.02}, 8, 56, 4, false, {9, 5.5, 3.6, 2.6, 2}, 40};
-    static const Settings exceedance{{7, 5, 3.5, 2.5, 1.8, 1.5, 1.3, 1.15, 1.07, 1.03}, 9, 65, 4, true, {7, 4.5, 3.2, 2.3, 1.8}, 50};
+    static const Settings density{{16, 8, 5.66, 4, 2.83, 2.4, 2, 1.75, 1.5, 1.3, 1.15, 1.07, 1.03}, 8, 76, 4, false, {14, 9, 6.5, 4.8, 3.6, 2.8, 2.2}, 64};
+    static const Settings exceedance{{15, 7, 5, 3.5, 3, 2.5, 2.1, 1.8, 1.5, 1.3, 1.15, 1.07, 1.03}, 9, 81, 4, true, {12, 8, 5.6, 4.2, 3.2, 2.5, 2}, 72};
     return law == Law::density ? density : exceedance;
 }
 
@@ -229,7 +230,7 @@ struct Forward::Implementation {
     }
 
     Implementation(Law l, const Ball& G_, const Ball& load_, double a)
-        : law(l), accuracy(a), epsilon(std::exp(-a) / (l == Law::density ? 64 : 4096)), precision(WorkingPrecision::bits()), wide(precision + 90), format(precision + 80),
+        : law(l), accuracy(a), epsilon(std::exp(-a) / (l == Law::density ? 64 : 4096)), precision(WorkingPrecision::bits()), wide(precision + 115), format(precision + 100),
           xi_fixed(static_cast<std::size_t>(format.limbs())), sum_fixed(xi_fixed), product_fixed(xi_fixed), scratch(2 * xi_fixed.size()), G(G_), load(load_), full(arb_is_one(load.get())), G_d(about(G)),
           load_d(about(load)), beta(l == Law::density ? 1.5 : 0.5), delta_max(far_end(l, a, G_d, load_d)),
           shells(std::exp2(-static_cast<double>(largest_n) - 5), 16 * delta_max)
@@ -382,12 +383,12 @@ struct Forward::Implementation {
         return (law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) : std::sqrt(P * (1 + e) * (2 + eta))) / R * (1 + 1e-6);
     }
 
-    static constexpr int sectors = 16;
+    static constexpr int sectors = 48;
     /// Shares of int sin^m over theta in the sectors of [0, pi/2], rounded up (upper sums).
     static std::array<double, sectors> sector_shares(long m)
     {
         std::array<double, sectors> share{};
-        constexpr int fine = 128;
+        constexpr int fine = 48;
         const double h = std::numbers::pi / 2 / (sectors * fine);
         for (int i = 0; i < sectors * fine; ++i) share[static_cast<std::size_t>(i / fine)] += std::pow(std::sin((i + 1) * h), static_cast<double>(m)) * h;
         const WorkingPrecision low(bound_bits);
@@ -582,7 +583,7 @@ struct Forward::Implementation {
                     best = n;
                     best_error = front * std::pow(r, -2.0 * static_cast<double>(n)) * (1 + slack);
                 }
-                if (++finite == 2) break;
+                if (++finite == 3) break;
             }
             if (best > set.most_gauss) {
                 if (depth == 0) throw BeyondReach("the distribution's integrand could not be bounded; the load is too near 1 or G too near 2");
@@ -816,14 +817,12 @@ struct Forward::Implementation {
         const double goal = epsilon * std::min(estimate_step(from, a == 0 ? b * 1e-3 : a), estimate_step(from, b));
         const Settings& set = settings(law);
         Choice best;
-        int finite = 0;
         for (const double rho : rhos) {
             const double U = ellipse_bound(boxes, a, b, logarithmic, rho);
             if (!std::isfinite(U)) continue;
             long n = 1 + static_cast<long>(std::ceil(std::log(std::max(4 * U / (goal * (rho - 1)), 1.0)) / std::log(rho)));
             n = set.least_points + std::max(0L, (n - set.least_points + set.step_points - 1) / set.step_points) * set.step_points;
             if (n < best.points) best = {b, rho, U, n};
-            if (++finite == 4) break;
         }
         return best;
     }
@@ -848,7 +847,6 @@ struct Forward::Implementation {
         }
         to->tail = next_tail(from);
         bound_boxes(from, *to);
-
         const Settings& set = settings(law);
         const double disc_radius = shells.radius(to->boxes.disc);
         double a = 0;
