@@ -230,7 +230,7 @@ struct Forward::Implementation {
     }
 
     Implementation(Law l, const Ball& G_, const Ball& load_, double a)
-        : law(l), accuracy(a), epsilon(std::exp(-a) / (l == Law::density ? 64 : 4096)), precision(WorkingPrecision::bits()), wide(precision + 115), format(precision + 100),
+        : law(l), accuracy(a), epsilon(std::exp(-a) / 64), precision(WorkingPrecision::bits()), wide(precision + 115), format(precision + 100),
           xi_fixed(static_cast<std::size_t>(format.limbs())), sum_fixed(xi_fixed), product_fixed(xi_fixed), scratch(2 * xi_fixed.size()), G(G_), load(load_), full(arb_is_one(load.get())), G_d(about(G)),
           load_d(about(load)), beta(l == Law::density ? 1.5 : 0.5), delta_max(far_end(l, a, G_d, load_d)),
           shells(std::exp2(-static_cast<double>(largest_n) - 5), 16 * delta_max)
@@ -1219,8 +1219,7 @@ struct Asked {
     Ball p, d;
 };
 
-/// \param lost nats of accuracy that the law loses for each unit of d
-Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a, double lost)
+Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a)
 {
     const auto distance = [&](slong bits) {
         const WorkingPrecision precision(bits);
@@ -1239,8 +1238,9 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
         if (certainly(less(Ball(0), ball))) d = about(ball);
         else if (bits > 40'000) throw BeyondReach("p cannot be told from the upper edge of the support");
     }
-    constexpr double step = 4; // accuracies in use are few, so that levels are shared
-    const double accuracy = step * std::ceil((std::max(30.0, static_cast<double>(wanted - 52) * std::numbers::ln2) + lost * d) / step);
+    // Accuracies in use are few, so that levels are shared.
+    double accuracy = 4 * std::ceil(std::max(30.0, static_cast<double>(wanted - 52) * std::numbers::ln2) / 4);
+    if (law == Law::exceedance) accuracy += 12 * std::max(1.0, std::ceil(d / 6)); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
     if (accuracy > 700) throw BeyondReach("so many digits of a distribution would cost too much");
     Asked asked{levels_for(law, accuracy, a), {}, {}};
     const slong bits = asked.levels->bits();
@@ -1254,19 +1254,19 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
 
 Ball density(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
 {
-    const Asked asked = prepare(law, n, p, a, law == Law::density ? 0 : 2);
+    const Asked asked = prepare(law, n, p, a);
     return asked.levels->density(n, asked.p, asked.d);
 }
 
 Ball exceedance(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
 {
-    const Asked asked = prepare(law, n, p, a, 0);
+    const Asked asked = prepare(law, n, p, a);
     return asked.levels->exceedance(n, asked.d);
 }
 
 std::string distribution_certificate(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
 {
-    const Asked asked = prepare(law, n, p, a, 0);
+    const Asked asked = prepare(law, n, p, a);
     return asked.levels->certificate(n, asked.p, asked.d);
 }
 
