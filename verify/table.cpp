@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct TableOptions {
-    std::vector<std::string> names;
+    std::vector<std::string> names, except;
     std::optional<long> digits; ///< else each table's own
     std::string format = "txt";
     std::string out;
@@ -82,7 +82,9 @@ nlohmann::ordered_json with_entries(const std::string& stored, const nlohmann::o
 
 int make_tables(const TableOptions& o)
 {
-    const auto specs = chosen(o.names);
+    auto specs = chosen(o.names);
+    if (!o.except.empty()) // unknown names are errors here too
+        for (const TableSpec* left_out : chosen(o.except)) std::erase(specs, left_out);
     if (o.digits && (*o.digits < 1 || *o.digits > 10'000)) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
     if (o.out.empty() && (specs.size() > 1 || o.check))
         throw Failure(usage_error, o.check ? "--check needs --out DIR, the folder of the stored tables" : "several tables need --out DIR");
@@ -144,6 +146,7 @@ void add_table(CLI::App& app, Run& run)
     auto* command = app.add_subcommand("table", "Certified tables: touchstone table archard_K, touchstone table all --out DIR");
     auto o = std::make_shared<TableOptions>();
     command->add_option("names", o->names, "Table names, or all: " + fmt::format("{}", fmt::join(table_names(), " ")))->required();
+    command->add_option("--except", o->except, "Tables to leave out of all")->delimiter(',');
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000 (default: each table's own)");
     command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")->check(CLI::IsMember(table_formats()))->capture_default_str();
     command->add_option("--out", o->out, "Folder for the files; without it one table goes to standard output");
