@@ -150,7 +150,7 @@ void add_table(CLI::App& app, Run& run)
     command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")->check(CLI::IsMember(table_formats()))->capture_default_str();
     command->add_option("--out", o->out, "Folder for the files; without it one table goes to standard output");
     command->add_option("--jobs", o->jobs, "Threads")->check(CLI::Range(1u, 1024u));
-    command->add_flag("--skip-slow", o->skip_slow, "Leave out the tables that take minutes (full contact)");
+    command->add_flag("--skip-slow", o->skip_slow, "Leave out the tables that take minutes (full contact, distributions at all scales)");
     command->add_flag("--check", o->check, "Write nothing: regenerate and compare with the files in --out, byte for byte");
     command->callback([&run, o] { run = [o] { return make_tables(*o); }; });
 }

@@ -3,7 +3,7 @@
 /// certified routes where both apply, and against nested integrals done directly.
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/distribution.hpp"
+#include "touchstone/transfer/forward.hpp"
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/graded.hpp"
 #include "touchstone/transfer/piecewise.hpp"
@@ -208,8 +208,8 @@ TEST_CASE("exceedance and density: certified at n = 1 in partial contact, both g
         const Ball G = ball("3.16"), load = ball("0.3"), P = ball(p);
         CAPTURE(p);
         for (const Grid grid : {Grid::blind, Grid::tracked}) {
-            CHECK(apart(estimated_exceedance(grid, 1, P, load, G).value, exceedance_1(Law::pressures, P, load, G)) < 1e-17);
-            CHECK(apart(estimated_density(grid, 1, P, load, G).value, density_1(Law::pressures, P, load, G)) < 3e-16);
+            CHECK(apart(estimated_exceedance(grid, 1, P, load, G).value, exceedance(Law::density, 1, [&] { return P; }, {[&] { return load; }, [&] { return G; }})) < 1e-17);
+            CHECK(apart(estimated_density(grid, 1, P, load, G).value, density(Law::density, 1, [&] { return P; }, {[&] { return load; }, [&] { return G; }})) < 3e-16);
         }
     }
     // G = 1.5, load = 3: q_1 has logarithms at p = 3 +- 1 +- 1.5 and square roots at its ends 0.5, 5.5

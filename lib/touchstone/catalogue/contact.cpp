@@ -4,7 +4,7 @@
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/distribution.hpp"
+#include "touchstone/transfer/forward.hpp"
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
@@ -154,9 +154,6 @@ void check_contact(const Inputs& in)
 
 using transfer::Law;
 
-/// The largest scale whose distribution is certified.
-constexpr long largest_distribution_n = 1;
-
 /// p_n^max in p*_0: G^{n+1} x_n by (5.2), (5.6).
 Ball highest_pressure(const Inputs& in, long n)
 {
@@ -185,14 +182,14 @@ std::vector<Route> by_both_laws(F f)
     const auto route = [f](std::string name, Law law) {
         return Route{std::move(name), [f, law](const Inputs& in) -> Ball { return f(law, in); }};
     };
-    return {route("forward-pressures", Law::pressures), route("forward-force-chain", Law::force_chain)};
+    return {route("forward-density", Law::density), route("forward-exceedance", Law::exceedance)};
 }
 
 void require_distribution(const Inputs& in, long n)
 {
     require_partial_contact(in);
-    if (n > largest_distribution_n)
-        throw BeyondReach("the distribution of pressures is certified for the scales n = 0 and 1 only so far");
+    if (n > transfer::Forward::largest_n)
+        throw BeyondReach(fmt::format("the distribution of pressures is certified for the scales n <= {} only", transfer::Forward::largest_n));
 }
 
 void check_pressure(const Inputs& in)
@@ -201,17 +198,43 @@ void check_pressure(const Inputs& in)
     require(in.real("p") >= 0, in, "p", ">= 0");
 }
 
-Ball density(Law law, const Inputs& in, long n, const Ball& p)
+using Pressure = std::function<Ball()>;
+
+Ball density(Law law, const Inputs& in, long n, const Pressure& p_at)
 {
     if (n > 0) require_distribution(in, n);
+    const Ball p = p_at();
     if (certainly(less(highest_pressure(in, n), p))) return Ball(0);
-    const Ball load(in.real("load"));
     if (n == 0) {
+        const Ball load(in.real("load"));
         if (certainly(less(p, load - 1))) return Ball(0);
-        if (law == Law::pressures) return westergaard::density(p, load);
+        if (law == Law::density) return westergaard::density(p, load);
         return in.real("load") < 1 ? as_printed::density_partial(p, load) : as_printed::density_full(p, load);
     }
-    return transfer::density_1(law, p, load, in.G_ball());
+    return transfer::density(law, n, p_at, arguments(in));
+}
+
+Ball exceedance(Law law, const Inputs& in)
+{
+    const long n = in.integer("n");
+    if (in.real("p") == 0) return certified_area(law == Law::density ? Scheme::force_weighted : Scheme::area, n, in);
+    if (n == 0) {
+        const Ball p(in.real("p")), load(in.real("load"));
+        if (law == Law::density) return westergaard::exceedance(p, load);
+        return in.real("load") < 1 ? as_printed::exceedance_partial(p, load) : as_printed::exceedance_full(p, load);
+    }
+    require_distribution(in, n);
+    return transfer::exceedance(law, n, [&in] { return Ball(in.real("p")); }, arguments(in));
+}
+
+std::string explain_distribution(const Inputs& in, long n, const Pressure& p_at, long digits)
+{
+    require_distribution(in, n);
+    const WorkingPrecision precision(bits_for_digits(digits) + 48);
+    if (n == 0) return "n = 0: (2.17), (2.19)\n";
+    if (!certainly(less(p_at(), highest_pressure(in, n)))) return "above the support\n";
+    return transfer::distribution_certificate(Law::density, n, p_at, arguments(in))
+         + transfer::distribution_certificate(Law::exceedance, n, p_at, arguments(in));
 }
 
 /// (9.3): the pressure at scale n - 1 under which segments have half-width a, and what q_{n-1} is multiplied by.
@@ -228,7 +251,7 @@ std::pair<Ball, Ball> of_segments(const Inputs& in)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2, else estimated", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2 and load < 1000, G > 2.02, to ten digits for n <= 20, load <= 100, G <= 2; else estimated", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
                        if (everywhere_above(in, in.integer("n"), 0)) return Exact(1);
@@ -236,40 +259,27 @@ void add_contact(std::vector<Quantity>& all)
                        return 2 * westergaard::half_width(Exact(in.real("load")));
                    },
                    by_both_schemes([](Scheme s, const Inputs& in) { return certified_area(s, in.integer("n"), in); }),
-                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); },
+                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); }, false,
                    by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_area(g, in.integer("n"), in); }), area_route_names});
 
-    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or p = 0, load <= 1, G > 2, else estimated",
+    const auto explain_p = [](const Inputs& in, long digits) {
+        return explain_distribution(in, in.integer("n"), [&in] { return Ball(in.real("p")); }, digits);
+    };
+    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 20, or p = 0, load <= 1, G > 2, else estimated",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        if (above_support(in, in.integer("n"), in.real("p"))) return Exact(0);
                        if (everywhere_above(in, in.integer("n"), in.real("p"))) return Exact(1);
                        throw NotExact();
                    },
-                   [] {
-                       const auto f = [](Law law, Scheme scheme, const Inputs& in) -> Ball {
-                           const long n = in.integer("n");
-                           if (in.real("p") == 0) return certified_area(scheme, n, in);
-                           const Ball p(in.real("p")), load(in.real("load"));
-                           if (n == 0) {
-                               if (law == Law::pressures) return westergaard::exceedance(p, load);
-                               return in.real("load") < 1 ? as_printed::exceedance_partial(p, load) : as_printed::exceedance_full(p, load);
-                           }
-                           require_distribution(in, n);
-                           return transfer::exceedance_1(law, p, load, in.G_ball());
-                       };
-                       return std::vector<Route>{
-                           {"forward-pressures", [f](const Inputs& in) { return f(Law::pressures, Scheme::force_weighted, in); }},
-                           {"forward-force-chain", [f](const Inputs& in) { return f(Law::force_chain, Scheme::area, in); }}};
-                   }(),
-                   {},
+                   by_both_laws(exceedance), explain_p, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        const long n = in.integer("n");
                        if (in.real("p") == 0) return estimated_area(g, n, in);
                        return transfer::estimated_exceedance(g, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball());
                    })});
 
-    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, load <= 1, G > 2, else estimated",
+    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 20, load <= 1, G > 2, else estimated",
                    {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        const bool partial = in.real("load") <= 1 && in.compare_G(2) > 0;
@@ -277,11 +287,10 @@ void add_contact(std::vector<Quantity>& all)
                        if (at_zero || above_support(in, in.integer("n"), in.real("p")) || below_support(in, in.integer("n"), in.real("p"))) return Exact(0);
                        throw NotExact();
                    },
-                   by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), Ball(in.real("p"))); }),
-                   {},
+                   by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), [&in] { return Ball(in.real("p")); }); }), explain_p, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_density(g, in.integer("n"), in, Ball(in.real("p"))); })});
 
-    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, load <= 1, G > 2, else estimated",
+    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 21, load <= 1, G > 2, else estimated",
                    {"n", "a", "load", "G"}, "density of segments by half-width a (in lambda_n), N^_n lambda_n",
                    [](const Inputs& in) {
                        check_contact(in);
@@ -298,16 +307,15 @@ void add_contact(std::vector<Quantity>& all)
                        throw NotExact();
                    },
                    by_both_laws([](Law law, const Inputs& in) {
-                       const auto [p, factor] = of_segments(in);
-                       return factor * density(law, in, in.integer("n") - 1, p);
+                       return of_segments(in).second * density(law, in, in.integer("n") - 1, [&in] { return of_segments(in).first; });
                    }),
-                   {},
+                   [](const Inputs& in, long digits) { return explain_distribution(in, in.integer("n") - 1, [&in] { return of_segments(in).first; }, digits); }, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        const auto [p, factor] = of_segments(in);
                        return scaled(estimated_density(g, in.integer("n") - 1, in, p), factor);
                    })});
 
-    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified for load <= 1, G > 2, else estimated",
+    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified where contact.area is, else estimated",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
                    [](const Inputs& in) { check_contact(in); require_integer(in, "n", 1, largest_n); },
                    [](const Inputs& in) -> Exact {
@@ -317,7 +325,7 @@ void add_contact(std::vector<Quantity>& all)
                        return 2 * (westergaard::half_width(Exact(in.real("load"))) * Exact(in.real("gamma")));
                    },
                    by_both_schemes([](Scheme s, const Inputs& in) { return certified_area(s, in.integer("n") - 1, in) * potential_segments(in); }),
-                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n") - 1, digits); },
+                   [](const Inputs& in, long digits) { return explain_area(in, in.integer("n") - 1, digits); }, false,
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        return scaled(estimated_area(g, in.integer("n") - 1, in), potential_segments(in));
                    }),

@@ -148,7 +148,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
         const WorkingPrecision precision(bits);
         try {
             e.bits = bits;
-            OtherRoutes others(q, in, options.digits >= 300);
+            OtherRoutes others(q, in, q.costly || options.digits >= 300);
             e.ball = q.routes.front().ball(in);
             const auto point = exact_value(e.ball); // radius zero: the value itself, which the other routes must contain
             const auto decimal = round_to_digits(e.ball, options.digits);

@@ -85,6 +85,8 @@ struct Quantity {
     std::vector<Route> routes;
     /// Prints how the error of a value is made up, for `eval --explain`. May be empty.
     std::function<std::string(const Inputs&, long digits)> explain = {};
+    /// The routes are worth a thread each at any number of digits.
+    bool costly = false;
     /// Two or more, independent of one another, for what the certified routes refuse with BeyondReach. May be empty.
     std::vector<EstimateRoute> estimates = {};
     /// What the routes are at these inputs, where they are not the same everywhere. May be empty.

@@ -294,29 +294,47 @@ Rows segments_count_full_grid()
 /// Shares of the highest pressure (or of the widest segment), the edge from both sides included.
 const std::vector<double> shares{0x1p-20, 0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 1 - 0x1p-12, 1 - 0x1p-20, 1.25};
 
-/// p (in p*_0) across the support at scales 0 and 1, the surface of figure 5.
+/// Where the scales up to 20 are tabulated.
+const std::vector<double> scale_shares{0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99};
+
+constexpr double figure_5_G = 3.1622776601683795; ///< D = 1.5, gamma = 10
+constexpr double second_G = 2.2360679774997896;   ///< D = 1.5, gamma = 5
+
+/// p (in p*_0) across the support: scales 0 and 1 dense at the edges, the case of figure 5 up to scale 20, another up to 4.
 Rows contact_distribution_grid()
 {
-    const double G = 3.1622776601683795;
     Rows rows;
+    const auto add = [&rows](long n, double share, double s, double G) {
+        double unit = 1;
+        for (long k = 0; k <= n; ++k) unit *= G;
+        rows.push_back({static_cast<double>(n), rounded(share * unit * peaks::iterate(n, s, G)), s, G});
+    };
     for (const double s : {0.001, 0.01, 0.1, 1.})
         for (const long n : {0L, 1L})
-            for (const double share : shares)
-                rows.push_back({static_cast<double>(n), rounded(share * (n == 0 ? 1 : G) * G * peaks::iterate(n, s, G)), s, G});
+            for (const double share : shares) add(n, share, s, figure_5_G);
+    for (const double share : scale_shares)
+        for (long n = 0; n <= 20; ++n) add(n, share, 0.001, figure_5_G);
+    for (const double share : {0.01, 0.1, 0.5, 0.9, 0.99})
+        for (const long n : {1L, 2L, 4L}) add(n, share, 0.1, second_G);
     return distinct(rows);
 }
 
-/// a (in lambda_n) up to the widest segment and beyond, scales 1 and 2.
+/// a (in lambda_n) up to the widest segment and beyond, the scales whose pressures decide it.
 Rows segments_density_grid()
 {
-    const double G = 3.1622776601683795;
     Rows rows;
+    const auto add = [&rows](long n, double share, double s, double G) {
+        const double a = rounded(share * segments::max_half_width(n, s, G));
+        if (a <= 0.5) rows.push_back({static_cast<double>(n), a, s, G});
+    };
     for (const double s : {0.001, 0.01, 0.1, 1.})
         for (const long n : {1L, 2L})
-            for (const double share : shares) {
-                const double a = rounded(share * segments::max_half_width(n, s, G));
-                if (a <= 0.5) rows.push_back({static_cast<double>(n), a, s, G});
-            }
+            for (const double share : shares) add(n, share, s, figure_5_G);
+    // the pressure goes with about the square of the width: the same range of pressures
+    for (const double share : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99})
+        for (long n = 1; n <= 20; ++n) add(n, share, 0.001, figure_5_G);
+    for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99})
+        for (const long n : {2L, 3L, 5L}) add(n, share, 0.1, second_G);
     return distinct(rows);
 }
 
@@ -381,11 +399,11 @@ const std::vector<TableSpec>& table_specs()
         {"archard_area", "archard.area", digits, area_grid},
         {"archard_segments", "archard.segments", digits, segments_grid},
         {"archard_segments_limit", "archard.segments_limit", digits, segments_grid},
-        {"contact_exceedance", "contact.exceedance", 30, contact_distribution_grid},
-        {"contact_density", "contact.density", 30, contact_distribution_grid},
+        {"contact_exceedance", "contact.exceedance", 30, contact_distribution_grid, true},
+        {"contact_density", "contact.density", 30, contact_distribution_grid, true},
         {"segments_count", "segments.count", digits, segments_count_grid},
         {"segments_count_full", "segments.count", most_estimated_digits, segments_count_full_grid, true},
-        {"segments_density", "segments.density", 30, segments_density_grid},
+        {"segments_density", "segments.density", 30, segments_density_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };
     return all;

@@ -1,0 +1,1273 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/forward.hpp"
+
+#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/chain.hpp"
+#include "touchstone/transfer/fixed.hpp"
+
+#include <fmt/format.h>
+
+#if __has_include(<flint/arb_poly.h>)
+#include <flint/arb_poly.h>
+#else
+#include <arb_poly.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <list>
+#include <map>
+#include <mutex>
+#include <numbers>
+
+namespace touchstone::transfer {
+namespace {
+
+using C = ComplexBall;
+using Traits = ScalarTraits<Ball>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr slong bound_bits = 40;
+/// Covers the rounding of a few `double` operations on bounds and polar coordinates.
+constexpr double slack = 1e-9;
+
+double above(const Ball& x)
+{
+    if (!x.is_finite()) return infinity;
+    return arf_get_d(arb_midref(upper(x).get()), ARF_RND_UP);
+}
+double about(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+double at_most_modulus(const C& z)
+{
+    if (!z.is_finite()) return infinity;
+    mag_t m;
+    mag_init(m);
+    acb_get_mag(m, z.get());
+    const double r = mag_get_d(m);
+    mag_clear(m);
+    return r;
+}
+double at_least_modulus(const C& z)
+{
+    if (!z.is_finite()) return 0;
+    mag_t m;
+    mag_init(m);
+    acb_get_mag_lower(m, z.get());
+    const double r = mag_get_d(m);
+    mag_clear(m);
+    return r;
+}
+
+/// Whether z may touch (-inf, 0].
+bool meets_cut(const C& z)
+{
+    return !z.is_finite() || (arb_contains_zero(acb_imagref(z.get())) && !arb_is_positive(acb_realref(z.get())));
+}
+
+C disc(double re, double im, double radius)
+{
+    Ball x = Ball::exactly(re), y = Ball::exactly(im);
+    mag_set_d(arb_radref(x.get()), radius);
+    mag_set_d(arb_radref(y.get()), radius);
+    return C(x, y);
+}
+
+/// E(z) = (1 - e^-z)/z; |E - 1| <= sum |z|^k/(k+1)! = (e^|z| - 1 - |z|)/|z|.
+C exponential_mean(const C& z)
+{
+    const double m = at_most_modulus(z);
+    if (m > 0.8) {
+        C r;
+        const C minus = -z;
+        acb_expm1(r.get(), minus.get(), WorkingPrecision::bits());
+        return -r / z;
+    }
+    return disc(1, 0, m < 1e-3 ? m : (std::expm1(m) / m - 1) * (1 + slack));
+}
+
+// ---- the plane of d, cut into boxes by direction (arg d, symmetric) and shell (|d|)
+
+constexpr std::array directions{0.0, 0.02, 0.05, 0.1, 0.16, 0.23, 0.31, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0,
+                                1.1, 1.2,  1.3,  1.4, 1.5,  1.57, 1.75, 2.0, 2.3, 2.7, 3.1416};
+constexpr int n_directions = static_cast<int>(directions.size()) - 1;
+
+/// Shell 0 is |d| <= inner, shell j up to radius(j) = inner 2^(j/density).
+class Shells {
+public:
+    static constexpr int density = 6;
+    Shells(double inner, double outer) : inner_(inner), count_(static_cast<int>(std::ceil(density * std::log2(outer / inner)))) {}
+    int count() const { return count_; } ///< shells 0 ... count
+    double radius(int j) const { return inner_ * std::exp2(static_cast<double>(j) / density); }
+    int shell(double r) const { return r <= inner_ ? 0 : std::max(0, static_cast<int>(std::ceil(density * std::log2(r / inner_) - slack))); }
+
+private:
+    double inner_;
+    int count_;
+};
+
+/// Bounds of |u| on the boxes; infinite where nothing is proven.
+struct Boxes {
+    std::vector<double> bound; ///< [shell][direction]
+    std::vector<double> far;   ///< |u| <= far |d|^(1/2) outside the last shell, by direction
+    int disc = 0;              ///< shells up to this one form one full disc
+    double& at(int j, int m) { return bound[static_cast<std::size_t>(j) * n_directions + static_cast<std::size_t>(m)]; }
+    double at(int j, int m) const { return bound[static_cast<std::size_t>(j) * n_directions + static_cast<std::size_t>(m)]; }
+};
+
+struct PolarRange {
+    double inner, outer, from, to; ///< |d|, |arg d|
+};
+
+/// What a disc about (re, im) of this radius covers.
+PolarRange polar(double re, double im, double radius)
+{
+    const double r = std::hypot(re, im);
+    radius = radius * (1 + slack) + r * slack;
+    if (radius >= r) return {0, r + radius, 0, 3.1415};
+    const double a = std::fabs(std::atan2(im, re)), half = std::asin(radius / r) + slack;
+    return {r - radius, r + radius, std::max(0.0, a - half), std::min(3.1415, a + half)};
+}
+PolarRange polar(const C& z)
+{
+    if (!z.is_finite()) return {0, infinity, 0, 3.1415};
+    const double x = mag_get_d(arb_radref(acb_realref(z.get()))), y = mag_get_d(arb_radref(acb_imagref(z.get())));
+    return polar(about(z.real()), about(z.imag()), std::hypot(x, y));
+}
+
+// ---- level data
+
+/// Polynomial on a panel [a, b] of d, in xi = (coordinate - mid)/half.
+struct Panel {
+    double a = 0, b = 0;
+    bool logarithmic = false;
+    Ball mid, half;
+    double mid_d = 0, half_d = 0; ///< about
+    long points = 0;
+    double rho = 0, bound = 0;     ///< |u| <= bound on the ellipse rho
+    double interpolation = 0;      ///< error of the interpolant of exact values
+    double slope = 0;              ///< and of its derivative, with respect to xi
+    std::vector<double> errors;    ///< of the nodal values
+    double worst = 0;              ///< largest of errors
+    arb_poly_t polynomial;
+    std::vector<mp_limb_t> fixed; ///< its coefficients over 2^scale, highest first
+    long scale = 0;
+    mag_t fixed_error;            ///< of a value by Horner's rule from these
+    Panel() { arb_poly_init(polynomial); mag_init(fixed_error); }
+    ~Panel() { arb_poly_clear(polynomial); mag_clear(fixed_error); }
+    Panel(const Panel&) = delete;
+    Panel& operator=(const Panel&) = delete;
+};
+
+struct Level {
+    long k = 0;
+    Ball edge;   ///< e_k
+    Ball edge_bound; ///< the same at bound_bits
+    Ball C;
+    Boxes boxes;
+    std::vector<std::unique_ptr<Panel>> panels; ///< none at k = 1
+    std::vector<double> log_d, log_v;           ///< about, for tolerances
+    double tail = 0;                            ///< T_k
+    // for the certificate
+    std::size_t nodes = 0, row_nodes = 0;
+    double worst_interpolation = 0, worst_row = 0, worst_carried = 0, worst_total = 0;
+};
+
+enum class Kind { step, share, slope };
+
+struct RuleNode {
+    Ball s, c, weight;
+};
+struct RowRule {
+    std::vector<RuleNode> nodes;
+    double error = 0;
+    double reach = infinity; ///< delta from here on is left out
+};
+
+/// What differs between the routes beside the law.
+struct Settings {
+    std::vector<double> ratios;
+    long least_points, most_points, step_points;
+    bool logarithmic;
+    std::vector<double> piece_rhos;
+    long most_gauss;
+};
+const Settings& settings(Law law)
+{
+    static const Settings density{{16, 8, 5.66, 4, 2.83, 2.4, 2, 1.75, 1.5, 1.3, 1.15, 1.07, 1.03}, 8, 76, 4, false, {14, 9, 6.5, 4.8, 3.6, 2.8, 2.2}, 64};
+    static const Settings exceedance{{15, 7, 5, 3.5, 3, 2.5, 2.1, 1.8, 1.5, 1.3, 1.15, 1.07, 1.03}, 9, 81, 4, true, {12, 8, 5.6, 4.2, 3.2, 2.5, 2}, 72};
+    return law == Law::density ? density : exceedance;
+}
+
+} // namespace
+
+struct Forward::Implementation {
+    Law law;
+    double accuracy, epsilon;
+    slong precision;      ///< of the rows
+    slong wide;           ///< of polynomials: powers of xi cancel up to (1 + 2^(1/2))^points
+    FixedFormat format;
+    std::vector<mp_limb_t> xi_fixed, sum_fixed, product_fixed, scratch;
+    Ball G, load;
+    bool full; ///< load = 1 exactly
+    double G_d, load_d, beta;
+    double delta_max;
+    Shells shells;
+    std::vector<std::unique_ptr<Level>> levels; ///< index k, from 1
+    std::map<long, std::vector<std::pair<Ball, Ball>>> gauss;
+    std::map<long, std::vector<Ball>> to_monomials;      ///< [power][node]
+    std::map<long, std::vector<double>> chebyshev_at;    ///< T_m(x_j), [m][j]
+    std::mutex mutex;
+
+    static slong precision_for(double accuracy) { return static_cast<slong>(accuracy / std::numbers::ln2) + 66; }
+    /// Where the far end begins: what it holds is negligible even for a light load at the last scale.
+    static double far_end(Law law, double accuracy, double G, double load)
+    {
+        const double smallness = accuracy + 12 + static_cast<double>(largest_n + 1) * std::log(G) - std::log(load);
+        return law == Law::density ? accuracy + 40 + 30 * std::max(0.0, -std::log10(1 - 4 / (G * G))) - 0.75 * std::log(load) : 2 * smallness;
+    }
+
+    Implementation(Law l, const Ball& G_, const Ball& load_, double a)
+        : law(l), accuracy(a), epsilon(std::exp(-a) / 64), precision(WorkingPrecision::bits()), wide(precision + 115), format(precision + 100),
+          xi_fixed(static_cast<std::size_t>(format.limbs())), sum_fixed(xi_fixed), product_fixed(xi_fixed), scratch(2 * xi_fixed.size()), G(G_), load(load_), full(arb_is_one(load.get())), G_d(about(G)),
+          load_d(about(load)), beta(l == Law::density ? 1.5 : 0.5), delta_max(far_end(l, a, G_d, load_d)),
+          shells(std::exp2(-static_cast<double>(largest_n) - 5), 16 * delta_max)
+    {
+        levels.resize(2);
+        levels[1] = first_level();
+    }
+
+    // ---- kernels, bounds
+
+    long power(long k) const { return law == Law::density ? k - 1 : k + 1; }
+
+    /// int_0^(pi/2) sin^m
+    static Ball wallis(long m)
+    {
+        return sqrt(Traits::pi()) / 2 * Traits::gamma(Traits::quotient(m + 1, 2)) / Traits::gamma(Traits::quotient(m + 2, 2));
+    }
+
+    /// Bound of the step's kernel, or infinity. \param direct a bound of |1/E| known otherwise, E proven off its cut
+    double kernel_bound(const Ball& e, const C& d, const C& s, const C& c, double direct = infinity, Kind kind = Kind::step) const
+    {
+        const C x = e * exp(-2 * d * s), D = 2 * d * c, one_minus = 1 - x;
+        return modulus(x, one_minus, 4 * e * exp(-2 * d), D, direct, kind);
+    }
+    double modulus(const C& x, const C& one_minus, const C& w4, const C& D, double direct, Kind kind) const
+    {
+        const C R2 = one_minus * one_minus + w4;
+        if (meets_cut(R2)) return infinity;
+        const C R = sqrt(R2), P = 1 + x + R, M = one_minus + R;
+        if (meets_cut(P) || meets_cut(M)) return infinity;
+        if (kind == Kind::share) { // z^2 = 2 x (1 - e^-D)/P, |arcsin z| <= (pi/2)|z| for |z| < 1
+            const double z2 = 2 * at_most_modulus(x) * at_most_modulus(1 - exp(-D)) / at_least_modulus(P) * (1 + slack);
+            return z2 < 1 ? std::numbers::pi / 2 * std::sqrt(z2) * (1 + slack) : infinity;
+        }
+        const C E = exponential_mean(D);
+        double inverse = meets_cut(E) ? infinity : 1 / at_least_modulus(E) * (1 + slack);
+        inverse = std::min(inverse, direct);
+        const double square = law == Law::density ? at_most_modulus(P) / at_least_modulus(M) * inverse
+                                                  : at_most_modulus(P) * at_most_modulus(M) * inverse;
+        return std::sqrt(square) / at_least_modulus(R) * (1 + slack);
+    }
+
+    /// Bound of |u_1| on a disc of d.
+    double first_bound(const C& d) const
+    {
+        const Ball x = load;
+        if (full && law == Law::density) { // R = 2 e^-d: v_1 = e^(3d/2) (1 + e^-d)^(1/2)/2 / E(2d)^(1/2)
+            const C P = 1 + exp(-d), E = exponential_mean(2 * d);
+            if (meets_cut(P) || meets_cut(E)) return infinity;
+            return std::sqrt(at_most_modulus(P) / at_least_modulus(E)) / 2 * (1 + slack);
+        }
+        const double decay = at_most_modulus(exp(-d * C(Ball::exactly(beta))));
+        if (full && certainly(less(Ball::exactly(0.5), d.real()))) // arccos(e^(-d/2)), |e^(-d/2)| < 1: at most pi
+            return decay * std::numbers::pi / std::sqrt(2 * at_least_modulus(d)) * (1 + slack);
+        const C w4 = 4 * x * exp(-2 * d), one_minus = C(1 - x);
+        if (law == Law::density) return decay * modulus(C(x), one_minus, w4, 2 * d, infinity, Kind::step);
+        C R2 = one_minus * one_minus + w4;
+        C R;
+        if (full) R = 2 * exp(-d);
+        else {
+            if (meets_cut(R2)) return infinity;
+            R = sqrt(R2);
+        }
+        const C P = 1 + C(x) + R;
+        if (meets_cut(P)) return infinity;
+        const double z2 = 2 * above(x) * at_most_modulus(1 - exp(-2 * d)) / at_least_modulus(P) * (1 + slack);
+        if (!(z2 < 1)) return infinity;
+        return decay * std::numbers::pi / 2 * std::sqrt(2 * above(x) * at_most_modulus(exponential_mean(2 * d)) / at_least_modulus(P)) * (1 + slack);
+    }
+
+    /// Largest bound of boxes that meet the range; infinite if one of them is not proven.
+    double lookup(const Boxes& boxes, const PolarRange& p) const
+    {
+        const int from = shells.shell(p.inner), to = shells.shell(p.outer);
+        if (to > shells.count()) return infinity;
+        double most = 0;
+        for (int m = 0; m < n_directions; ++m) {
+            if (directions[static_cast<std::size_t>(m) + 1] < p.from || directions[static_cast<std::size_t>(m)] > p.to) continue;
+            for (int j = from; j <= to; ++j) most = std::max(most, boxes.at(j, m));
+        }
+        return most;
+    }
+
+    template <class F> ///< f(disc of d, depth left)
+    double over_box(double inner, double outer, double from, double to, int depth, const F& f) const
+    {
+        const double r = (inner + outer) / 2, a = (from + to) / 2;
+        const double radius = (outer - inner) / 2 + outer * (to - from) / 2;
+        const double b = f(disc(r * std::cos(a), r * std::sin(a), radius * (1 + slack)));
+        if (std::isfinite(b) || depth == 0) return b;
+        double most = 0;
+        for (int i = 0; i < 4 && std::isfinite(most); ++i) {
+            const double r0 = i & 1 ? r : inner, r1 = i & 1 ? outer : r, a0 = i & 2 ? a : from, a1 = i & 2 ? to : a;
+            most = std::max(most, over_box(r0, r1, a0, a1, depth - 1, f));
+        }
+        return most;
+    }
+
+    void fill(Boxes& boxes, double disc_radius, const std::function<double(const C&, int shell, int direction, double outer)>& f) const
+    {
+        boxes.bound.assign(static_cast<std::size_t>(shells.count() + 1) * n_directions, infinity);
+        boxes.disc = shells.shell(disc_radius * (1 - 1e-6));
+        const double whole = f(disc(0, 0, shells.radius(boxes.disc)), boxes.disc, -1, shells.radius(boxes.disc));
+        for (int m = 0; m < n_directions; ++m) {
+            for (int j = 0; j <= boxes.disc; ++j) boxes.at(j, m) = whole;
+            for (int j = boxes.disc + 1; j <= shells.count(); ++j) {
+                const double outer = shells.radius(j);
+                if (directions[static_cast<std::size_t>(m) + 1] > 1.571 && outer > 2) break;
+                const double b = over_box(shells.radius(j - 1), outer, directions[static_cast<std::size_t>(m)], directions[static_cast<std::size_t>(m) + 1], 2,
+                                          [&](const C& d) { return f(d, j, m, outer); });
+                if (!(b < 1e200)) break; // the set stays star-shaped
+                boxes.at(j, m) = b;
+            }
+        }
+    }
+
+    std::unique_ptr<Level> first_level() const
+    {
+        auto level = std::make_unique<Level>();
+        level->k = 1;
+        level->edge = 2 / G * sqrt(load);
+        // (4/pi)/2^(1/2), and (2/pi) 2^(1/2): the same
+        level->C = 2 * sqrt(Ball(2)) / Traits::pi();
+        level->tail = infinity;
+        const WorkingPrecision low(bound_bits);
+        level->edge_bound = level->edge + Ball(0);
+        fill(level->boxes, 0.25, [this](const C& d, int, int, double) { return first_bound(d); });
+        // outside: |1/E| <= |D| + 1/cos, R -> 1 - load
+        level->boxes.far.assign(n_directions, infinity);
+        const double r = shells.radius(shells.count());
+        for (int m = 0; m < n_directions; ++m) {
+            const double cosine = std::cos(directions[static_cast<std::size_t>(m) + 1]);
+            if (cosine <= 0.001 || beta * r * cosine < 4) continue;
+            double b = infinity;
+            if (full) b = law == Law::density ? std::sqrt(2 * (2 * r + 1 / cosine)) / 2 : 4 * std::exp(-beta * r * cosine);
+            else {
+                const double eta = 4 * std::exp(-2 * r * cosine) * load_d / ((1 - load_d) * (1 - load_d)) * (1 + slack);
+                if (eta < 1e-3) b = std::exp(-beta * r * cosine) * far_kernel(load_d, eta) * std::sqrt(2 * r + 1 / cosine) * 2;
+            }
+            level->boxes.far[static_cast<std::size_t>(m)] = b / std::sqrt(r) * (1 + slack);
+        }
+        estimate_first(*level);
+        return level;
+    }
+
+    /// |kernel| E^(1/2) where |x| <= e and |4w| <= eta (1-e)^2: R = (1-x)(1 + eta')^(1/2).
+    double far_kernel(double e, double eta) const
+    {
+        const double P = 2 + 2 * eta, R = (1 - e) * (1 - eta);
+        return (law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) : std::sqrt(P * (1 + e) * (2 + eta))) / R * (1 + 1e-6);
+    }
+
+    static constexpr int sectors = 48;
+    /// Shares of int sin^m over theta in the sectors of [0, pi/2], rounded up (upper sums).
+    static std::array<double, sectors> sector_shares(long m)
+    {
+        std::array<double, sectors> share{};
+        constexpr int fine = 48;
+        const double h = std::numbers::pi / 2 / (sectors * fine);
+        for (int i = 0; i < sectors * fine; ++i) share[static_cast<std::size_t>(i / fine)] += std::pow(std::sin((i + 1) * h), static_cast<double>(m)) * h;
+        const WorkingPrecision low(bound_bits);
+        const double whole = about(wallis(m));
+        for (double& s : share) s *= (1 + slack) / whole;
+        return share;
+    }
+
+    void bound_boxes(const Level& from, Level& to) const
+    {
+        const WorkingPrecision low(bound_bits);
+        const auto share = sector_shares(power(from.k));
+        const Ball e = from.edge_bound;
+        const double e_d = above(e);
+        std::vector<double> most(n_directions, 0);
+        for (int m = 0; m < n_directions; ++m)
+            for (int j = 0; j <= shells.count(); ++j) most[static_cast<std::size_t>(m)] = std::max(most[static_cast<std::size_t>(m)], from.boxes.at(j, m));
+        const double end = shells.radius(shells.count());
+
+        const std::function<double(const C&, double, double, double, int)> kernel_over =
+            [&](const C& d, double a, double b, double direct, int depth) -> double { // theta in [a, b]
+            const double s0 = std::pow(std::sin(a), 2) * (1 - slack), s1 = std::min(1.0, std::pow(std::sin(b), 2) * (1 + slack));
+            const double c0 = std::pow(std::cos(b), 2) * (1 - slack), c1 = std::min(1.0, std::pow(std::cos(a), 2) * (1 + slack));
+            const Ball s = hull(Ball::exactly(s0), Ball::exactly(s1)), c = hull(Ball::exactly(c0), Ball::exactly(c1));
+            const double bound = kernel_bound(e, d, C(s), C(c), direct);
+            if (std::isfinite(bound) || depth == 0) return bound;
+            const double mid = (a + b) / 2;
+            const double left = kernel_over(d, a, mid, direct, depth - 1);
+            return std::isfinite(left) ? std::max(left, kernel_over(d, mid, b, direct, depth - 1)) : left;
+        };
+
+        fill(to.boxes, shells.radius(from.boxes.disc) / 2, [&](const C& d, int j, int m, double outer) {
+            const double decay = at_most_modulus(exp(-d * C(Ball::exactly(beta))));
+            const double cosine = m < 0 ? -1 : std::cos(directions[static_cast<std::size_t>(m) + 1]);
+            double sum = 0;
+            for (int i = 0; i < sectors; ++i) {
+                const double a = std::numbers::pi / 2 * i / sectors, b = std::numbers::pi / 2 * (i + 1) / sectors;
+                const double s0 = std::pow(std::sin(a), 2), s1 = std::min(1.0, std::pow(std::sin(b), 2) * (1 + slack)), c1 = std::pow(std::cos(a), 2) * (1 + slack);
+                double u = 0;
+                if (m < 0) u = from.boxes.at(from.boxes.disc, 0);
+                else {
+                    const double near = 2 * (j == 0 ? 0 : shells.radius(j - 1)) * s0, far = 2 * outer * s1;
+                    const int j0 = shells.shell(near), j1 = shells.shell(far);
+                    for (int q = j0; q <= std::min(j1, shells.count()); ++q) u = std::max(u, from.boxes.at(q, m));
+                    if (far > end) u = std::max(u, from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far));
+                }
+                if (!std::isfinite(u)) return infinity;
+                const double direct = cosine > 0.001 ? 2 * outer * c1 + 1 / cosine : infinity;
+                const double k = kernel_over(d, a, b, direct * (1 + slack), 5);
+                if (!std::isfinite(k)) return infinity;
+                sum += share[static_cast<std::size_t>(i)] * k * u;
+            }
+            return decay * sum * (1 + slack);
+        });
+        to.boxes.far.assign(n_directions, infinity);
+        for (int m = 0; m < n_directions; ++m) {
+            const double cosine = std::cos(directions[static_cast<std::size_t>(m) + 1]);
+            if (cosine <= 0.001 || beta * end * cosine < 4) continue;
+            const double eta = 4 * std::exp(-2 * end * cosine) * e_d / ((1 - e_d) * (1 - e_d)) * (1 + slack);
+            if (!(eta < 1e-3)) continue;
+            const double u = std::max(most[static_cast<std::size_t>(m)], from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end));
+            to.boxes.far[static_cast<std::size_t>(m)] =
+                std::exp(-beta * end * cosine) * far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) * u / std::sqrt(end) * (1 + 1e-6);
+        }
+    }
+
+    // ---- estimates, for tolerances only
+
+    double kernel_d(double e, double d, double s) const
+    {
+        const double x = e * std::exp(-2 * d * s), D = 2 * d * (1 - s), R = std::sqrt((1 - x) * (1 - x) + 4 * e * std::exp(-2 * d));
+        const double E = D > 1e-9 ? -std::expm1(-D) / D : 1, P = 1 + x + R, M = 1 - x + R;
+        return std::sqrt(law == Law::density ? P / (M * E) : P * M / E) / R;
+    }
+    void estimate_first(Level& level) const
+    {
+        for (int i = -60; i <= 60; ++i) {
+            const double d = std::exp2(0.5 * i);
+            if (d > 2 * delta_max) break;
+            const double x = load_d, R = full ? 2 * std::exp(-d) : std::sqrt((1 - x) * (1 - x) + 4 * x * std::exp(-2 * d));
+            const double E = -std::expm1(-2 * d) / (2 * d), P = 1 + x + R;
+            const double v = law == Law::density ? std::sqrt(P / ((1 - x + R) * E)) / R : std::asin(std::min(1.0, std::sqrt(2 * x * 2 * d * E / P))) / std::sqrt(2 * d);
+            if (!std::isfinite(v)) break;
+            level.log_d.push_back(std::log(d));
+            level.log_v.push_back(std::log(v));
+        }
+    }
+    double estimate(const Level& level, double d) const
+    {
+        const double t = std::log(std::max(d, 1e-300));
+        const auto it = std::lower_bound(level.log_d.begin(), level.log_d.end(), t);
+        if (it == level.log_d.begin()) return std::exp(level.log_v.front());
+        if (it == level.log_d.end()) return std::exp(level.log_v.back());
+        const auto i = static_cast<std::size_t>(it - level.log_d.begin());
+        const double f = (t - level.log_d[i - 1]) / (level.log_d[i] - level.log_d[i - 1]);
+        return std::exp(level.log_v[i - 1] + f * (level.log_v[i] - level.log_v[i - 1]));
+    }
+    double estimate_step(const Level& from, double d) const
+    {
+        const double e = about(from.edge);
+        const long m = power(from.k);
+        double sum = 0, weight = 0;
+        for (int i = 0; i < 60; ++i) {
+            const double theta = std::numbers::pi / 2 * (i + 0.5) / 60, s = std::pow(std::sin(theta), 2), w = std::pow(std::sin(theta), static_cast<double>(m));
+            weight += w;
+            sum += w * kernel_d(e, d, s) * std::exp(-beta * 2 * d * s) * estimate(from, 2 * d * s);
+        }
+        return sum / weight;
+    }
+
+    // ---- rules
+
+    const std::vector<std::pair<Ball, Ball>>& legendre(long n)
+    {
+        auto& rule = gauss[n];
+        if (rule.empty()) {
+            rule.resize(static_cast<std::size_t>(n));
+            for (long i = 0; i < n; ++i)
+                arb_hypgeom_legendre_p_ui_root(rule[static_cast<std::size_t>(i)].first.get(), rule[static_cast<std::size_t>(i)].second.get(), static_cast<ulong>(n),
+                                               static_cast<ulong>(i), precision);
+        }
+        return rule;
+    }
+
+    /// Largest |integrand| over a disc of t: 2/(1+t^2) sin^m kernel u.
+    double integrand_bound(const Level& from, Kind kind, const C& d, const C& t) const
+    {
+        const C q = 1 + t * t;
+        const double q_least = at_least_modulus(q);
+        if (q_least == 0) return infinity;
+        const C sine = 2 * t / q, cosine = (1 - t * t) / q, s = sine * sine, c = cosine * cosine;
+        const C delta = 2 * d * s;
+        double u = lookup(from.boxes, polar(delta));
+        if (!std::isfinite(u)) return infinity;
+        if (kind == Kind::share) u *= at_most_modulus(cosine) * at_most_modulus(exp(-delta * C(Ball::exactly(0.5))));
+        const double k = kernel_bound(from.edge_bound, d, s, c, infinity, kind);
+        return 2 / q_least * std::pow(at_most_modulus(sine), static_cast<double>(power(from.k))) * k * u * (1 + slack);
+    }
+
+    /// Rule for all real d in [low, high], or for the disc of radius `around` about it.
+    RowRule make_rule(const Level& from, Kind kind, double low, double high, double around, double tolerance)
+    {
+        RowRule rule;
+        double t_end = 1;
+        if (from.k >= 2 && 2 * high > delta_max) {
+            const double s = delta_max / (2 * high) * (1 - 1e-6);
+            t_end = std::tan(std::asin(std::sqrt(s)) / 2);
+            const double sine = 2 * t_end / (1 + t_end * t_end);
+            rule.reach = 2 * low * sine * sine * (1 - slack);
+        }
+        const Settings& set = settings(law);
+        const long m = power(from.k);
+        Ball norm;
+        {
+            const WorkingPrecision full_precision(precision);
+            norm = wallis(m);
+        }
+        const double norm_d = about(norm);
+        const auto d_disc = [&] {
+            Ball x = hull(Ball::exactly(low * (1 - slack) - around), Ball::exactly(high * (1 + slack) + around)), y(0);
+            mag_set_d(arb_radref(y.get()), around);
+            return C(x, y);
+        };
+        std::function<void(double, double, int)> pieces = [&](double a, double b, int depth) {
+            const WorkingPrecision low_precision(bound_bits);
+            const C d = d_disc();
+            const double l = (b - a) / 2, mid = (a + b) / 2, goal = tolerance / 8;
+            if (std::pow(2 * b, static_cast<double>(m)) < 1e-6) { // perhaps negligible
+                const double most = integrand_bound(from, kind, d, disc(mid, 0, l * (1 + slack)));
+                if (2 * l * most / norm_d < goal) {
+                    rule.error += 2 * l * most / norm_d * (1 + slack);
+                    return;
+                }
+            }
+            long best = std::numeric_limits<long>::max();
+            double best_error = infinity;
+            int finite = 0;
+            for (const double r : set.piece_rhos) {
+                const double A = (r + 1 / r) / 2, B = (r - 1 / r) / 2;
+                if (B * l >= 1) continue;
+                constexpr int arcs = 14;
+                double most = 0;
+                for (int i = 0; i < arcs && std::isfinite(most); ++i) {
+                    const double phi = std::numbers::pi * (i + 0.5) / arcs;
+                    const C t = disc(mid + l * A * std::cos(phi), l * B * std::sin(phi), l * A * std::numbers::pi / (2 * arcs) * (1 + slack));
+                    most = std::max(most, integrand_bound(from, kind, d, t));
+                }
+                if (!std::isfinite(most)) continue;
+                const double front = 16.0 / 3 * l * most / (norm_d * (1 - 1 / r)) * (1 + slack);
+                const long n = std::max(4L, static_cast<long>(std::ceil(std::log(front / goal) / (2 * std::log(r)))));
+                if (n < best) {
+                    best = n;
+                    best_error = front * std::pow(r, -2.0 * static_cast<double>(n)) * (1 + slack);
+                }
+                if (++finite == 3) break;
+            }
+            if (best > set.most_gauss) {
+                if (depth == 0) throw BeyondReach("the distribution's integrand could not be bounded; the load is too near 1 or G too near 2");
+                pieces(mid, b, depth - 1);
+                pieces(a, mid, depth - 1);
+                return;
+            }
+            rule.error += best_error;
+            const WorkingPrecision full_precision(precision);
+            const Ball centre = Ball::exactly(mid), half = Ball::exactly(l);
+            for (const auto& [node, weight] : legendre(best)) {
+                const Ball t = centre + half * node, q = 1 / (1 + t * t), sine = 2 * t * q, cosine = (1 - t * t) * q;
+                Ball w;
+                arb_pow_ui(w.get(), sine.get(), static_cast<ulong>(m), precision);
+                w = w * half * weight * 2 * q / norm;
+                if (kind == Kind::share) w *= cosine;
+                rule.nodes.push_back({sine * sine, cosine * cosine, std::move(w)});
+            }
+        };
+        pieces(0, t_end, 40);
+        return rule;
+    }
+
+    // ---- rows
+
+    struct Row {
+        Ball value, slope; ///< v_{k+1}(d), and its derivative where asked
+        double error = 0;  ///< of value (or of slope, where asked) beyond its radius: rule and levels
+        double rule_error = 0, interpolation = 0, carried = 0;
+    };
+
+    /// u_1 and, if asked, its derivative.
+    void first(const Ball& d, Ball& u, Ball* slope) const
+    {
+        const Ball w = exp(-2 * d), one_minus = 1 - load;
+        const Ball R = full ? 2 * exp(-d) : sqrt(one_minus * one_minus + 4 * load * w);
+        Ball minus_b;
+        {
+            const Ball z = -2 * d;
+            arb_expm1(minus_b.get(), z.get(), WorkingPrecision::bits());
+            minus_b = -minus_b; // 1 - w
+        }
+        const Ball P = 1 + load + R, M = one_minus + R;
+        if (law == Law::density) {
+            u = full ? sqrt((1 + exp(-d)) * 2 * d / minus_b) / 2 : exp(-d * 3 / 2) * sqrt(P * 2 * d / (M * minus_b)) / R;
+            return;
+        }
+        const Ball top = 2 * load * minus_b, rest = M + 2 * load * w; // z^2 : 1 - z^2
+        const Ball angle = atan2(sqrt(top), sqrt(rest)), v = angle / sqrt(2 * d), decay = exp(-d / 2);
+        u = decay * v;
+        if (slope) {
+            const Ball R_d = -4 * load * w / R, z2_d = 2 * load * (2 * w / P - minus_b * R_d / (P * P));
+            const Ball angle_d = z2_d / (2 * sqrt(top * rest) / P);
+            *slope = decay * (angle_d / sqrt(2 * d) - v / (2 * d) - v / 2);
+        }
+    }
+
+    Row row(const Level& from, Kind kind, const Ball& d, const RowRule& rule)
+    {
+        Row out;
+        const Ball &e = from.edge, w4 = 4 * e * exp(-2 * d), two_d = 2 * d, one(1);
+        const double d_d = about(d);
+        double interpolation = 0;
+        const Panel* panel = nullptr;
+        std::map<const Panel*, std::pair<std::vector<double>, double>> moments;
+        Ball u, u_d, a, b, k_d, sum(0), sum_d(0);
+        const bool with_slope = kind == Kind::slope;
+        for (const RuleNode& node : rule.nodes) {
+            const Ball delta = two_d * node.s, D = two_d * node.c;
+            Ball minus = -delta;
+            arb_expm1(a.get(), minus.get(), precision);
+            minus = -D;
+            arb_expm1(b.get(), minus.get(), precision);
+            const Ball x = e * (one + a), one_minus = one - x, R = sqrt(one_minus * one_minus + w4), P = one + x + R;
+            Ball k;
+            if (kind == Kind::share) {
+                // z^2 : 1 - z^2
+                k = atan2(sqrt(-2 * x * b), sqrt(one_minus + R + 2 * x * (one + b))) * sqrt(one + a);
+            }
+            else {
+                const Ball M = one_minus + R;
+                k = law == Law::density ? sqrt(-P * D / (M * b)) / R : sqrt(-P * M * D / b) / R;
+            }
+            k *= node.weight;
+            if (with_slope) { // (log k)' at fixed s
+                const Ball s2 = 2 * node.s, M = one_minus + R, x_d = -x * s2, R_d = (-one_minus * x_d - w4) / R;
+                const Ball E_d = 2 * node.c * (-(one + b) / b - one / D); // of log E
+                k_d = ((x_d + R_d) / P + (R_d - x_d) / M - E_d) / 2 - R_d / R;
+            }
+            const double k_d_d = with_slope ? about(k_d) : 0;
+            if (from.k == 1) first(delta, u, with_slope ? &u_d : nullptr);
+            else {
+                const double at = about(delta);
+                if (!panel || at < panel->a || at > panel->b) {
+                    const auto it = std::lower_bound(from.panels.begin(), from.panels.end(), at, [](const auto& p, double y) { return p->b < y; });
+                    panel = it == from.panels.end() ? from.panels.back().get() : it->get();
+                }
+                const Ball xi = ((panel->logarithmic ? log(delta) : delta) - panel->mid) / panel->half;
+                if (with_slope) {
+                    arb_poly_evaluate2(u.get(), u_d.get(), panel->polynomial, xi.get(), wide);
+                    u_d = u_d / panel->half;
+                    if (panel->logarithmic) u_d = u_d / delta;
+                }
+                else evaluate(*panel, xi, u);
+                // what the values of the level do to this row
+                auto& [moment, weight] = moments[panel];
+                moment.resize(static_cast<std::size_t>(panel->points));
+                const double size = std::fabs(about(k)), x_d = std::clamp(about(xi), -1.0, 1.0);
+                interpolation += size * std::max(1.0, std::fabs(k_d_d)) * panel->interpolation;
+                weight += size * (with_slope ? 1 + std::fabs(k_d_d) + 2 / panel->half_d / (panel->logarithmic ? at : 1) : 1);
+                // the row as a functional of T_j: k T_j, or k (2s T_j' + (log k)' T_j)
+                const double per = with_slope ? 2 * about(node.s) / panel->half_d / (panel->logarithmic ? at : 1) : 0;
+                if (with_slope) out.interpolation += size * per * panel->slope;
+                double t0 = 1, t1 = x_d, u0 = 0, u1 = 1; // T_j, T_{j+1}, U_{j-1}, U_j
+                for (std::size_t j = 0; j < moment.size(); ++j) {
+                    moment[j] += with_slope ? about(k) * (per * static_cast<double>(j) * u0 + k_d_d * t0) : size * t0;
+                    const double t2 = 2 * x_d * t1 - t0, u2 = 2 * x_d * u1 - u0;
+                    t0 = t1;
+                    t1 = t2;
+                    u0 = u1;
+                    u1 = u2;
+                }
+            }
+            if (with_slope) sum_d += k * (u_d * 2 * node.s + u * k_d);
+            sum += k * u;
+        }
+        for (auto& [p, entry] : moments) {
+            auto& [moment, weight] = entry;
+            const auto& T = chebyshev_table(p->points);
+            const auto n = static_cast<std::size_t>(p->points);
+            for (std::size_t j = 0; j < n; ++j) {
+                double B = moment[0];
+                for (std::size_t i = 1; i < n; ++i) B += 2 * moment[i] * T[i * n + j];
+                out.carried += std::fabs(B) / static_cast<double>(n) * p->errors[j];
+            }
+            out.carried += slack * weight * p->worst * static_cast<double>(n * (with_slope ? n * n : 1)); // this arithmetic's own rounding
+        }
+        out.value = sum;
+        out.slope = sum_d;
+        out.rule_error = rule.error + dropped(from, kind, d_d, rule.reach);
+        out.interpolation = (out.interpolation + interpolation) * (1 + slack);
+        out.error = (out.rule_error + out.interpolation + out.carried) * (1 + slack);
+        return out;
+    }
+
+    /// What the far end, delta >= reach, can hold of v_{k+1}(d).
+    double dropped(const Level& from, Kind kind, double d, double reach) const
+    {
+        if (!std::isfinite(reach)) return 0;
+        const auto k = static_cast<double>(from.k);
+        const double next = log_constant(from); // log(C_{k+1})
+        if (law == Law::exceedance) // E_{k+1} = d^((k+1)/2) C_{k+1} v_{k+1}; the derivative is never asked for here
+            return kind == Kind::slope ? infinity
+                                       : std::exp(0.5 * std::log(about(from.edge)) - reach / 2 - (k + 1) / 2 * std::log(d) - next) * (1 + 1e-6);
+        if (kind == Kind::share) return infinity; // its caller adds its own
+        const double k2 = 4 / std::numbers::pi * std::pow(1 - above(from.edge_bound), -1.5);
+        return 4.1 * k2 * from.tail * std::exp(-reach - (k - 1) / 2 * std::log(d) - next) * (1 + 1e-6);
+    }
+    double log_constant(const Level& from) const
+    {
+        const WorkingPrecision low(60);
+        return about(log(constant_after(from)));
+    }
+    Ball constant_after(const Level& from) const
+    {
+        const long k = from.k;
+        Ball step = sqrt(Traits::power_of_two(k + 1)) * wallis(power(k));
+        step = law == Law::density ? step * 4 / Traits::pi() : step * sqrt(from.edge) / Traits::pi();
+        return from.C * step;
+    }
+
+    const std::vector<double>& chebyshev_table(long n)
+    {
+        auto& T = chebyshev_at[n];
+        if (T.empty())
+            for (long i = 0; i < n; ++i)
+                for (long j = 0; j < n; ++j)
+                    T.push_back(std::cos(std::numbers::pi * static_cast<double>(i * (2 * j + 1) % (4 * n)) / static_cast<double>(2 * n)));
+        return T;
+    }
+    /// Values at the n Chebyshev points to coefficients of powers.
+    const std::vector<Ball>& monomial_matrix(long n)
+    {
+        auto& A = to_monomials[n];
+        if (!A.empty()) return A;
+        const auto N = static_cast<std::size_t>(n);
+        A.resize(N * N);
+        std::vector<Ball> t0(N), t1(N), t2(N); // coefficients of T_i
+        t0[0] = 1;
+        t1[std::min<std::size_t>(1, N - 1)] = 1;
+        for (std::size_t i = 0; i < N; ++i) {
+            for (std::size_t j = 0; j < N; ++j) {
+                const Ball c = Traits::cos_pi(Traits::quotient(static_cast<long>(i * (2 * j + 1)), 2 * n)) * (i == 0 ? 1 : 2) / n;
+                for (std::size_t p = i % 2; p <= i; p += 2) A[p * N + j] += t0[p] * c;
+            }
+            for (std::size_t p = 0; p < N; ++p) t2[p] = (p == 0 ? Ball(0) : 2 * t1[p - 1]) - t0[p];
+            t0 = t1;
+            t1 = t2;
+        }
+        return A;
+    }
+
+    // ---- building a level
+
+    /// Bound of |u| on the ellipse rho of [a, b], in d or in log d.
+    double ellipse_bound(const Boxes& boxes, double a, double b, bool logarithmic, double rho) const
+    {
+        const double lo = logarithmic ? std::log(a) : a, hi = logarithmic ? std::log(b) : b;
+        const double mid = (lo + hi) / 2, half = (hi - lo) / 2 * (1 + slack), A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+        constexpr int arcs = 40;
+        const double radius = half * A * std::numbers::pi / (2 * arcs) * (1 + slack);
+        double most = 0;
+        for (int i = 0; i < arcs && std::isfinite(most); ++i) {
+            const double phi = std::numbers::pi * (i + 0.5) / arcs, x = mid + half * A * std::cos(phi), y = half * B * std::sin(phi);
+            if (logarithmic) {
+                if (y + radius > 3.1) return infinity;
+                most = std::max(most, lookup(boxes, {std::exp(x - radius) * (1 - slack), std::exp(x + radius) * (1 + slack), std::max(0.0, y - radius), y + radius}));
+            }
+            else most = std::max(most, lookup(boxes, polar(x, y, radius)));
+        }
+        return most;
+    }
+
+    struct Choice {
+        double b = 0, rho = 0, bound = 0;
+        long points = std::numeric_limits<long>::max();
+    };
+    Choice choose(const Level& from, const Boxes& boxes, double a, double b, bool logarithmic) const
+    {
+        static constexpr std::array rhos{12.0, 9.5, 7.6, 6.2, 5.0, 4.1, 3.4, 2.8, 2.35, 2.0, 1.75, 1.55};
+        const double goal = epsilon * std::min(estimate_step(from, a == 0 ? b * 1e-3 : a), estimate_step(from, b));
+        const Settings& set = settings(law);
+        Choice best;
+        for (const double rho : rhos) {
+            const double U = ellipse_bound(boxes, a, b, logarithmic, rho);
+            if (!std::isfinite(U)) continue;
+            long n = 1 + static_cast<long>(std::ceil(std::log(std::max(4 * U / (goal * (rho - 1)), 1.0)) / std::log(rho)));
+            n = set.least_points + std::max(0L, (n - set.least_points + set.step_points - 1) / set.step_points) * set.step_points;
+            if (n < best.points) best = {b, rho, U, n};
+        }
+        return best;
+    }
+
+    void extend_to(long k)
+    {
+        while (static_cast<long>(levels.size()) <= k) {
+            const WorkingPrecision scope(precision);
+            levels.push_back(next(*levels.back()));
+        }
+    }
+
+    std::unique_ptr<Level> next(const Level& from)
+    {
+        auto to = std::make_unique<Level>();
+        to->k = from.k + 1;
+        to->edge = 2 / G * sqrt(from.edge);
+        to->C = constant_after(from);
+        {
+            const WorkingPrecision low(bound_bits);
+            to->edge_bound = to->edge + Ball(0);
+        }
+        to->tail = next_tail(from);
+        bound_boxes(from, *to);
+        const Settings& set = settings(law);
+        const double disc_radius = shells.radius(to->boxes.disc);
+        double a = 0;
+        while (a < delta_max) {
+            Choice best;
+            bool logarithmic = false;
+            if (a == 0) {
+                for (double b = 8 * disc_radius; b > disc_radius / 64; b /= std::numbers::sqrt2) {
+                    best = choose(from, to->boxes, 0, b, false);
+                    if (best.points <= set.most_points) break;
+                }
+            }
+            else {
+                double merit = 0;
+                for (const double ratio : set.ratios) {
+                    const Choice c = choose(from, to->boxes, a, a * ratio, set.logarithmic);
+                    if (c.points > set.most_points) continue;
+                    const double m = std::log(ratio) / static_cast<double>(c.points);
+                    if (m > merit) {
+                        merit = m;
+                        best = c;
+                    }
+                }
+                logarithmic = set.logarithmic;
+            }
+            if (best.points > set.most_points || to->panels.size() > 400)
+                throw BeyondReach("the distribution's region of analyticity is too narrow here; the load is too near 1 or G too near 2");
+            auto panel = std::make_unique<Panel>();
+            panel->a = a;
+            panel->b = best.b;
+            panel->logarithmic = logarithmic;
+            const Ball lo = logarithmic ? log(Ball::exactly(a)) : Ball::exactly(a), hi = logarithmic ? log(Ball::exactly(best.b)) : Ball::exactly(best.b);
+            panel->mid = (lo + hi) / 2;
+            panel->half = (hi - lo) / 2;
+            panel->mid_d = about(panel->mid);
+            panel->half_d = about(panel->half);
+            panel->points = best.points;
+            panel->rho = best.rho;
+            panel->bound = best.bound;
+            const double n = static_cast<double>(best.points), r = best.rho, q = 1 / r;
+            panel->interpolation = 4 * best.bound * std::pow(r, 1 - n) / (r - 1) * (1 + slack);
+            // sum_{k >= N} 2 U rho^-k (k^2 + N^2) <= 4 U sum k^2 rho^-k
+            panel->slope = 4 * best.bound * std::pow(q, n) * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q) * (1 + slack);
+            fill_panel(from, *to, *panel);
+            a = best.b;
+            to->panels.push_back(std::move(panel));
+        }
+        std::vector<std::pair<double, double>> known;
+        for (std::size_t i = 0; i < to->log_d.size(); ++i) known.emplace_back(to->log_d[i], to->log_v[i]);
+        std::sort(known.begin(), known.end());
+        for (std::size_t i = 0; i < known.size(); ++i) std::tie(to->log_d[i], to->log_v[i]) = known[i];
+        return to;
+    }
+
+    /// T_{k+1} from T_k; see the header. Force density f_k <= T_k e^(-5 delta/2) for delta >= 4.
+    ///
+    /// f_{k+1}(d) = int_0^2d f_k(delta) e^(-3D/2) K dD-part, K <= k2 (1 - e^-D)^(-1/2), k2 = (4/pi)(1-e_k)^(-3/2) since R, M/2 >= 1 - x and
+    /// (1+x+R)/(1-x+R) falls with R. Let d >= 4. The part delta < 4 (total force 1) gives at most 1.01 k2 e^(-3d+6); the part delta >= 4
+    /// T_k k2 e^(-3d) int e^-delta (1-e^-D)^(-1/2) ddelta <= 4.1 T_k k2 e^(-3d-4): D >= 1 weighs at most 1.26 e^-4, D < 1 at most 2.83 e^-4.
+    /// First, f_1 <= (8/pi) a e^(-3 delta/2) (1 - e^(-2 delta))^(-1/2), a = min((2 load^(1/2))^(-3/2), (1-load)^(-3/2)), from R >= 2 load^(1/2) e^-delta,
+    /// R >= 1 - load and (1+x+R)/(1-x+R) <= (R+2)/R <= 4/R; so f_2(d) <= (8a/pi) k2 e^(-3d) 2.02 (d + 1.2).
+    double next_tail(const Level& from) const
+    {
+        const double k2 = 4 / std::numbers::pi * std::pow(1 - above(from.edge_bound), -1.5) * (1 + slack);
+        if (from.k == 1) {
+            const double a = std::min(std::pow(2 * std::sqrt(load_d), -1.5), std::pow(std::max(0.0, 1 - load_d), -1.5)) * (1 + slack);
+            return 8 * a / std::numbers::pi * k2 * 1.43;
+        }
+        return std::exp(-2.0) * k2 * (1.01 * std::exp(6.0) + 4.1 * std::exp(-4.0) * from.tail) * (1 + slack);
+    }
+
+    /// Fixed-point form of the panel's polynomial: sum |c| < 2^14 units of 2^scale.
+    ///
+    /// A value is off by at most: each of `points` coefficients one unit, each product one unit (both carried on by |xi| <= 1), and xi's own
+    /// unit times sum j |c_j| <= points 2^14. The radius of xi is added where it is used.
+    void make_fixed(Panel& panel) const
+    {
+        const WorkingPrecision scope(wide);
+        Ball sum(0);
+        for (long j = 0; j < panel.points; ++j) {
+            Ball c;
+            arb_abs(c.get(), panel.polynomial->coeffs + j);
+            sum += c;
+        }
+        mag_t size;
+        mag_init(size);
+        arb_get_mag(size, sum.get());
+        panel.scale = mag_is_zero(size) ? 0 : static_cast<long>(MAG_EXP(size)) - 14;
+        mag_clear(size);
+        const auto limbs = static_cast<std::size_t>(format.limbs());
+        panel.fixed.resize(static_cast<std::size_t>(panel.points) * limbs);
+        mag_set_ui(panel.fixed_error, static_cast<ulong>(panel.points) * (3 + (1UL << 14)));
+        mag_mul_2exp_si(panel.fixed_error, panel.fixed_error, panel.scale - format.fraction());
+        mag_t radius;
+        mag_init(radius);
+        for (long j = 0; j < panel.points; ++j) {
+            Ball c;
+            arb_set(c.get(), panel.polynomial->coeffs + j);
+            mag_add(radius, radius, arb_radref(c.get()));
+            arb_mul_2exp_si(c.get(), c.get(), -panel.scale);
+            format.put(panel.fixed.data() + static_cast<std::size_t>(panel.points - 1 - j) * limbs, c);
+        }
+        mag_add(panel.fixed_error, panel.fixed_error, radius);
+        mag_clear(radius);
+    }
+    void evaluate(const Panel& panel, const Ball& xi, Ball& u)
+    {
+        const auto limbs = static_cast<std::size_t>(format.limbs());
+        const auto size = static_cast<mp_size_t>(limbs);
+        const double x = about(xi);
+        if (!(std::fabs(x) < 1)) { // xi = +-1 by rounding: the rule is proven for |xi| <= 1
+            arb_poly_evaluate(u.get(), panel.polynomial, xi.get(), wide);
+            return;
+        }
+        format.put(xi_fixed.data(), xi);
+        std::copy_n(panel.fixed.data(), limbs, sum_fixed.data());
+        for (std::size_t j = 1; j < static_cast<std::size_t>(panel.points); ++j) {
+            format.multiply(product_fixed.data(), sum_fixed.data(), xi_fixed.data(), 0, scratch.data());
+            mpn_add_n(sum_fixed.data(), product_fixed.data(), panel.fixed.data() + j * limbs, size);
+        }
+        fmpz_t units;
+        fmpz_init(units);
+        format.get(units, sum_fixed.data());
+        arb_set_fmpz(u.get(), units);
+        fmpz_clear(units);
+        arb_mul_2exp_si(u.get(), u.get(), panel.scale - format.fraction());
+        mag_t e; // xi's radius times sum j |c_j|
+        mag_init(e);
+        mag_mul_ui(e, arb_radref(xi.get()), static_cast<ulong>(panel.points));
+        mag_mul_2exp_si(e, e, panel.scale + 14);
+        mag_add(e, e, panel.fixed_error);
+        mag_add(arb_radref(u.get()), arb_radref(u.get()), e);
+        mag_clear(e);
+    }
+
+    void fill_panel(const Level& from, Level& to, Panel& panel)
+    {
+        const long n = panel.points;
+        const auto N = static_cast<std::size_t>(n);
+        std::vector<Ball> values(N);
+        panel.errors.resize(N);
+        std::vector<Ball> at(N);
+        std::vector<double> at_d(N);
+        for (std::size_t j = 0; j < N; ++j) {
+            at[j] = panel.mid + panel.half * Traits::cos_pi(Traits::quotient(static_cast<long>(2 * j + 1), 2 * n));
+            if (panel.logarithmic) at[j] = exp(at[j]);
+            at_d[j] = about(at[j]);
+        }
+        RowRule rule;
+        double rule_from = infinity;
+        for (std::size_t j = 0; j < N; ++j) { // descending d
+            const double d = at_d[j];
+            if (d * (1 + 1e-12) < rule_from || j == 0) {
+                const double low = panel.a == 0 && d < panel.b / 12 ? 0 : d / 1.13;
+                const double relaxed = std::min(epsilon * std::exp(std::min(beta * low, 600.0)), 1e-3);
+                rule = make_rule(from, Kind::step, low, d * (1 + 1e-12), 0, relaxed * estimate_step(from, d));
+                rule_from = low;
+            }
+            const Row r = row(from, Kind::step, at[j], rule);
+            to.row_nodes += rule.nodes.size();
+            const Ball decay = exp(-at[j] * Traits::quotient(law == Law::density ? 3 : 1, 2)), u = r.value * decay;
+            const double decay_d = above(decay), scale = epsilon * std::fabs(about(r.value));
+            panel.errors[j] = (r.error * decay_d + mag_get_d(arb_radref(u.get()))) * (1 + slack);
+            panel.worst = std::max(panel.worst, panel.errors[j]);
+            arb_get_mid_arb(values[j].get(), u.get());
+            if (!u.is_finite() || !std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");
+            to.log_d.push_back(std::log(d));
+            to.log_v.push_back(std::log(std::fabs(about(r.value))));
+            const double unit = scale / epsilon;
+            to.worst_row = std::max(to.worst_row, r.rule_error * decay_d / unit);
+            to.worst_carried = std::max(to.worst_carried, (r.interpolation + r.carried) * decay_d / unit);
+            to.worst_total = std::max(to.worst_total, panel.errors[j] / unit);
+            to.worst_interpolation = std::max(to.worst_interpolation, panel.interpolation / unit);
+        }
+        to.nodes += N;
+        const WorkingPrecision scope(wide);
+        const auto& A = monomial_matrix(n);
+        arb_poly_fit_length(panel.polynomial, n);
+        for (std::size_t p = 0; p < N; ++p) {
+            arb_ptr c = panel.polynomial->coeffs + p;
+            arb_zero(c);
+            for (std::size_t j = 0; j < N; ++j) arb_addmul(c, A[p * N + j].get(), values[j].get(), wide);
+        }
+        _arb_poly_set_length(panel.polynomial, n);
+        make_fixed(panel);
+    }
+
+    // ---- values
+
+    static void widen(Ball& b, double error)
+    {
+        mag_t m;
+        mag_init(m);
+        mag_set_d(m, error);
+        arb_add_error_mag(b.get(), m);
+        mag_clear(m);
+    }
+    static Ball half_power(const Ball& x, long twice)
+    {
+        Ball r;
+        arb_pow_ui(r.get(), x.get(), static_cast<ulong>(twice / 2), WorkingPrecision::bits());
+        return twice % 2 ? r * sqrt(x) : r;
+    }
+
+    RowRule rule_at(const Level& from, Kind kind, const Ball& d, double around)
+    {
+        const double x = about(d);
+        const double size = kind == Kind::share ? estimate_share(from, x) : estimate_step(from, x);
+        return make_rule(from, kind, x, x, around * x, epsilon * size * (kind == Kind::slope ? around : 1));
+    }
+    double estimate_share(const Level& from, double d) const
+    {
+        const double e = about(from.edge);
+        double sum = 0, weight = 0;
+        for (int i = 0; i < 60; ++i) {
+            const double theta = std::numbers::pi / 2 * (i + 0.5) / 60, s = std::pow(std::sin(theta), 2), w = std::pow(std::sin(theta), static_cast<double>(power(from.k)));
+            const double delta = 2 * d * s, x = e * std::exp(-delta), R = std::sqrt((1 - x) * (1 - x) + 4 * e * std::exp(-2 * d));
+            const double z2 = -2 * x * std::expm1(-2 * d * (1 - s)) / (1 + x + R);
+            weight += w;
+            sum += w * std::cos(theta) * std::asin(std::sqrt(std::min(z2, 1.0))) * std::exp(-2 * delta) * estimate(from, delta);
+        }
+        return sum / weight;
+    }
+
+    struct Value {
+        Ball value;
+        Row row;
+        std::size_t nodes;
+    };
+
+    Value density(long n, const Ball& p, const Ball& d)
+    {
+        extend_to(n);
+        const Level& from = *levels[static_cast<std::size_t>(n)];
+        const Ball constant = constant_after(from);
+        if (law == Law::density) {
+            const RowRule rule = rule_at(from, Kind::step, d, 0);
+            Row r = row(from, Kind::step, d, rule);
+            widen(r.value, r.error);
+            // load d^((n-1)/2) e^(-3d) C v/p^2
+            return {load * half_power(d, n - 1) * exp(-3 * d) * constant * r.value / (p * p), r, rule.nodes.size()};
+        }
+        if (2 * about(d) > delta_max) throw BeyondReach("p is too small against the highest pressure");
+        const double around = 0.04;
+        const RowRule rule = rule_at(from, Kind::slope, d, around);
+        Row r = row(from, Kind::slope, d, rule);
+        // the rule's error is analytic in d: Cauchy's bound of its derivative
+        Ball v_d = r.slope;
+        widen(v_d, rule.error / (around * about(d)) * (1 + slack) + r.interpolation + r.carried);
+        const Row plain = row(from, Kind::step, d, rule);
+        Ball v = plain.value;
+        widen(v, plain.error);
+        return {half_power(d, n - 1) * constant * ((n + 1) * v / 2 + d * v_d) / p, r, rule.nodes.size()};
+    }
+
+    Value exceedance(long n, const Ball& d)
+    {
+        extend_to(n);
+        const Level& from = *levels[static_cast<std::size_t>(n)];
+        if (law == Law::exceedance) {
+            const RowRule rule = rule_at(from, Kind::step, d, 0);
+            Row r = row(from, Kind::step, d, rule);
+            widen(r.value, r.error);
+            return {half_power(d, n + 1) * constant_after(from) * r.value, r, rule.nodes.size()};
+        }
+        // load/(G^n e_n) int delta^(n/2-1) e^(-2 delta) C_n v_n(delta) Q ddelta, Q = (2/pi) arcsin z, delta = 2 d sin^2 theta:
+        // (2d)^(n/2) 2 wallis <sin^(n-1)| cos(theta) arcsin(z) e^(-delta/2) u_n>
+        const RowRule rule = rule_at(from, Kind::share, d, 0);
+        RowRule whole = rule;
+        whole.reach = infinity;
+        Row r = row(from, Kind::share, d, whole);
+        widen(r.value, r.error);
+        Ball unit;
+        arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), precision);
+        const Ball front = load / (unit * from.edge);
+        Ball value = front * half_power(2 * d, n) * 2 * wallis(power(n)) * from.C * 2 / Traits::pi() * r.value;
+        if (std::isfinite(rule.reach)) widen(value, above(front) * from.tail * std::exp(-1.5 * rule.reach) / 1.5 * (1 + slack));
+        return {value, r, rule.nodes.size()};
+    }
+};
+
+Forward::Forward(Law law, const std::function<Ball()>& G_at, const std::function<Ball()>& load_at, double accuracy)
+{
+    const WorkingPrecision scope(Implementation::precision_for(accuracy));
+    implementation_ = std::make_unique<Implementation>(law, G_at(), load_at(), accuracy);
+}
+Forward::~Forward() = default;
+
+slong Forward::bits() const { return implementation_->precision; }
+
+Ball Forward::density(long n, const Ball& p, const Ball& d)
+{
+    const std::lock_guard lock(implementation_->mutex);
+    const WorkingPrecision scope(implementation_->precision);
+    return implementation_->density(n, p, d).value;
+}
+
+Ball Forward::exceedance(long n, const Ball& d)
+{
+    const std::lock_guard lock(implementation_->mutex);
+    const WorkingPrecision scope(implementation_->precision);
+    return implementation_->exceedance(n, d).value;
+}
+
+std::string Forward::certificate(long n, const Ball& p, const Ball& d)
+{
+    Implementation& in = *implementation_;
+    const std::lock_guard lock(in.mutex);
+    const WorkingPrecision scope(in.precision);
+    const auto q = in.density(n, p, d);
+    const double v = std::fabs(about(q.row.value));
+    std::string text = fmt::format("{} law: {} bits, far end from delta = {:.0f}\n", in.law == Law::density ? "density" : "exceedance", in.precision, in.delta_max);
+    for (long k = 2; k <= n; ++k) {
+        const Level& l = *in.levels[static_cast<std::size_t>(k)];
+        text += fmt::format("  scale {:2}: {:2} panels, {:4} nodes, {:4} points a row; of v: rows {:.1e}, carried {:.1e}, all {:.1e}; interpolation {:.1e}\n", k - 1, l.panels.size(),
+                            l.nodes, l.row_nodes / l.nodes, l.worst_row, l.worst_carried, l.worst_total, l.worst_interpolation);
+    }
+    text += fmt::format("  at p: {} points; of v: rule {:.1e}, interpolation {:.1e}, carried {:.1e}\n", q.nodes, q.row.rule_error / v, q.row.interpolation / v, q.row.carried / v);
+    return text;
+}
+
+std::size_t Forward::memory() const
+{
+    const std::lock_guard lock(implementation_->mutex);
+    std::size_t n = 0;
+    const auto word = static_cast<std::size_t>(implementation_->precision / 8 + 40);
+    for (const auto& [size, matrix] : implementation_->to_monomials) n += matrix.size() * word;
+    for (const auto& level : implementation_->levels)
+        if (level) n += level->nodes * (word + 24) + level->boxes.bound.size() * 8;
+    return n;
+}
+
+// ---- kept levels
+
+namespace {
+
+constexpr std::size_t memory_limit = 300'000'000;
+
+struct Kept {
+    Law law;
+    double accuracy;
+    std::string G, load; ///< their balls: levels are valid for every pair in them
+    std::shared_ptr<Forward> made;
+};
+std::mutex kept_mutex;
+std::list<Kept> kept; // most recently used first
+
+std::shared_ptr<Forward> levels_for(Law law, double accuracy, const Arguments& a)
+{
+    std::string G, load;
+    {
+        const WorkingPrecision precision(static_cast<slong>(accuracy * 1.5) + 80);
+        G = a.G().dump();
+        load = a.load().dump();
+    }
+    const std::lock_guard lock(kept_mutex);
+    const auto found = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.law == law && k.accuracy == accuracy && k.G == G && k.load == load; });
+    if (found != kept.end()) kept.splice(kept.begin(), kept, found);
+    else kept.push_front({law, accuracy, G, load, std::make_shared<Forward>(law, a.G, a.load, accuracy)});
+    std::size_t held = 0, count = 0;
+    for (auto it = kept.begin(); it != kept.end();) {
+        held += it->made.use_count() > 1 ? 0 : it->made->memory(); // one in use elsewhere may be busy for long
+        it = ++count > 4 && held > memory_limit ? kept.erase(it) : std::next(it);
+    }
+    return kept.front().made;
+}
+
+struct Asked {
+    std::shared_ptr<Forward> levels;
+    Ball p, d;
+};
+
+Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a)
+{
+    const auto distance = [&](slong bits) {
+        const WorkingPrecision precision(bits);
+        const Ball G = a.G(), load = a.load();
+        if (!certainly(less(Ball(2), G)) || !certainly(less(Ball(0), load)) || !(arb_is_one(load.get()) || certainly(less(load, Ball(1)))))
+            throw BeyondReach("needs G > 2 and 0 < load <= 1");
+        // p_n^max = G^(n+1) e_{n+1}, log e_{k+1} = log(2/G) + log(e_k)/2
+        Ball log_edge = log(load);
+        for (long k = 0; k <= n; ++k) log_edge = log(2 / G) + log_edge / 2;
+        return log_edge + (n + 1) * log(G) - log(p_at());
+    };
+    const slong wanted = WorkingPrecision::bits();
+    double d = 0;
+    for (slong bits = 128; d == 0; bits *= 2) {
+        const Ball ball = distance(bits);
+        if (certainly(less(Ball(0), ball))) d = about(ball);
+        else if (bits > 40'000) throw BeyondReach("p cannot be told from the upper edge of the support");
+    }
+    // Accuracies in use are few, so that levels are shared.
+    double accuracy = 4 * std::ceil(std::max(30.0, static_cast<double>(wanted - 52) * std::numbers::ln2) / 4);
+    if (law == Law::exceedance) accuracy += 12 * std::max(1.0, std::ceil(d / 6)); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
+    if (accuracy > 700) throw BeyondReach("so many digits of a distribution would cost too much");
+    Asked asked{levels_for(law, accuracy, a), {}, {}};
+    const slong bits = asked.levels->bits();
+    asked.d = distance(bits + 40 + static_cast<slong>(std::max(0.0, -std::log2(d))));
+    const WorkingPrecision precision(bits);
+    asked.p = p_at();
+    return asked;
+}
+
+} // namespace
+
+Ball density(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
+{
+    const Asked asked = prepare(law, n, p, a);
+    return asked.levels->density(n, asked.p, asked.d);
+}
+
+Ball exceedance(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
+{
+    const Asked asked = prepare(law, n, p, a);
+    return asked.levels->exceedance(n, asked.d);
+}
+
+std::string distribution_certificate(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
+{
+    const Asked asked = prepare(law, n, p, a);
+    return asked.levels->certificate(n, asked.p, asked.d);
+}
+
+} // namespace touchstone::transfer

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Distribution of the contact pressure at scale n by the forward recursion (6.1), certified, for one G > 2 and load <= 1.
+///
+/// Let x_k = p_{k-1}/p*_k, x_0 = load (chain.hpp); its largest value is e_k, e_0 = load, e_{k+1} = (2/G) sqrt(e_k), (5.6).
+/// Everything is a function of the distance from that edge, d = log(e_k/x_k) >= 0. If a region has delta at scale k and d
+/// at scale k + 1 then 0 <= delta <= 2d; put delta = 2d s, D = 2d (1-s), s = sin^2 theta, x = e_k e^-delta and
+///
+///     R^2 = (1-x)^2 + 4 e_k e^(-2d),   P = 1+x+R,   M = 1-x+R,   E(z) = (1-e^-z)/z.
+///
+/// | law        | unknown of scale k                                         | from (2.17), (2.19)                            |
+/// |------------|------------------------------------------------------------|------------------------------------------------|
+/// | density    | share of force per unit of d: d^(k/2-1) e^(-3d) C_k v_k(d) | v_{k+1} = <sin^(k-1)| (P/(M E(D)))^(1/2)/R u_k>  |
+/// | exceedance | share of length above, E_k = d^(k/2) C_k v_k(d)            | v_{k+1} = <sin^(k+1)| (P M/E(D))^(1/2)/R u_k>    |
+///
+/// with u_k = e^(-b d) v_k, b = 3/2 or 1/2, <sin^m| f> = int_0^(pi/2) sin^m f dtheta / int_0^(pi/2) sin^m dtheta, u_k taken at
+/// 2d s. The first step is closed: v_1 = (P/(M E))^(1/2)/R, or arcsin(z)/(2d)^(1/2), z^2 = 4 d x E/P, at x = load, D = 2d.
+///  - density: q_n = load f_{n+1}/p^2, f the law's unknown. Exceedance: f_n, as a share of length, against Q of (2.17).
+///  - exceedance: Q_n = E_{n+1}; q_n = (1/p) dE_{n+1}/dd, the derivative of (and under) the integral.
+///
+/// **Analyticity.** delta = 2d s stays on the ray of d. So each direction arg d is on its own: if u_k is analytic with known
+/// bounds on a star-shaped set and P, M, R^2, E meet no branch cut, u_{k+1} is, and is bounded by the average of the bounds.
+/// The plane of d is cut into boxes (shell, direction); each level's boxes are proven and bounded in complex balls. The radius
+/// of analyticity at the edge halves with each scale, the sector does not. A last box per direction is unbounded; there
+/// |1/E(D)| <= |D| + 1/cos and e^(-b d) wins.
+///
+/// **Level.** u_k is kept as interpolating polynomials on panels, in d next to the edge, beyond in d (density) or log d
+/// (exceedance): |error| <= 4 U rho^-(N-1)/(rho-1), U the bound on an ellipse of boxes.
+/// **Row.** v_{k+1}(d) by Gauss-Legendre on pieces of t = tan(theta/2), which leaves no end-point singularity;
+/// |error| <= l (16/3) M r^(-2n)/(1-1/r) as in rule.hpp, M bounded on the ellipse in balls. Its exact integrand knows no
+/// panels, so pieces need not respect them. Pieces whose bound is negligible are left out.
+/// **Far end.** delta > delta_max is left out: E_k <= 1 leaves at most e_k^(1/2) e^(-delta_max/2) of E_{k+1}; for the density
+/// f_k <= T_k e^(-5 delta/2) for delta >= 4, k >= 2 (by induction from total force 1, forward.cpp).
+/// **Errors over levels.** A node's error is its row's, plus sum_j |B_j| (error of node j), B_j the row applied to the j-th
+/// Lagrange polynomial: computed in `double`, with its rounding covered. The step is an average, so these hardly grow.
+#pragma once
+
+#include "touchstone/transfer/contact.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace touchstone::transfer {
+
+enum class Law { density, exceedance };
+
+/// The levels of one (G, load) by one law. Thread-safe; levels are computed once.
+class Forward {
+public:
+    /// The distributions of p_0 to p_largest_n.
+    static constexpr long largest_n = 20;
+    /// \param G_at, load_at enclose G > 2, 0 < load <= 1 at the thread's precision, any precision
+    /// \param accuracy relative accuracy of values is to be about e^-accuracy
+    Forward(Law, const std::function<Ball()>& G_at, const std::function<Ball()>& load_at, double accuracy);
+    ~Forward();
+
+    /// The precision in bits that d should be known to.
+    slong bits() const;
+    /// q_n(p) p*_0 for 0 < p < p_n^max, d = log(p_n^max/p), 1 <= n <= largest_n. \throws BeyondReach
+    Ball density(long n, const Ball& p, const Ball& d);
+    /// Share of lambda_0 with p_n > p, same domain.
+    Ball exceedance(long n, const Ball& d);
+    /// The error budget level by level, and of the row at p.
+    std::string certificate(long n, const Ball& p, const Ball& d);
+    std::size_t memory() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+/// (6.1)  q_n(p) p*_0, and the share of lambda_0 with p_n > p, for 0 < p < p_n^max, 1 <= n <= largest_n, to about the thread's precision.
+/// The levels of a (G, load) are kept for later calls (most recently used first, at most about 300 MB).
+/// \throws BeyondReach unless G > 2, 0 < load <= 1 and p < p_n^max are proven, or where the digits would cost too much
+Ball density(Law, long n, const std::function<Ball()>& p, const Arguments&);
+Ball exceedance(Law, long n, const std::function<Ball()>& p, const Arguments&);
+std::string distribution_certificate(Law, long n, const std::function<Ball()>& p, const Arguments&);
+
+} // namespace touchstone::transfer
