@@ -32,6 +32,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr slong bound_bits = 40;
 /// Covers the rounding of a few `double` operations on bounds and polar coordinates.
 constexpr double slack = 1e-9;
+/// A point may lie outside its panel by a relative 1e-15 of it: polynomials and errors there grow by (1 + 5e-8)^points at most.
+constexpr double at_panel_end = 1e-5;
 
 double above(const Ball& x)
 {
@@ -101,7 +103,8 @@ public:
     Shells(double inner, double outer) : inner_(inner), count_(static_cast<int>(std::ceil(density * std::log2(outer / inner)))) {}
     int count() const { return count_; } ///< shells 0 ... count
     double radius(int j) const { return inner_ * std::exp2(static_cast<double>(j) / density); }
-    int shell(double r) const { return r <= inner_ ? 0 : std::max(0, static_cast<int>(std::ceil(density * std::log2(r / inner_) - slack))); }
+    /// The shell of |d| = r; callers widen r by more than this rounds.
+    int shell(double r) const { return r <= inner_ ? 0 : std::max(0, static_cast<int>(std::ceil(density * std::log2(r / inner_)))); }
 
 private:
     double inner_;
@@ -189,7 +192,7 @@ struct RowRule {
 /// What differs between the routes beside the law.
 struct Settings {
     std::vector<double> ratios;
-    long least_points, most_points, step_points;
+    long least_points, most_points, step_points; ///< most at accuracy 80, more in proportion
     bool logarithmic;
     std::vector<double> piece_rhos;
     long most_gauss;
@@ -206,6 +209,7 @@ const Settings& settings(Law law)
 struct Forward::Implementation {
     Law law;
     double accuracy, epsilon;
+    long most_points, most_gauss; ///< on a panel, on a piece
     slong precision;      ///< of the rows
     slong wide;           ///< of polynomials: powers of xi cancel up to (1 + 2^(1/2))^points
     FixedFormat format;
@@ -230,7 +234,9 @@ struct Forward::Implementation {
     }
 
     Implementation(Law l, const Ball& G_, const Ball& load_, double a)
-        : law(l), accuracy(a), epsilon(std::exp(-a) / 64), precision(WorkingPrecision::bits()), wide(precision + 115), format(precision + 100),
+        : law(l), accuracy(a), epsilon(std::exp(-a) / 64), most_points(4 * static_cast<long>(static_cast<double>(settings(l).most_points) * std::max(a / 80, 1.0) / 4) + settings(l).most_points % 4),
+          most_gauss(static_cast<long>(static_cast<double>(settings(l).most_gauss) * std::max(a / 80, 1.0))), precision(WorkingPrecision::bits()),
+          wide(precision + most_points * 4 / 3 + 14), format(precision + most_points * 4 / 3),
           xi_fixed(static_cast<std::size_t>(format.limbs())), sum_fixed(xi_fixed), product_fixed(xi_fixed), scratch(2 * xi_fixed.size()), G(G_), load(load_), full(arb_is_one(load.get())), G_d(about(G)),
           load_d(about(load)), beta(l == Law::density ? 1.5 : 0.5), delta_max(far_end(l, a, G_d, load_d)),
           shells(std::exp2(-static_cast<double>(largest_n) - 5), 16 * delta_max)
@@ -304,7 +310,7 @@ struct Forward::Implementation {
     /// Largest bound of boxes that meet the range; infinite if one of them is not proven.
     double lookup(const Boxes& boxes, const PolarRange& p) const
     {
-        const int from = shells.shell(p.inner), to = shells.shell(p.outer);
+        const int from = shells.shell(p.inner * (1 - slack)), to = shells.shell(p.outer * (1 + slack));
         if (to > shells.count()) return infinity;
         double most = 0;
         for (int m = 0; m < n_directions; ++m) {
@@ -368,7 +374,7 @@ struct Forward::Implementation {
             if (full) b = law == Law::density ? std::sqrt(2 * (2 * r + 1 / cosine)) / 2 : 4 * std::exp(-beta * r * cosine);
             else {
                 const double eta = 4 * std::exp(-2 * r * cosine) * load_d / ((1 - load_d) * (1 - load_d)) * (1 + slack);
-                if (eta < 1e-3) b = std::exp(-beta * r * cosine) * far_kernel(load_d, eta) * std::sqrt(2 * r + 1 / cosine) * 2;
+                if (eta < 1e-3 * (1 - load_d)) b = std::exp(-beta * r * cosine) * far_kernel(load_d, eta) * std::sqrt(2 * r + 1 / cosine) * 2;
             }
             level->boxes.far[static_cast<std::size_t>(m)] = b / std::sqrt(r) * (1 + slack);
         }
@@ -431,7 +437,7 @@ struct Forward::Implementation {
                 if (m < 0) u = from.boxes.at(from.boxes.disc, 0);
                 else {
                     const double near = 2 * (j == 0 ? 0 : shells.radius(j - 1)) * s0, far = 2 * outer * s1;
-                    const int j0 = shells.shell(near), j1 = shells.shell(far);
+                    const int j0 = shells.shell(near * (1 - slack)), j1 = std::min(shells.shell(far * (1 + slack)), j + Shells::density); // |2 d s| <= 2 |d|
                     for (int q = j0; q <= std::min(j1, shells.count()); ++q) u = std::max(u, from.boxes.at(q, m));
                     if (far > end) u = std::max(u, from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far));
                 }
@@ -448,7 +454,7 @@ struct Forward::Implementation {
             const double cosine = std::cos(directions[static_cast<std::size_t>(m) + 1]);
             if (cosine <= 0.001 || beta * end * cosine < 4) continue;
             const double eta = 4 * std::exp(-2 * end * cosine) * e_d / ((1 - e_d) * (1 - e_d)) * (1 + slack);
-            if (!(eta < 1e-3)) continue;
+            if (!(eta < 1e-3) || e_d > 0.99999) continue; // R^2 = (1-x)^2 (1 + eta') off its cut: 2 arcsin e + eta < pi
             const double u = std::max(most[static_cast<std::size_t>(m)], from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end));
             to.boxes.far[static_cast<std::size_t>(m)] =
                 std::exp(-beta * end * cosine) * far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) * u / std::sqrt(end) * (1 + 1e-6);
@@ -535,7 +541,9 @@ struct Forward::Implementation {
         double t_end = 1;
         if (from.k >= 2 && 2 * high > delta_max) {
             const double s = delta_max / (2 * high) * (1 - 1e-6);
-            t_end = std::tan(std::asin(std::sqrt(s)) / 2);
+            int exponent = 0; // to 20 bits: then 30 bisections leave ends, middles and half-lengths exact, and no gap
+            t_end = std::frexp(std::tan(std::asin(std::sqrt(s)) / 2), &exponent);
+            t_end = std::ldexp(std::floor(std::ldexp(t_end, 20)), exponent - 20);
             const double sine = 2 * t_end / (1 + t_end * t_end);
             rule.reach = 2 * low * sine * sine * (1 - slack);
         }
@@ -585,7 +593,7 @@ struct Forward::Implementation {
                 }
                 if (++finite == 3) break;
             }
-            if (best > set.most_gauss) {
+            if (best > most_gauss) {
                 if (depth == 0) throw BeyondReach("the distribution's integrand could not be bounded; the load is too near 1 or G too near 2");
                 pieces(mid, b, depth - 1);
                 pieces(a, mid, depth - 1);
@@ -603,7 +611,7 @@ struct Forward::Implementation {
                 rule.nodes.push_back({sine * sine, cosine * cosine, std::move(w)});
             }
         };
-        pieces(0, t_end, 40);
+        pieces(0, t_end, 30);
         return rule;
     }
 
@@ -657,11 +665,13 @@ struct Forward::Implementation {
             arb_expm1(a.get(), minus.get(), precision);
             minus = -D;
             arb_expm1(b.get(), minus.get(), precision);
-            const Ball x = e * (one + a), one_minus = one - x, R = sqrt(one_minus * one_minus + w4), P = one + x + R;
+            Ball root; // e^(-delta/2), where x itself is to keep its sign
+            if (kind == Kind::share) root = exp(-delta / 2);
+            const Ball x = kind == Kind::share ? e * root * root : e * (one + a), one_minus = one - x, R = sqrt(one_minus * one_minus + w4), P = one + x + R;
             Ball k;
             if (kind == Kind::share) {
                 // z^2 : 1 - z^2
-                k = atan2(sqrt(-2 * x * b), sqrt(one_minus + R + 2 * x * (one + b))) * sqrt(one + a);
+                k = atan2(sqrt(-2 * x * b), sqrt(one_minus + R + 2 * x * (one + b))) * root;
             }
             else {
                 const Ball M = one_minus + R;
@@ -719,7 +729,7 @@ struct Forward::Implementation {
                 for (std::size_t i = 1; i < n; ++i) B += 2 * moment[i] * T[i * n + j];
                 out.carried += std::fabs(B) / static_cast<double>(n) * p->errors[j];
             }
-            out.carried += slack * weight * p->worst * static_cast<double>(n * (with_slope ? n * n : 1)); // this arithmetic's own rounding
+            out.carried += (at_panel_end + slack * static_cast<double>(n)) * weight * p->worst * static_cast<double>(with_slope ? n * n : 1); // this arithmetic's own rounding
         }
         out.value = sum;
         out.slope = sum_d;
@@ -856,15 +866,16 @@ struct Forward::Implementation {
             if (a == 0) {
                 for (double b = 8 * disc_radius; b > disc_radius / 64; b /= std::numbers::sqrt2) {
                     best = choose(from, to->boxes, 0, b, false);
-                    if (best.points <= set.most_points) break;
+                    if (best.points <= most_points) break;
                 }
             }
             else {
                 double merit = 0;
                 for (const double ratio : set.ratios) {
-                    const Choice c = choose(from, to->boxes, a, a * ratio, set.logarithmic);
-                    if (c.points > set.most_points) continue;
-                    const double m = std::log(ratio) / static_cast<double>(c.points);
+                    const double b = std::min(a * ratio, 1.5 * delta_max); // rows reach 2b, boxes 16 delta_max
+                    const Choice c = choose(from, to->boxes, a, b, set.logarithmic);
+                    if (c.points > most_points) continue;
+                    const double m = std::log(b / a) / static_cast<double>(c.points);
                     if (m > merit) {
                         merit = m;
                         best = c;
@@ -872,7 +883,7 @@ struct Forward::Implementation {
                 }
                 logarithmic = set.logarithmic;
             }
-            if (best.points > set.most_points || to->panels.size() > 400)
+            if (best.points > most_points || to->panels.size() > 400)
                 throw BeyondReach("the distribution's region of analyticity is too narrow here; the load is too near 1 or G too near 2");
             auto panel = std::make_unique<Panel>();
             panel->a = a;
@@ -887,9 +898,9 @@ struct Forward::Implementation {
             panel->rho = best.rho;
             panel->bound = best.bound;
             const double n = static_cast<double>(best.points), r = best.rho, q = 1 / r;
-            panel->interpolation = 4 * best.bound * std::pow(r, 1 - n) / (r - 1) * (1 + slack);
+            panel->interpolation = 4 * best.bound * std::pow(r, 1 - n) / (r - 1) * (1 + at_panel_end);
             // sum_{k >= N} 2 U rho^-k (k^2 + N^2) <= 4 U sum k^2 rho^-k
-            panel->slope = 4 * best.bound * std::pow(q, n) * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q) * (1 + slack);
+            panel->slope = 4 * best.bound * std::pow(q, n) * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q) * (1 + at_panel_end);
             fill_panel(from, *to, *panel);
             a = best.b;
             to->panels.push_back(std::move(panel));
@@ -1219,7 +1230,7 @@ struct Asked {
     Ball p, d;
 };
 
-Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a)
+Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a, bool for_density)
 {
     const auto distance = [&](slong bits) {
         const WorkingPrecision precision(bits);
@@ -1240,7 +1251,7 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
     }
     // Accuracies in use are few, so that levels are shared.
     double accuracy = 4 * std::ceil(std::max(30.0, static_cast<double>(wanted - 52) * std::numbers::ln2) / 4);
-    if (law == Law::exceedance) accuracy += 12 * std::max(1.0, std::ceil(d / 6)); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
+    if (law == Law::exceedance) accuracy += 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
     if (accuracy > 700) throw BeyondReach("so many digits of a distribution would cost too much");
     Asked asked{levels_for(law, accuracy, a), {}, {}};
     const slong bits = asked.levels->bits();
@@ -1254,19 +1265,19 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
 
 Ball density(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
 {
-    const Asked asked = prepare(law, n, p, a);
+    const Asked asked = prepare(law, n, p, a, true);
     return asked.levels->density(n, asked.p, asked.d);
 }
 
 Ball exceedance(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
 {
-    const Asked asked = prepare(law, n, p, a);
+    const Asked asked = prepare(law, n, p, a, false);
     return asked.levels->exceedance(n, asked.d);
 }
 
 std::string distribution_certificate(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
 {
-    const Asked asked = prepare(law, n, p, a);
+    const Asked asked = prepare(law, n, p, a, true);
     return asked.levels->certificate(n, asked.p, asked.d);
 }
 
