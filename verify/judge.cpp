@@ -172,12 +172,13 @@ int judge_subject(JudgeOptions o)
         c.judgement = oracle::judge(*c.quantity, c.questions, c.answers.values, c.bound, [terminal](std::size_t done, std::size_t total) {
             if (terminal && (done % 32 == 0 || done == total)) fmt::print(stderr, "\rjudging {:>5} of {}{}", done, total, done == total ? "\r\033[K" : "");
         });
-        // nothing fails by a stored row that has not been certified again
+        // nothing fails by a stored row that has not been certified again; what passes by a row that takes minutes is left to --recheck
         if (!reference.file.empty()) {
             std::vector<std::size_t> decisive;
             for (const std::size_t i : c.judgement.worst) {
                 if (decisive.size() == oracle::shown_rows) break;
-                if (!c.questions[i].held_out)
+                const bool spared = c.quantity->costly && c.judgement.rows[i].verdict == oracle::Verdict::pass;
+                if (!c.questions[i].held_out && !spared)
                     decisive.push_back(static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
                                                                               [](const auto& q) { return !q.held_out; })));
             }

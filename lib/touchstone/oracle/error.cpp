@@ -108,9 +108,9 @@ Inputs exact_inputs(const Quantity& q, const std::vector<double>& row)
     return Inputs(std::move(values));
 }
 
-Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const CertifiedValue& truth, int pieces)
+Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const CertifiedValue& truth, int pieces, double enough)
 {
-    const WorkingPrecision precision(192);
+    const WorkingPrecision precision(q.costly ? 112 : 192);
     const Inputs centre = exact_inputs(q, row);
     std::vector<std::string> real; // n counts, and is never rounded
     std::vector<std::vector<Side>> sides;
@@ -135,11 +135,12 @@ Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const
     Forced forced;
     if (!value.is_finite()) return forced;
     std::vector<std::size_t> corners;
-    for (const auto& s : sides) corners.push_back(s.size() + 1); // the last choice is x itself
+    for (const auto& s : sides) corners.push_back(s.size() + 1); // the first choice is x itself
     combinations(corners, [&](const std::vector<std::size_t>& at) {
+        if (q.costly && forced.least >= enough) return;
         auto values = centre.values();
         for (std::size_t i = 0; i < at.size(); ++i)
-            if (at[i] < sides[i].size()) values[real[i]] = sides[i][at[i]].end;
+            if (at[i] > 0) values[real[i]] = sides[i][at[i] - 1].end;
         const Inputs corner(std::move(values));
         if (!in_domain(q, corner)) return;
         const Ball there = enclosure(route, corner);

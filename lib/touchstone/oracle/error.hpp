@@ -10,6 +10,7 @@
 
 #include "touchstone/catalogue/quantity.hpp"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -47,8 +48,11 @@ struct Forced {
 
 /// The corners of the box give `least`, ball enclosures over its parts `most`, the tighter the more
 /// `pieces` each side of each input is cut into; inputs outside the quantity's domain do not count.
-/// Cost for k real inputs: 3^k + (2 pieces)^k evaluations at 192 bits.
-Forced forced_by_inputs(const Quantity&, const std::vector<double>& inputs, const CertifiedValue& truth, int pieces);
+/// Cost for k real inputs: 3^k + (2 pieces)^k evaluations at 192 bits; 3^k at 112 bits for a quantity that is `costly`, whose
+/// corners are left out as soon as `least` is `enough`: one input after the other is moved, so that what the first
+/// input explains needs none of the tables that another load or G would.
+Forced forced_by_inputs(const Quantity&, const std::vector<double>& inputs, const CertifiedValue& truth, int pieces,
+                        double enough = std::numeric_limits<double>::infinity());
 
 /// The exact inputs of a row.
 Inputs exact_inputs(const Quantity&, const std::vector<double>& row);

@@ -56,8 +56,8 @@ JudgedRow judge_row(const Quantity& q, const Question& question, double answer, 
     row.verdict = compare(row, {own, own});
     for (const int pieces : {1, 4}) { // a rough bound of what the inputs force settles most rows
         if (row.verdict == Verdict::pass || (pieces > 1 && row.verdict == Verdict::fail)) break;
-        if (!bound.forgive_inputs) break;
-        row.forced = forced_by_inputs(q, question.inputs, question.truth, pieces);
+        if (!bound.forgive_inputs || (row.forced && !row.forced->most)) break; // pieces tighten `most` alone
+        row.forced = forced_by_inputs(q, question.inputs, question.truth, pieces, row.error.most - own);
         row.verdict = compare(row, allowance(row, own));
     }
     if (row.verdict == Verdict::pass) return row;
@@ -201,7 +201,8 @@ Judgement judge(const Quantity& q, const std::vector<Question>& questions, const
     });
     for (std::size_t k = 0; k < std::min(shown_rows, result.worst.size()); ++k) {
         const std::size_t i = result.worst[k];
-        if (!result.rows[i].special) result.rows[i].forced = forced_by_inputs(q, questions[i].inputs, questions[i].truth, 4);
+        JudgedRow& row = result.rows[i];
+        if (!row.special && (bound.forgive_inputs || !q.costly)) row.forced = forced_by_inputs(q, questions[i].inputs, questions[i].truth, 4, row.error.most);
     }
     find_order_violations(questions, result);
     result.looked_up = wrong_in == 0 && out > 0 && 2 * wrong_out > out;
