@@ -59,9 +59,9 @@ Ball model_area_low_D(long n, const Rational& load, long gamma)
     auto it = kept.find(gamma);
     if (it == kept.end()) {
         const WorkingPrecision precision(160);
-        it = kept.emplace(gamma, transfer::ProvenLevels(G_low_D(gamma), 10, 1e-6L)).first;
+        it = kept.emplace(gamma, transfer::ProvenLevels(G_low_D(gamma), 10, 1e-6)).first;
     }
-    return it->second.area(n, Ball(load));
+    return it->second.share(n, Ball(load));
 }
 
 Ball hertz_area_low_D(long n, const Rational& load, long gamma)

@@ -59,10 +59,10 @@ TEST_CASE("where both apply, partial contact's own proof gives the same areas")
     for (const auto& [D, gamma] : {std::pair{"3/2", "5"}, {"3/2", "10"}}) {
         const WorkingPrecision precision(120);
         const Ball G = G_of(D, gamma);
-        const ProvenLevels levels(G, 1, 1e-9L);
+        const ProvenLevels levels(G, 1, 1e-9);
         for (const char* text : {"1/1000", "1/10", "1"})
             for (const long n : {1L, 2L, 7L, 20L}) {
-                const Ball load(*parse_rational(text)), proven = levels.area(n, load);
+                const Ball load(*parse_rational(text)), proven = levels.share(n, load);
                 const Ball known = transfer::area(transfer::Scheme::area, n, {[&] { return load; }, [&] { return G_of(D, gamma); }});
                 INFO(gamma, " load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
                 CHECK(proven.contains(known));
@@ -75,9 +75,9 @@ TEST_CASE("full contact: against direct integration at n = 1, and exactly 1 whil
 {
     const WorkingPrecision precision(160);
     const Ball G = G_of("21/20", "5");
-    const ProvenLevels levels(G, 10, 1e-8L);
+    const ProvenLevels levels(G, 10, 1e-8);
     for (const char* text : {"1/1000", "1/3", "1/2", "9/10"}) {
-        const Ball load(*parse_rational(text)), direct = area_1(load, G), proven = levels.area(1, load);
+        const Ball load(*parse_rational(text)), direct = area_1(load, G), proven = levels.share(1, load);
         INFO(text, ": ", proven.to_string(), " ", direct.to_string());
         REQUIRE(direct.radius_bound() < 1e-12);
         CHECK(proven.overlaps(direct));
@@ -89,17 +89,17 @@ TEST_CASE("full contact: against direct integration at n = 1, and exactly 1 whil
     for (long n = 1; n <= ProvenLevels::levels; ++n) {
         least = (least - Ball(1)) / G;
         full = full && certainly(less(Ball(1), least));
-        const Ball area = levels.area(n, Ball(10));
+        const Ball area = levels.share(n, Ball(10));
         INFO("n = ", n, ": ", area.to_string());
         if (full) still_full = n;
         if (full) CHECK(area.contains(Ball(1)));
     }
     CHECK(still_full == 6);
-    CHECK(certainly(less(levels.area(8, Ball(10)), Ball(1))));
-    CHECK(certainly(less(levels.area(20, Ball(10)), Ball(3) / Ball(4))));
+    CHECK(certainly(less(levels.share(8, Ball(10)), Ball(1))));
+    CHECK(certainly(less(levels.share(20, Ball(10)), Ball(3) / Ball(4))));
     Ball before(2); // a share lost is never regained
     for (long n = 1; n <= ProvenLevels::levels; ++n) {
-        const Ball area = levels.area(n, Ball(10));
+        const Ball area = levels.share(n, Ball(10));
         CHECK_FALSE(certainly(less(before, area)));
         before = area;
     }
@@ -108,25 +108,25 @@ TEST_CASE("full contact: against direct integration at n = 1, and exactly 1 whil
 TEST_CASE("G = 2 exactly and beside it, load = 1")
 {
     const WorkingPrecision precision(160);
-    const ProvenLevels two(Ball(2), 2, 1e-9L);
+    const ProvenLevels two(Ball(2), 2, 1e-9);
     const Ball direct = area_1(Ball(1) - Ball(*parse_rational("1/1000000")), Ball(2));
-    CHECK(certainly(less(direct, two.area(1, Ball(1)) + Ball(*parse_rational("1/1000000")))));
+    CHECK(certainly(less(direct, two.share(1, Ball(1)) + Ball(*parse_rational("1/1000000")))));
     // areas fall with G: each scale's ratio y is smaller
-    const ProvenLevels above(Ball(*parse_rational("2000001/1000000")), 2, 1e-9L), below(Ball(*parse_rational("1999999/1000000")), 2, 1e-9L);
+    const ProvenLevels above(Ball(*parse_rational("2000001/1000000")), 2, 1e-9), below(Ball(*parse_rational("1999999/1000000")), 2, 1e-9);
     for (const long n : {1L, 5L, 20L})
         for (const char* text : {"1/10", "1", "2"}) {
             const Ball load(*parse_rational(text));
-            CHECK_FALSE(certainly(less(two.area(n, load), above.area(n, load))));
-            CHECK_FALSE(certainly(less(below.area(n, load), two.area(n, load))));
-            CHECK(certainly(less(abs(above.area(n, load) - below.area(n, load)), Ball(*parse_rational("1/10000")))));
+            CHECK_FALSE(certainly(less(two.share(n, load), above.share(n, load))));
+            CHECK_FALSE(certainly(less(below.share(n, load), two.share(n, load))));
+            CHECK(certainly(less(abs(above.share(n, load) - below.share(n, load)), Ball(*parse_rational("1/10000")))));
         }
 }
 
 TEST_CASE("what cannot be had is refused")
 {
-    CHECK_THROWS_AS(ProvenLevels(Ball(*parse_rational("1001/1000")), 1, 1e-9L), BeyondReach);
-    CHECK_THROWS_AS(ProvenLevels(Ball(1), 1, 1e-9L), BeyondReach);
-    CHECK_THROWS_AS(ProvenLevels(Ball(2), 1000, 1e-9L), BeyondReach);
-    const ProvenLevels levels(Ball(3), 1, 1e-8L);
-    CHECK(levels.area(3, Ball(*parse_rational("1e-200"))).relative_bits() <= 1);
+    CHECK_THROWS_AS(ProvenLevels(Ball(*parse_rational("1001/1000")), 1, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels(Ball(1), 1, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels(Ball(2), 1000, 1e-9), BeyondReach);
+    const ProvenLevels levels(Ball(3), 1, 1e-8);
+    CHECK(levels.share(3, Ball(*parse_rational("1e-200"))).relative_bits() <= 1);
 }

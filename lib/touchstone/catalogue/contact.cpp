@@ -48,22 +48,36 @@ std::vector<Route> by_both_schemes(F f)
     return {route("force-weighted-chebyshev", Scheme::force_weighted), route("area-gauss-panels", Scheme::area)};
 }
 
-/// A_n, n >= 1, where some regions stay in full contact: the proven levels, and a grid of full_contact.hpp, which they do not share
-/// anything with. The latter's radius is an estimate; the proof is the former's alone.
+/// Where some regions may be in full contact: the proven levels, and a grid of full_contact.hpp, which they do not share anything with. The
+/// latter's radius is an estimate; the proof is the former's alone, and so are the digits.
+bool full_contact(const Inputs& in)
+{
+    return in.compare_G(2) <= 0 || in.real("load") > 1;
+}
+bool area_by_proven_levels(const Inputs& in)
+{
+    return in.compare_G(2) <= 0 || (in.real("load") > 1 && in.compare_G(Rational(101, 50)) <= 0);
+}
+
+Ball with_radius(const Estimate& e)
+{
+    Ball result = e.value;
+    arb_add_error(result.get(), (64 * e.error + abs(e.value) * Ball(Rational(1, 1'000'000'000'000'000))).get());
+    return result;
+}
+
+/// A_n, n >= 1
 Ball area_with_full_contact(Scheme scheme, long n, const Inputs& in)
 {
     if (scheme == Scheme::force_weighted) return transfer::area_by_proven_levels(n, arguments(in));
-    const Estimate e = transfer::estimated_area(transfer::Grid::blind, n, Ball(in.real("load")), in.G_ball());
-    Ball result = e.value;
-    arb_add_error(result.get(), (64 * e.error + abs(e.value) * Ball(Rational(1, 100'000'000'000'000))).get());
-    return result;
+    return with_radius(transfer::estimated_area(transfer::Grid::blind, n, Ball(in.real("load")), in.G_ball()));
 }
 
 /// A_n, certified: both schemes; n = 0 is (6.6) for any G.
 Ball certified_area(Scheme scheme, long n, const Inputs& in)
 {
     if (n > 0 || in.real("load") > 1) {
-        if (in.compare_G(2) <= 0) return area_with_full_contact(scheme, n, in);
+        if (area_by_proven_levels(in)) return area_with_full_contact(scheme, n, in);
         return in.real("load") > 1 ? transfer::area_at_heavy_load(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
     }
     const Ball x(in.real("load"));
@@ -125,9 +139,15 @@ Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const 
     return transfer::estimated_density(grid, n, p, Ball(in.real("load")), in.G_ball());
 }
 
-std::vector<std::string> area_route_names(const Inputs& in)
+Quantity::Limits proven_levels_limits(bool reached) { return reached ? Quantity::Limits{20, true} : Quantity::Limits{}; }
+
+Quantity::Limits area_limits(const Inputs& in, long n) { return proven_levels_limits(n > 0 && area_by_proven_levels(in)); }
+
+const std::vector<std::string> proven_route_names{"proven-levels", "blind-halving (overlaps, estimated)"};
+
+std::vector<std::string> area_route_names(const Inputs& in, long n)
 {
-    if (in.compare_G(2) <= 0) return {"proven-levels", "blind-halving (estimated radius)"};
+    if (n > 0 && area_by_proven_levels(in)) return proven_route_names;
     return {"force-weighted-chebyshev", "area-gauss-panels"};
 }
 
@@ -135,7 +155,7 @@ std::string explain_area(const Inputs& in, long n, long digits)
 {
     if (n == 0) return "A_0 = (2/pi) arcsin sqrt(load), (6.6)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
-    if (in.compare_G(2) <= 0) return transfer::proven_levels_certificate(n, arguments(in));
+    if (area_by_proven_levels(in)) return transfer::proven_levels_certificate(n, {}, arguments(in));
     if (in.real("load") > 1)
         return transfer::heavy_load_certificate(Scheme::force_weighted, n, arguments(in))
              + transfer::heavy_load_certificate(Scheme::area, n, arguments(in));
@@ -214,6 +234,21 @@ Ball density(Law law, const Inputs& in, long n, const Pressure& p_at)
     return transfer::density(law, n, p_at, arguments(in));
 }
 
+/// p/p*_n
+Ball pressure_ratio(const Inputs& in, long n)
+{
+    Ball unit;
+    arb_pow_ui(unit.get(), in.G_ball().get(), static_cast<ulong>(n), WorkingPrecision::bits());
+    return Ball(in.real("p")) / unit;
+}
+
+/// The share above p is by the proven levels.
+bool exceedance_by_proven_levels(const Inputs& in)
+{
+    const long n = in.integer("n");
+    return n > 0 && (in.real("p") == 0 ? area_by_proven_levels(in) : full_contact(in));
+}
+
 Ball exceedance(Law law, const Inputs& in)
 {
     const long n = in.integer("n");
@@ -222,6 +257,10 @@ Ball exceedance(Law law, const Inputs& in)
         const Ball p(in.real("p")), load(in.real("load"));
         if (law == Law::density) return westergaard::exceedance(p, load);
         return in.real("load") < 1 ? as_printed::exceedance_partial(p, load) : as_printed::exceedance_full(p, load);
+    }
+    if (full_contact(in)) {
+        if (law == Law::density) return transfer::exceedance_by_proven_levels(n, [&] { return pressure_ratio(in, n); }, arguments(in));
+        return with_radius(transfer::estimated_exceedance(transfer::Grid::blind, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball()));
     }
     require_distribution(in, n);
     return transfer::exceedance(law, n, [&in] { return Ball(in.real("p")); }, arguments(in));
@@ -251,7 +290,7 @@ std::pair<Ball, Ball> of_segments(const Inputs& in)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2 and load < 1000, G > 2.02, to ten digits for n <= 20, load <= 100, G <= 2; else estimated", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100, G <= 2.02; else estimated", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
                        if (everywhere_above(in, in.integer("n"), 0)) return Exact(1);
@@ -260,24 +299,39 @@ void add_contact(std::vector<Quantity>& all)
                    },
                    by_both_schemes([](Scheme s, const Inputs& in) { return certified_area(s, in.integer("n"), in); }),
                    [](const Inputs& in, long digits) { return explain_area(in, in.integer("n"), digits); }, false,
-                   by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_area(g, in.integer("n"), in); }), area_route_names});
+                   by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_area(g, in.integer("n"), in); }),
+                   [](const Inputs& in) { return area_route_names(in, in.integer("n")); }, [](const Inputs& in) { return area_limits(in, in.integer("n")); }});
 
     const auto explain_p = [](const Inputs& in, long digits) {
+        const long n = in.integer("n");
+        if (n > 0 && in.real("p") == 0) return explain_area(in, n, digits);
         return explain_distribution(in, in.integer("n"), [&in] { return Ball(in.real("p")); }, digits);
     };
-    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 20, or p = 0, load <= 1, G > 2, else estimated",
+    const auto explain_exceedance = [explain_p](const Inputs& in, long digits) {
+        const long n = in.integer("n");
+        if (!exceedance_by_proven_levels(in) || in.real("p") == 0) return explain_p(in, digits);
+        const WorkingPrecision precision(bits_for_digits(digits) + 48);
+        return transfer::proven_levels_certificate(n, [&] { return pressure_ratio(in, n); }, arguments(in));
+    };
+    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 20, load <= 1, G > 2; for n <= 20, load <= 100 to 20 digits, absolute; else estimated",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        if (above_support(in, in.integer("n"), in.real("p"))) return Exact(0);
                        if (everywhere_above(in, in.integer("n"), in.real("p"))) return Exact(1);
                        throw NotExact();
                    },
-                   by_both_laws(exceedance), explain_p, true,
+                   by_both_laws(exceedance), explain_exceedance, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        const long n = in.integer("n");
                        if (in.real("p") == 0) return estimated_area(g, n, in);
                        return transfer::estimated_exceedance(g, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball());
-                   })});
+                   }),
+                   [](const Inputs& in) -> std::vector<std::string> {
+                       if (exceedance_by_proven_levels(in)) return proven_route_names;
+                       return {"forward-density", "forward-exceedance"};
+                   },
+                   [](const Inputs& in) { return proven_levels_limits(exceedance_by_proven_levels(in)); }});
+
 
     all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 20, load <= 1, G > 2, else estimated",
                    {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
@@ -329,7 +383,7 @@ void add_contact(std::vector<Quantity>& all)
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        return scaled(estimated_area(g, in.integer("n") - 1, in), potential_segments(in));
                    }),
-                   area_route_names});
+                   [](const Inputs& in) { return area_route_names(in, in.integer("n") - 1); }, [](const Inputs& in) { return area_limits(in, in.integer("n") - 1); }});
 }
 
 } // namespace touchstone

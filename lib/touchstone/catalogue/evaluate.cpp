@@ -140,6 +140,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
     long shown = options.digits; // digits of an undecided value
     if (q.route_names) e.routes = q.route_names(in);
     else for (const auto& r : q.routes) e.routes.push_back(r.name);
+    const Quantity::Limits limits = q.limits ? q.limits(in) : Quantity::Limits{};
     const slong natural = bits_for_digits(options.digits) + 48;
     const slong limit = options.limit_bits > 0 ? options.limit_bits : 16 * natural + 8192;
     // The last precision tried is always `limit`, whatever the first was: what is decided does not depend on the start.
@@ -148,6 +149,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
         const WorkingPrecision precision(bits);
         try {
             e.bits = bits;
+            if (options.digits > limits.digits) throw BeyondReach(fmt::format("certified to at most {} digits here", limits.digits));
             OtherRoutes others(q, in, q.costly || options.digits >= 300);
             e.ball = q.routes.front().ball(in);
             const auto point = exact_value(e.ball); // radius zero: the value itself, which the other routes must contain
@@ -159,14 +161,14 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
                 if (!other.overlaps(e.ball))
                     throw RoutesDisagree(fmt::format("{}: routes '{}' and '{}' give disjoint balls {} and {}", q.name,
                                                      q.routes[0].name, q.routes[i].name, e.ball.to_string(), other.to_string()));
-                agreed = point || round_to_digits(other, options.digits) == decimal; // each alone decides the digits
+                agreed = point || limits.first_decides || round_to_digits(other, options.digits) == decimal; // each alone decides the digits
             }
             if (point) return from_rational(*point, options.digits, e.routes);
             if (exact && !exact->ball().overlaps(e.ball))
                 throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q.name, e.ball.to_string()));
             if (!agreed) continue;
             e.binary64 = nearest_double(e.ball);
-            if (!e.binary64 && bits < limit) continue;
+            if (!e.binary64 && !limits.first_decides && bits < limit) continue; // there it costs too much where it was not asked for
             e.value = decimal->text();
             e.error_bound = decimal->half_unit();
             e.digits = options.digits;

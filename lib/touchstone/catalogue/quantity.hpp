@@ -91,6 +91,12 @@ struct Quantity {
     std::vector<EstimateRoute> estimates = {};
     /// What the routes are at these inputs, where they are not the same everywhere. May be empty.
     std::function<std::vector<std::string>(const Inputs&)> route_names = {};
+    /// What limits the certified routes at these inputs. May be empty: nothing does.
+    struct Limits {
+        long digits = 10'000;       ///< more are refused before anything is computed
+        bool first_decides = false; ///< the digits are the first route's alone; the others, of a wider ball, only have to overlap it
+    };
+    std::function<Limits(const Inputs&)> limits = {};
 };
 
 /// All quantities, in the order of the paper's sections.

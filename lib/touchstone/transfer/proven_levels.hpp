@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// B_0 ... B_19 of the recursion for any G > 1 and any load, full contact included, each with a proven error. See proven_levels.md.
+/// Shares of length in contact, or above a pressure, for any G > 1 and any load, full contact included, each with a proven error.
+/// See proven_levels.md.
 ///
-/// B_m(x) is the share of length in contact after m + 1 scales that begin at load ratio x, A_n/lambda_0 = B_n(load), B_{m+1} = T B_m,
+/// B_m(x) is the share after m + 1 scales that begin at load ratio x, the last of which is one wave's B_0; B_{m+1} = T B_m,
 ///
 ///     (T phi)(x) = (1/pi) int phi(y) dtheta,   y = P/G,   c = cos theta,   0 <= theta <= pi,
 ///     P = x + c  where x >= 1;   P^2 = (1 + c)(2x - 1 + c) where x < 1, and no contact where that is negative.             (T)
 ///
-/// (x >= 1 is (2.10), x < 1 is (2.4) with c = cos 2 pi xi/lambda.) In full contact B_m has singular points that multiply with m.
-/// Nothing here needs to know them. V_m are piecewise polynomials found by collocation in `long double`; what is proven, panel by
-/// panel, is D_m >= |T V_{m-1} - V_m|, and positivity of T turns those into |B_m - V_m| <= sum T^(m-k) D_k.
+/// (x >= 1 is (2.10), x < 1 is (2.4) with c = cos 2 pi xi/lambda.) With B_0 the share in contact, A_n/lambda_0 = B_n(load) (6.7);
+/// with B_0 the exceedance (2.14), (2.17) of p/p*_n, B_n(load) is that of p at scale n. In full contact B_m has singular points
+/// that multiply with m. Nothing here needs to know them. V_m are piecewise polynomials found by collocation on a mesh that is halved
+/// where needed, in 106 bits; what is proven, panel by panel, is D_m >= |T V_{m-1} - V_m|, and positivity of T turns those into
+/// |B_m - V_m| <= sum T^(m-k) D_k.
 ///
-/// Arithmetic: +, -, *, / and sqrt of `long double`, all correctly rounded (IEC 559) and counted; no other library function.
+/// Arithmetic: double_double.hpp, each operation within 2^-102, counted; the sums in wave_kernel.hpp.
 #pragma once
 
 #include "touchstone/transfer/contact.hpp"
@@ -26,16 +29,19 @@ class ProvenLevels {
 public:
     static constexpr int levels = 20;
 
-    /// Serves 0 < load <= highest and every scale n <= levels.
-    /// tolerance: what the mesh is made for, 1e-8 ... 1e-15; the proven error comes out about 100 times that.
+    /// Shares in contact, for 0 < load <= highest and every scale n <= levels.
+    /// tolerance: what the mesh is made for, 1e-25 ... 1e-5; the proven error comes out between it and 100 times that, and
+    /// relative errors at scale 20 up to 1000 times.
     /// \throws BeyondReach where the mesh would be too large (G too near 1, highest too large)
-    ProvenLevels(const Ball& G, long double highest, long double tolerance);
+    ProvenLevels(const Ball& G, double highest, double tolerance);
+    /// Shares above `pressure` > 0 in units of p*_n, the same at every scale.
+    ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance);
     ~ProvenLevels();
     ProvenLevels(ProvenLevels&&) noexcept;
 
-    /// (6.7)  A_n/lambda_0, 1 <= n <= levels.
-    Ball area(long n, const Ball& load) const;
-    /// The error of an area, scale by scale.
+    /// The share at scale n, 1 <= n <= levels.
+    Ball share(long n, const Ball& load) const;
+    /// The error of a share, scale by scale.
     std::string certificate(long n, const Ball& load) const;
     std::size_t memory() const;
 
@@ -45,9 +51,12 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// area() of the mesh that the thread's precision asks for; meshes are kept for later calls.
-/// \throws BeyondReach if it asks for more than `long double` can prove
+/// A_n/lambda_0 (6.7), and the share above a pressure given in p*_n, to the digits that the thread's precision asks for; meshes are
+/// kept for later calls. 1 <= n <= 20, load <= 100.
+/// \throws BeyondReach if more than about 20 digits are asked for, and as ProvenLevels
 Ball area_by_proven_levels(long n, const Arguments&);
-std::string proven_levels_certificate(long n, const Arguments&);
+Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&);
+/// \param pressure of the exceedance; empty: of the area
+std::string proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments&);
 
 } // namespace touchstone::transfer

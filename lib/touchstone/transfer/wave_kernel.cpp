@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Compiled with -O3 -fno-math-errno -ffp-contract=off: lanes become vector instructions, and nothing else changes.
+#include "touchstone/transfer/wave_kernel.hpp"
+
+#include <cstring>
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define TOUCHSTONE_CLONES [[gnu::target_clones("default", "arch=x86-64-v3")]] // the same results, faster
+#else
+#define TOUCHSTONE_CLONES
+#endif
+
+namespace touchstone::transfer {
+namespace {
+
+using Real = DoubleDouble<double>;
+using Four = DoubleDouble<Lanes>;
+
+TOUCHSTONE_INLINE Four load(const Wide& w, std::size_t i)
+{
+    Four r;
+    std::memcpy(&r.high, w.high.data() + i, sizeof r.high);
+    std::memcpy(&r.low, w.low.data() + i, sizeof r.low);
+    return r;
+}
+TOUCHSTONE_INLINE void store(const Four& r, Wide& w, std::size_t i)
+{
+    std::memcpy(w.high.data() + i, &r.high, sizeof r.high);
+    std::memcpy(w.low.data() + i, &r.low, sizeof r.low);
+}
+TOUCHSTONE_INLINE Real sum(const Four& f)
+{
+    const Real a{f.high[0], f.low[0]}, b{f.high[1], f.low[1]}, c{f.high[2], f.low[2]}, d{f.high[3], f.low[3]};
+    return (a + b) + (c + d);
+}
+
+/// A sum of n products or numbers with the low parts in one binary64: off by at most (n^2/2 + 4 n + 8) 2^-106 of the sum of moduli.
+struct Sum {
+    Lanes high{}, low{};
+    TOUCHSTONE_INLINE void add(const Four& a)
+    {
+        const Four s = Four::two_sum(high, a.high);
+        high = s.high;
+        low += s.low + a.low;
+    }
+    TOUCHSTONE_INLINE void add_product(const Four& a, const Four& b)
+    {
+        using double_double::fused;
+        const Four p = Four::two_product(a.high, b.high), s = Four::two_sum(high, p.high);
+        high = s.high;
+        low += s.low + fused(a.low, b.high, fused(a.high, b.low, p.low));
+    }
+    TOUCHSTONE_INLINE Four total() const { return Four::two_sum(high, low); }
+};
+
+constexpr Real inverse_pi{0x1.45f306dc9c883p-2, -0x1.6b01ec5417056p-56};
+
+TOUCHSTONE_INLINE Four wide_kernel_density(const Four& x, const Four& G, const Four& G2, bool full, const Four& z)
+{
+    if (full) {
+        const Four y = sqrt(z), gy = G * y;
+        return G / (2 * y * sqrt((1 + x - gy) * (gy - x + 1)));
+    }
+    const Four r = sqrt((1 - x) * (1 - x) + G2 * z), up = 1 + x + r;
+    return G2 * up / (2 * r * sqrt(up * (4 * x - G2 * z) * (r + 1 - x)));
+}
+
+} // namespace
+
+TOUCHSTONE_CLONES
+void wave_densities(const WaveKernel<Real>& k, Real mid, Real half, const Wide& nodes, Wide& out)
+{
+    const Four x(k.x), G(k.G), G2(k.G2), middle(mid), unit(half), scale(inverse_pi);
+    for (std::size_t q = 0; q < nodes.size(); q += 4)
+        store(scale * wide_kernel_density(x, G, G2, k.full, middle + unit * load(nodes, q)), out, q);
+}
+
+TOUCHSTONE_CLONES
+double wave_nodes(const WaveKernel<Real>& k, Variable variable, Real mid, Real half, const Wide& nodes, const Wide& weights, Real centre, Real unit,
+                  Wide& local, Wide& weight)
+{
+    const Four x(k.x), G(k.G), G2(k.G2), middle(mid), width(half), c(centre), one_unit(Real(1) / unit), scale(half * inverse_pi);
+    double measure = 0;
+    for (std::size_t i = 0; i < nodes.size(); i += 4) {
+        const Four t = middle + width * load(nodes, i), q = t * t;
+        Four z, w;
+        if (variable == Variable::square) {
+            z = t;
+            w = wide_kernel_density(x, G, G2, k.full, z);
+        }
+        else { // c = 1 - 2 q or 2 q - 1
+            if (k.full) {
+                const Four P = variable == Variable::sine ? x + 1 - 2 * q : x - 1 + 2 * q;
+                z = P * P / G2;
+            }
+            else z = 4 * (variable == Variable::sine ? (1 - q) * (x - q) : q * (q - (1 - x))) / G2;
+            w = 2 / sqrt(1 - q);
+        }
+        w = w * scale * load(weights, i);
+        store((z - c) * one_unit, local, i);
+        store(w, weight, i);
+        measure += w.high[0] + w.high[1] + w.high[2] + w.high[3];
+    }
+    return measure;
+}
+
+TOUCHSTONE_CLONES
+void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, Wide& out)
+{
+    constexpr std::size_t most = 16; // lanes of four
+    Four before[most], now[most], twice[most];
+    const std::size_t count = local.size() / 4;
+    for (std::size_t first = 0; first < count; first += most) {
+        const std::size_t here = count - first < most ? count - first : most;
+        Sum zeroth, one;
+        for (std::size_t i = 0; i < here; ++i) { // T_k w instead of T_k: the recurrence is linear
+            const Four x = load(local, 4 * (first + i));
+            before[i] = load(weight, 4 * (first + i));
+            now[i] = x * before[i];
+            twice[i] = x + x;
+            zeroth.add(before[i]);
+            one.add(now[i]);
+        }
+        const auto add = [&](std::size_t k, const Sum& s) { out.set(k, first == 0 ? sum(s.total()) : out[k] + sum(s.total())); };
+        add(0, zeroth);
+        if (terms > 1) add(1, one);
+        for (std::size_t k = 2; k < terms; ++k) {
+            Sum total;
+            for (std::size_t i = 0; i < here; ++i) {
+                const Four next = twice[i] * now[i] - before[i];
+                before[i] = now[i];
+                now[i] = next;
+                total.add(next);
+            }
+            add(k, total);
+        }
+    }
+}
+
+TOUCHSTONE_CLONES
+Real dot(const Wide& a, std::size_t first, const Wide& b)
+{
+    Sum s;
+    for (std::size_t k = 0; k < b.size(); k += 4) s.add_product(load(a, first + k), load(b, k));
+    return sum(s.total());
+}
+
+TOUCHSTONE_CLONES
+void add_products(const Wide& a, std::size_t first, const Wide& b, std::size_t columns, Wide& out)
+{
+    for (std::size_t m = 0; m < columns; m += 4) {
+        Sum s;
+        for (std::size_t k = 0; k < b.size(); ++k) s.add_product(load(a, first + k * columns + m), Four(b[k]));
+        store(load(out, m) + s.total(), out, m);
+    }
+}
+
+} // namespace touchstone::transfer

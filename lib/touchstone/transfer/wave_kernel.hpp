@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The sums of proven_levels.cpp that take its time: four at a time in 106 bits. Internal to transfer/.
+///
+/// The counts of operations behind the error bounds in proven_levels.md hold for the code of wave_kernel.cpp.
+#pragma once
+
+#include "touchstone/transfer/double_double.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace touchstone::transfer {
+
+/// Numbers of 106 bits, heads and tails apart.
+struct Wide {
+    std::vector<double> high, low;
+    Wide() = default;
+    explicit Wide(std::size_t count) : high(count), low(count) {}
+    std::size_t size() const { return high.size(); }
+    DoubleDouble<double> operator[](std::size_t i) const { return {high[i], low[i]}; }
+    void set(std::size_t i, const DoubleDouble<double>& v) { high[i] = v.high, low[i] = v.low; }
+};
+
+/// One wave at load ratio x: z = y^2 of the next ratio y, where it begins and ends, and 1 -+ c, c = cos theta, as functions of z.
+template <class R>
+struct WaveKernel {
+    R x, G, G2, begin, end;
+    bool full;
+    WaveKernel(const R& x_, const R& G_, bool full_) : x(x_), G(G_), G2(G_ * G_), full(full_)
+    {
+        const R low = (full ? x - 1 : 1 - x) / G, high = (x + 1) / G, squared = low * low;
+        begin = full ? squared : -squared; // x < 1: where R = x + c vanishes
+        end = full ? high * high : 4 * x / G2;
+    }
+    TOUCHSTONE_INLINE R root(const R& z) const { return sqrt((1 - x) * (1 - x) + G2 * z); }
+    TOUCHSTONE_INLINE R one_minus_c(const R& z) const
+    {
+        return positive_part(full ? 1 + x - G * sqrt(z) : (4 * x - G2 * z) / (1 + x + root(z)));
+    }
+    TOUCHSTONE_INLINE R one_plus_c(const R& z) const { return positive_part(full ? G * sqrt(z) - x + 1 : root(z) + 1 - x); }
+    /// dtheta/dz
+    TOUCHSTONE_INLINE R density(const R& z) const
+    {
+        if (full) {
+            const R y = sqrt(z), gy = G * y;
+            return G / (2 * y * sqrt((1 + x - gy) * (gy - x + 1)));
+        }
+        const R r = root(z), up = 1 + x + r;
+        return G2 * up / (2 * r * sqrt(up * (4 * x - G2 * z) * (r + 1 - x)));
+    }
+};
+
+enum class Variable { sine, cosine, square }; ///< sin(theta/2), cos(theta/2), z
+
+/// Counts are multiples of four; everything is owned by the caller.
+
+/// out[q] = dtheta/dz at mid + half * nodes[q], over pi
+void wave_densities(const WaveKernel<DoubleDouble<double>>&, DoubleDouble<double> mid, DoubleDouble<double> half, const Wide& nodes, Wide& out);
+
+/// Gauss nodes t = mid + half * nodes[i] of the variable: local[i] = (z(t) - centre)/unit and weight[i], which is
+/// half * weights[i] dtheta/dt over pi. \returns the sum of the weights
+double wave_nodes(const WaveKernel<DoubleDouble<double>>&, Variable, DoubleDouble<double> mid, DoubleDouble<double> half, const Wide& nodes,
+                  const Wide& weights, DoubleDouble<double> centre, DoubleDouble<double> unit, Wide& local, Wide& weight);
+
+/// out[k] = sum of weight[i] T_k(local[i]), k < terms
+void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, Wide& out);
+
+/// The sum of a[first + k] b[k], k < b.size()
+DoubleDouble<double> dot(const Wide& a, std::size_t first, const Wide& b);
+/// out[m] += the sum of a[first + k columns + m] b[k], m < columns
+void add_products(const Wide& a, std::size_t first, const Wide& b, std::size_t columns, Wide& out);
+
+} // namespace touchstone::transfer
