@@ -256,8 +256,8 @@ TEST_CASE("singular points: exact images, merged where they are the same")
         for (const auto& p : points) all.push_back(arf_get_d(arb_midref(p.position.get()), ARF_RND_NEAR));
         return all;
     };
-    // G = 2: 1 -> 3 and 1 (twice the same) -> 7, 5 -> 15, 13, 11, 9
-    CHECK(positions(area_points(Ball(2), {Ball(12), 4, 1e-18})) == std::vector<double>{1, 3, 5, 7, 9, 11});
+    // G = 2: 1 -> 3 and 1 (twice the same) -> 7, 5 -> 15, 13, 11, 9; beyond the reach, kept as neighbours, 13 and 15
+    CHECK(positions(area_points(Ball(2), {Ball(12), 4, 1e-18})) == std::vector<double>{1, 3, 5, 7, 9, 11, 13, 15});
     // G = 1.5: 1 -> 2.5, 0.5625 -> 4.75, 2.75, 1.84375, 0.177978515625
     CHECK(positions(area_points(ball("1.5"), {Ball(12), 3, 1e-18})) == std::vector<double>{0.177978515625, 0.5625, 1, 1.84375, 2.5, 2.75, 4.75});
     // load = 3, G = 1.5: 8/3 and 4/3 = 2/G, then (8/3 +- 1)/G, (4/3 +- 1)/G; 1 is marked

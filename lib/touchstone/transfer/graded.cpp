@@ -43,7 +43,7 @@ GradedGrid<Real>::GradedGrid(const GradedRule& rule, const std::vector<SingularP
     const Real end = extended_pair(reach).high;
     for (const SingularPoint& s : points) {
         const Real at = extended_pair(s.position).high;
-        if (at > rule.smallest && at < end) marks.push_back({at, Real(floor_of(s.generation, rule)) * (at < 1 ? at : Real(1))});
+        if (at > rule.smallest) marks.push_back({at, Real(floor_of(s.generation, rule)) * (at < 1 ? at : Real(1))});
     }
     const Real most_ever = longest(generations(rule), rule);
     for (Real y = 0; y < end;) {

@@ -209,8 +209,13 @@ Piecewise<Real> Piecewise<Real>::derivative() const
 {
     Piecewise d = *this;
     const auto N = static_cast<std::size_t>(rule_.points);
-    for (const Node& node : nodes_) {
-        if (node.child >= 0) continue;
+    std::vector<std::size_t> leaves;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        if (nodes_[i].child < 0) leaves.push_back(i);
+    std::sort(leaves.begin(), leaves.end(), [this](std::size_t a, std::size_t b) { return nodes_[a].left < nodes_[b].left; });
+    Real step_before = 0; // half of V's step at the left end
+    for (std::size_t l = 0; l < leaves.size(); ++l) {
+        const Node& node = nodes_[leaves[l]];
         const Real* c = &coefficients_[node.data];
         Real* b = &d.coefficients_[node.data];
         Real above[2] = {Real(0), Real(0)}; // P'_k = sum of (2j+1) P_j over j = k-1, k-3, ...
@@ -218,15 +223,12 @@ Piecewise<Real> Piecewise<Real>::derivative() const
             b[k] = static_cast<Real>(2 * k + 1) * above[(k + 1) % 2] * 2 / node.width;
             above[k % 2] += c[k];
         }
+        const Real step_after = l + 1 < leaves.size() ? Real((series(nodes_[leaves[l + 1]], Real(0)) - series(node, Real(1))) / 2) : Real(0);
+        b[0] += (step_before + step_after) / node.width;
+        step_before = step_after;
         for (std::size_t j = 0; j < N; ++j) d.moments_[node.data + j] = gauss_->weights[j] * node.width * d.series(node, gauss_->nodes[j]);
     }
     d.sum_moments();
-    std::vector<const Node*> leaves;
-    for (const Node& node : nodes_)
-        if (node.child < 0) leaves.push_back(&node);
-    std::sort(leaves.begin(), leaves.end(), [](const Node* a, const Node* b) { return a->left < b->left; });
-    for (std::size_t i = 1; i < leaves.size(); ++i)
-        d.masses_.push_back({leaves[i]->left, series(*leaves[i], Real(0)) - series(*leaves[i - 1], Real(1))});
     return d;
 }
 
@@ -286,10 +288,6 @@ Real Piecewise<Real>::after(const Wave<Real>& wave) const
                 stack.push_back(&nodes_[static_cast<std::size_t>(node.child)]);
                 stack.push_back(&nodes_[static_cast<std::size_t>(node.child) + 1]);
             }
-        }
-        for (const Mass& m : masses_) {
-            const Real up = arc.below_hi(m.at), down = arc.above_lo(m.at);
-            if (up > 0 && down > 0 && m.at >= arc.begin && m.at < arc.end) total += m.size * arc.density(m.at, up, down, 1 - m.at);
         }
     }
     return total;

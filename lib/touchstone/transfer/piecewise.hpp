@@ -40,7 +40,8 @@ public:
 
     /// Expectation of V after one wave: int V density dy. V is 0 outside the grid.
     Real after(const Wave<Real>&) const;
-    /// dV/dx, on the same intervals; the small steps of V between two of them are kept as point masses.
+    /// dV/dx on the same intervals, of V made continuous: its steps from one to the next are small, but as point masses they would be
+    /// met by an end of a density, where it is infinite. Half a step is spread over each of the two intervals.
     Piecewise derivative() const;
     Real at(const Real& x) const;
     Real integral() const;
@@ -65,10 +66,6 @@ private:
     std::size_t roots_ = 0;
     std::vector<Node> nodes_;
     std::vector<Real> moments_, coefficients_;
-    struct Mass {
-        Real at, size;
-    };
-    std::vector<Mass> masses_;
     std::size_t leaves_ = 0;
     double worst_tail_ = 0;
 };
