@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/full_contact.hpp"
 
+#include "touchstone/paper/peaks.hpp"
 #include "touchstone/transfer/graded.hpp"
 #include "touchstone/transfer/piecewise.hpp"
 
@@ -100,12 +101,18 @@ private:
 
 class BlindLevels final : public Levels {
 public:
-    BlindLevels(const Real& reach, double smallest, First first, Step step) : Levels(std::move(first), std::move(step)), reach_(reach) { rule_.smallest = smallest; }
+    /// \param ends where V_0, V_1, ... fall to 0; empty: nowhere
+    BlindLevels(const Real& reach, double smallest, First first, Step step, std::function<Real(long m)> ends)
+        : Levels(std::move(first), std::move(step)), reach_(reach), ends_(std::move(ends))
+    {
+        rule_.smallest = smallest;
+    }
 
 private:
     long size() const override { return static_cast<long>(levels_.size()); }
     void extend() override
     {
+        if (ends_) rule_.end = ends_(size());
         if (levels_.empty()) levels_.emplace_back(rule_, reach_, first_);
         else levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Pair<Real>& x) { return last.after(step_(x)); });
     }
@@ -118,6 +125,7 @@ private:
 
     BlindRule rule_;
     Real reach_;
+    std::function<Real(long)> ends_;
     std::list<Piecewise<Real>> levels_;
     std::map<long, Piecewise<Real>> derivatives_;
 };
@@ -197,7 +205,7 @@ std::shared_ptr<Levels> areas_of(Grid grid, const Ball& G, const Ball& load)
     return store().get(fmt::format("areas {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade), [&]() -> std::shared_ptr<Levels> {
         const auto step = [g = extended_pair(G)](const Pair<Real>& x) { return wave_from(x, g); };
         const double smallest = std::pow(10.0, decade);
-        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, smallest, first_area, step);
+        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, smallest, first_area, step, nullptr);
         const GradedRule rule{.smallest = smallest};
         return std::make_shared<TrackedLevels>(reach, area_points(G, tracking(reach, rule)), rule, first_area, step);
     });
@@ -211,7 +219,11 @@ std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& loa
         const Pair<Real> g = extended_pair(G);
         const FirstExceedance first(extended_pair(load), g);
         const auto step = [g](const Pair<Real>& y) { return wave_to(product(g, y), false); };
-        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, 1e-20, first, step);
+        const auto end = [load, G](long m) { // x_{m+1}, (5.6)
+            const WorkingPrecision bits(256);
+            return extended_pair(peaks::iterate(m, load, G)).high;
+        };
+        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, 1e-20, first, step, end);
         const GradedRule rule{.tolerance = 1e-18}; // many more points than the areas have
         return std::make_shared<TrackedLevels>(reach, exceedance_points(load, G, tracking(reach, rule)), rule, first, step);
     });

@@ -41,6 +41,8 @@ Pair<Extended> extended_pair(const Ball& b)
 
 Ball exact_ball(const Extended& value)
 {
+    using std::isfinite;
+    if (!isfinite(value)) throw BeyondReach("not a number: next to a singular point of the recursion");
     Ball sum(0);
     const WorkingPrecision precision(256);
     for (Extended rest = value; rest != 0;) {
@@ -97,7 +99,7 @@ template <class Real>
 Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::function<Real(const Pair<Real>&)>& f)
     : rule_(rule), gauss_(&gauss_rule<Real>(rule.points)), angle_(&gauss_rule<Real>(rule.angle_points))
 {
-    using std::abs, std::sqrt;
+    using std::abs, std::isfinite, std::sqrt;
     const auto N = static_cast<std::size_t>(rule.points);
     nodes_.push_back({Real(0), Real(1), -1, 0});
     for (Real left = 1; left < reach; left *= 2) nodes_.push_back({left, left, -1, 0});
@@ -121,8 +123,14 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
                 for (std::size_t j = 0; j < N; ++j) a.series[k] += gauss_->to_coefficients[k * N + j] * a.values[j];
             Real tail = 0;
             for (std::size_t k = N - 3; k < N; ++k) tail = abs(a.series[k]) > tail ? Real(abs(a.series[k])) : tail;
-            const Real share = sqrt(node.width / (node.left + node.width));
-            a.tail = a.series[0] == 0 ? (tail == 0 ? 0.0 : 1.0) : static_cast<double>(Real(tail * share / abs(a.series[0])));
+            Real near = node.left, against = abs(a.series[0]);
+            if (const Real to_end = abs(Real(rule.end) - node.left); to_end < near) near = to_end;
+            if (isfinite(rule.end)) {
+                for (const Real& v : a.values) against = abs(v) < against ? Real(abs(v)) : against;
+                if (against < rule.negligible) against = rule.negligible;
+            }
+            const Real share = sqrt(node.width / (near + node.width));
+            a.tail = against == 0 ? (tail == 0 ? 0.0 : 1.0) : static_cast<double>(Real(tail * share / against));
         });
         for (std::size_t i = 0; i < answers.size(); ++i) {
             Node& node = nodes_[begin + i];

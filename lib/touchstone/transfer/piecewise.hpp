@@ -9,6 +9,8 @@
 /// **When an interval is fine.** An error e on an interval [a, a + h] reaches a later value with at most the share of
 /// a wave that falls there. The densities (W1), (W2) have square-root ends, so that share is about sqrt(h/(a+h)) and less;
 /// errors relative to the (increasing) function itself add up over levels (positivity). So: |tail| min(1, sqrt(h/(a+h))) <= tolerance |V|.
+/// An exceedance falls to 0 at the end of its support, and what is near the end of the next one comes from there alone: the distance
+/// from that end counts for a if it is less, and the least of V on the interval for V.
 ///
 /// **One wave applied.** Sum over intervals of int V density dy. For an interval, leaf or not, that is at least its
 /// length away from the singular points of the density, the density is replaced by its interpolant at the N Gauss points: the
@@ -29,6 +31,8 @@ struct BlindRule {
     int angle_points = 48;     ///< Gauss points of an angle
     double tolerance = 1e-18;
     double smallest = 1e-20;   ///< an interval that begins at 0 is not halved below this
+    Extended end = std::numeric_limits<Extended>::infinity(); ///< V falls to 0 there
+    double negligible = 1e-25; ///< what is less, next to the end, need not be right in its relative digits
 };
 
 template <class Real>
