@@ -130,7 +130,18 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
                 if (against < rule.negligible) against = rule.negligible;
             }
             const Real share = sqrt(node.width / (near + node.width));
-            a.tail = against == 0 ? (tail == 0 ? 0.0 : 1.0) : static_cast<double>(Real(tail * share / against));
+            const auto weighted = [&](const Real& error) { return against == 0 ? (error == 0 ? 0.0 : 1.0) : static_cast<double>(Real(error * share / against)); };
+            a.tail = weighted(tail);
+            if (a.tail > rule.tolerance) return;
+            // what turns between an end and the point next to it, no point has seen: V = 0 from 1 + 1e-6 on, on [1, 2]
+            Real at_left = 0, at_right = 0;
+            for (std::size_t k = N; k-- > 0;) {
+                at_left = a.series[k] - at_left;
+                at_right += a.series[k];
+            }
+            constexpr double noise = 16; // of a series at its ends
+            if (node.left > 0) a.tail = std::max(a.tail, weighted(Real(abs(f({node.left, Real(0)}) - at_left) / noise)));
+            a.tail = std::max(a.tail, weighted(Real(abs(f({node.left + node.width, Real(0)}) - at_right) / noise)));
         });
         for (std::size_t i = 0; i < answers.size(); ++i) {
             Node& node = nodes_[begin + i];

@@ -2,7 +2,7 @@
 /// \file
 /// Functions on a line kept as polynomials on intervals that are halved where needed, and one wave applied to them.
 ///
-/// The grid is blind: an interval is halved until the tail of its Legendre series no longer matters. Nothing is told where
+/// The grid is blind: an interval is halved until the tail of its Legendre series, and what the series is off at the ends, no longer matter. Nothing is told where
 /// the function is not smooth. Points x, and so intervals, are binary fractions: their ends and the distances between
 /// them are exact in `Real`.
 ///
