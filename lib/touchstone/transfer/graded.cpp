@@ -148,6 +148,21 @@ auto GradedGrid<Real>::derivative(const Function& v) const -> Function
 }
 
 template <class Real>
+auto GradedGrid<Real>::shortened(const Function& v) const -> Function
+{
+    const std::size_t n = nodes_.size();
+    Function d = v;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        for (std::size_t k = n - 1; k >= n - 3; --k) { // T_k and T_{k-2} are the same at both ends
+            d.coefficients[i * n + k - 2] += d.coefficients[i * n + k];
+            d.coefficients[i * n + k] = 0;
+        }
+        for (std::size_t j = 0; j < n; ++j) d.moments[i * n + j] = weights_[j] * cells_[i].width * series(d, i, nodes_[j]);
+    }
+    return d;
+}
+
+template <class Real>
 Real GradedGrid<Real>::near(const Function& v, std::size_t cell, const Arc<Real>& arc) const
 {
     const Cell& c = cells_[cell];

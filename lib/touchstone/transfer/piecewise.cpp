@@ -4,6 +4,7 @@
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/parallel.hpp"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 
@@ -11,6 +12,7 @@ namespace touchstone::transfer {
 
 Pair<Extended> extended_pair(const Ball& b)
 {
+    using std::ldexp;
     const slong bits = std::numeric_limits<Extended>::digits;
     const auto rounded = [bits](const arf_t value, arf_t rest) { // to Extended, and what is left
         arf_t head, part;
@@ -18,6 +20,8 @@ Pair<Extended> extended_pair(const Ball& b)
         arf_init(part);
         arf_set_round(head, value, bits, ARF_RND_NEAR);
         arf_sub(rest, value, head, ARF_PREC_EXACT, ARF_RND_DOWN);
+        const slong exponent = arf_is_zero(head) ? 0 : arf_abs_bound_lt_2exp_si(head); // may be beyond double's
+        arf_mul_2exp_si(head, head, -exponent);
         Extended sum = 0; // 32 bits at a time: exact in any type
         while (!arf_is_zero(head)) {
             arf_set_round(part, head, 32, ARF_RND_DOWN);
@@ -26,7 +30,7 @@ Pair<Extended> extended_pair(const Ball& b)
         }
         arf_clear(head);
         arf_clear(part);
-        return sum;
+        return ldexp(sum, static_cast<int>(std::clamp<slong>(exponent, -20'000, 20'000)));
     };
     arf_t rest, none;
     arf_init(rest);
@@ -41,15 +45,17 @@ Pair<Extended> extended_pair(const Ball& b)
 
 Ball exact_ball(const Extended& value)
 {
-    using std::isfinite;
+    using std::frexp, std::isfinite;
     if (!isfinite(value)) throw BeyondReach("not a number: next to a singular point of the recursion");
     Ball sum(0);
     const WorkingPrecision precision(256);
-    for (Extended rest = value; rest != 0;) {
+    int exponent = 0; // may be beyond double's
+    for (Extended rest = frexp(value, &exponent); rest != 0;) {
         const double part = static_cast<double>(rest);
         sum = sum + Ball::exactly(part);
         rest -= Extended(part);
     }
+    arb_mul_2exp_si(sum.get(), sum.get(), exponent);
     return sum;
 }
 
@@ -245,6 +251,23 @@ Piecewise<Real> Piecewise<Real>::derivative() const
         const Real step_after = l + 1 < leaves.size() ? Real((series(nodes_[leaves[l + 1]], Real(0)) - series(node, Real(1))) / 2) : Real(0);
         b[0] += (step_before + step_after) / node.width;
         step_before = step_after;
+        for (std::size_t j = 0; j < N; ++j) d.moments_[node.data + j] = gauss_->weights[j] * node.width * d.series(node, gauss_->nodes[j]);
+    }
+    d.sum_moments();
+    return d;
+}
+
+template <class Real>
+Piecewise<Real> Piecewise<Real>::shortened() const
+{
+    Piecewise d = *this;
+    const auto N = static_cast<std::size_t>(rule_.points);
+    for (const Node& node : nodes_) {
+        if (node.child >= 0) continue;
+        for (std::size_t k = N - 1; k >= N - 3; --k) { // P_k and P_{k-2} are the same at both ends
+            d.coefficients_[node.data + k - 2] += d.coefficients_[node.data + k];
+            d.coefficients_[node.data + k] = 0;
+        }
         for (std::size_t j = 0; j < N; ++j) d.moments_[node.data + j] = gauss_->weights[j] * node.width * d.series(node, gauss_->nodes[j]);
     }
     d.sum_moments();

@@ -47,6 +47,8 @@ public:
     /// dV/dx on the same intervals, of V made continuous: its steps from one to the next are small, but as point masses they would be
     /// met by an end of a density, where it is infinite. Half a step is spread over each of the two intervals.
     Piecewise derivative() const;
+    /// Without the last three terms of each series, the ends kept: what that changes says how far off the whole may be.
+    Piecewise shortened() const;
     Real at(const Real& x) const;
     Real integral() const;
     /// Number of leaves.
