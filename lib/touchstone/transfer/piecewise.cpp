@@ -238,7 +238,7 @@ Piecewise<Real> Piecewise<Real>::derivative() const
     for (std::size_t i = 0; i < nodes_.size(); ++i)
         if (nodes_[i].child < 0) leaves.push_back(i);
     std::sort(leaves.begin(), leaves.end(), [this](std::size_t a, std::size_t b) { return nodes_[a].left < nodes_[b].left; });
-    Real step_before = 0; // half of V's step at the left end
+    Real before = 0; // the share of V's step at the left end
     for (std::size_t l = 0; l < leaves.size(); ++l) {
         const Node& node = nodes_[leaves[l]];
         const Real* c = &coefficients_[node.data];
@@ -248,9 +248,12 @@ Piecewise<Real> Piecewise<Real>::derivative() const
             b[k] = static_cast<Real>(2 * k + 1) * above[(k + 1) % 2] * 2 / node.width;
             above[k % 2] += c[k];
         }
-        const Real step_after = l + 1 < leaves.size() ? Real((series(nodes_[leaves[l + 1]], Real(0)) - series(node, Real(1))) / 2) : Real(0);
-        b[0] += (step_before + step_after) / node.width;
-        step_before = step_after;
+        const bool last = l + 1 == leaves.size();
+        const Real step = (last ? Real(0) : series(nodes_[leaves[l + 1]], Real(0))) - series(node, Real(1));
+        Real after = 0, next_before = 0; // the shorter interval is what is less well resolved
+        (last || node.width < nodes_[leaves[l + 1]].width ? after : next_before) = step;
+        b[0] += (before + after) / node.width;
+        before = next_before;
         for (std::size_t j = 0; j < N; ++j) d.moments_[node.data + j] = gauss_->weights[j] * node.width * d.series(node, gauss_->nodes[j]);
     }
     d.sum_moments();

@@ -44,8 +44,8 @@ public:
 
     /// Expectation of V after one wave: int V density dy. V is 0 outside the grid.
     Real after(const Wave<Real>&) const;
-    /// dV/dx on the same intervals, of V made continuous: its steps from one to the next are small, but as point masses they would be
-    /// met by an end of a density, where it is infinite. Half a step is spread over each of the two intervals.
+    /// dV/dx on the same intervals, of V made continuous, 0 beyond the grid: its steps from one to the next are small, but as point masses they would be
+    /// met by an end of a density, where it is infinite. A step is spread over the shorter of the two intervals.
     Piecewise derivative() const;
     /// Without the last three terms of each series, the ends kept: what that changes says how far off the whole may be.
     Piecewise shortened() const;
