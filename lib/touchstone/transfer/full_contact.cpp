@@ -54,7 +54,7 @@ public:
             return above < below ? Real(1 - asin(sqrt(above / 2)) / half_pi) : Real(asin(sqrt(below / 2)) / half_pi);
         }
         const Real one_minus_x = (1 - x_.high) - x_.low, R = sqrt(one_minus_x * one_minus_x + P * P);
-        return asin(sqrt(below * (G_.high * highest_.high + P) / (2 * (1 + x_.high + R)))) / half_pi;
+        return atan(sqrt(below * (G_.high * highest_.high + P) / (2 * (one_minus_x + R) + P * P))) / half_pi; // arcsin would lose digits next to x = 1, P = 0
     }
 
 private:
@@ -81,8 +81,15 @@ public:
         {
             const std::scoped_lock lock(mutex_);
             for (long k = size(); k <= m; ++k) {
+                if (!failure_.empty()) throw BeyondReach(failure_); // it cost seconds to find out
                 progress("scale", k, m + 1);
-                extend();
+                try {
+                    extend();
+                }
+                catch (const BeyondReach& reason) {
+                    failure_ = reason.what();
+                    throw;
+                }
             }
             progress("scale", m + 1, m + 1);
             mean = mean_of(m, derivative);
@@ -101,6 +108,7 @@ protected:
 
 private:
     std::mutex mutex_;
+    std::string failure_;
 };
 
 class BlindLevels final : public Levels {
