@@ -197,8 +197,39 @@ TEST_CASE("what is estimated says so, and no digit is given that the two do not 
     const auto apart_by = evaluate(q, Inputs({{"n", 2}, {"load", 1}, {"G", exactly("1.5")}}), {.digits = 15});
     CHECK(apart_by.status == Status::undecided);
     CHECK(apart_by.value == "0.3333333");
+    CHECK(apart_by.note == "no proof: two discretisations agree to 7 digits only");
     q.estimates[1].estimate = [=](const Inputs&) { return Estimate{third, Ball::exactly(1e-9)}; }; // as is an error of its own
     CHECK(evaluate(q, Inputs({{"n", 2}, {"load", 1}, {"G", exactly("1.5")}}), {.digits = 15}).value == "0.3333333");
+    q.estimates[1].estimate = [=](const Inputs&) { return Estimate{Ball(1), Ball(0)}; };
+    const auto at_odds = evaluate(q, Inputs({{"n", 2}, {"load", 1}, {"G", exactly("1.5")}}), {.digits = 15});
+    CHECK(at_odds.status == Status::undecided);
+    CHECK(at_odds.value == "nan");
+    CHECK(at_odds.note == "no proof: two discretisations do not agree");
+}
+
+TEST_CASE("distributions at the seams: G = 2, load = 1, an end of the support that is a singular point and an end of the grid, p -> 0")
+{
+    struct Case {
+        const char *G, *load, *p, *least; ///< exceedances and densities agree to this, relative
+        long n;
+    };
+    for (const auto& [G, load, p, least, n] : {
+             Case{"2", "1", "0.9", "1e-16", 2}, // the upper end of E_1 at x = 1, where the grid ends
+             {"2", "1", "7.999999992", "1e-14", 2},
+             {"2", "1", "0.9", "1e-16", 3},
+             {"2", "1", "1e-9", "1e-7", 3},
+             {"1.2", "1", "0.9", "1e-16", 2}, // p^2/4 an end of the blind grid's intervals
+             {"1.9999999", "1.000001", "0.9", "1e-14", 2}, // E_1 ends at 1 + 6e-7: no point of [1, 2] sees it
+             {"2", "0.999999", "3", "1e-14", 2},
+             {"2.5", "1.5", "6.25", "1e-15", 2}}) { // (load + 1)/G = 1
+        CAPTURE(G); CAPTURE(load); CAPTURE(p); CAPTURE(n);
+        const auto at = [&](Grid grid, auto f) { return f(grid, n, ball(p), ball(load), ball(G)).value; };
+        CHECK(apart(at(Grid::blind, estimated_exceedance), at(Grid::tracked, estimated_exceedance)) < 1e-16);
+        CHECK(apart(at(Grid::blind, estimated_density), at(Grid::tracked, estimated_density)) < std::stod(least));
+    }
+    // p -> 0 through 1/sqrt(1 - x): no nan, the area
+    for (const Grid grid : {Grid::blind, Grid::tracked})
+        CHECK(apart(estimated_exceedance(grid, 2, ball("1e-300"), Ball(1), Ball(2)).value, estimated_area(grid, 2, Ball(1), Ball(2)).value) < 1e-17);
 }
 
 TEST_CASE("exceedance and density: certified at n = 1 in partial contact, both grids elsewhere, next to singular points too")
@@ -256,8 +287,8 @@ TEST_CASE("singular points: exact images, merged where they are the same")
         for (const auto& p : points) all.push_back(arf_get_d(arb_midref(p.position.get()), ARF_RND_NEAR));
         return all;
     };
-    // G = 2: 1 -> 3 and 1 (twice the same) -> 7, 5 -> 15, 13, 11, 9
-    CHECK(positions(area_points(Ball(2), {Ball(12), 4, 1e-18})) == std::vector<double>{1, 3, 5, 7, 9, 11});
+    // G = 2: 1 -> 3 and 1 (twice the same) -> 7, 5 -> 15, 13, 11, 9; beyond the reach, kept as neighbours, 13 and 15
+    CHECK(positions(area_points(Ball(2), {Ball(12), 4, 1e-18})) == std::vector<double>{1, 3, 5, 7, 9, 11, 13, 15});
     // G = 1.5: 1 -> 2.5, 0.5625 -> 4.75, 2.75, 1.84375, 0.177978515625
     CHECK(positions(area_points(ball("1.5"), {Ball(12), 3, 1e-18})) == std::vector<double>{0.177978515625, 0.5625, 1, 1.84375, 2.5, 2.75, 4.75});
     // load = 3, G = 1.5: 8/3 and 4/3 = 2/G, then (8/3 +- 1)/G, (4/3 +- 1)/G; 1 is marked

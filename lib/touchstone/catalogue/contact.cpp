@@ -8,6 +8,7 @@
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
+#include "touchstone/transfer/scale_one.hpp"
 
 #include <fmt/format.h>
 
@@ -133,12 +134,6 @@ Estimate estimated_area(transfer::Grid grid, long n, const Inputs& in)
     return transfer::estimated_area(grid, n, Ball(in.real("load")), in.G_ball());
 }
 
-Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const Ball& p)
-{
-    if (!certainly(less(Ball(0), p))) throw BeyondReach("not computed at p = 0, where q_n is 0 unless a singular point lies there; ask for p > 0");
-    return transfer::estimated_density(grid, n, p, Ball(in.real("load")), in.G_ball());
-}
-
 Quantity::Limits proven_levels_limits(bool reached) { return reached ? Quantity::Limits{20, true} : Quantity::Limits{}; }
 
 Quantity::Limits area_limits(const Inputs& in, long n) { return proven_levels_limits(n > 0 && area_by_proven_levels(in)); }
@@ -220,8 +215,39 @@ void check_pressure(const Inputs& in)
 
 using Pressure = std::function<Ball()>;
 
-Ball density(Law law, const Inputs& in, long n, const Pressure& p_at)
+/// Scale 1 beyond partial contact has its own certified route.
+bool by_scale_one(const Inputs& in, long n) { return n == 1 && full_contact(in); }
+
+transfer::Variable variable(Law law) { return law == Law::density ? transfer::Variable::ratio : transfer::Variable::angle; }
+
+transfer::ScaleOne at_scale_one(const Inputs& in, const Pressure& p_at, std::optional<Rational> p = std::nullopt)
 {
+    transfer::ScaleOne q{p_at, in.real("load"), [&in] { return in.G_ball(); }, std::move(p), std::nullopt};
+    try {
+        if (const Exact G = in.G_exact(); G.is_rational()) q.exact_G = G.rational();
+    }
+    catch (const NotExact&) {
+    }
+    return q;
+}
+
+std::vector<std::string> law_names(const Inputs& in, long n)
+{
+    if (by_scale_one(in, n)) return {"scale-one-by-ratio", "scale-one-by-angle"};
+    return {"forward-density", "forward-exceedance"};
+}
+
+void require_pressure(const Ball& p)
+{
+    if (!certainly(less(Ball(0), p))) throw BeyondReach("not computed at p = 0, where q_n is 0 unless a singular point lies there; ask for p > 0");
+}
+
+Ball density(Law law, const Inputs& in, long n, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)
+{
+    if (by_scale_one(in, n)) {
+        require_pressure(p_at());
+        return transfer::scale_one_density(variable(law), at_scale_one(in, p_at, std::move(exact_p)));
+    }
     if (n > 0) require_distribution(in, n);
     const Ball p = p_at();
     if (certainly(less(highest_pressure(in, n), p))) return Ball(0);
@@ -246,7 +272,14 @@ Ball pressure_ratio(const Inputs& in, long n)
 bool exceedance_by_proven_levels(const Inputs& in)
 {
     const long n = in.integer("n");
-    return n > 0 && (in.real("p") == 0 ? area_by_proven_levels(in) : full_contact(in));
+    return in.real("p") == 0 ? n > 0 && area_by_proven_levels(in) : n > 1 && full_contact(in);
+}
+
+Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)
+{
+    require_pressure(p_at());
+    if (by_scale_one(in, n)) density(Law::density, in, n, p_at, std::move(exact_p)); // refuses, and says why: no estimate is better
+    return transfer::estimated_density(grid, n, p_at(), Ball(in.real("load")), in.G_ball());
 }
 
 Ball exceedance(Law law, const Inputs& in)
@@ -258,16 +291,19 @@ Ball exceedance(Law law, const Inputs& in)
         if (law == Law::density) return westergaard::exceedance(p, load);
         return in.real("load") < 1 ? as_printed::exceedance_partial(p, load) : as_printed::exceedance_full(p, load);
     }
-    if (full_contact(in)) {
+    const Pressure p_at = [&in] { return Ball(in.real("p")); };
+    if (by_scale_one(in, n)) return transfer::scale_one_exceedance(variable(law), at_scale_one(in, p_at, in.real("p")));
+    if (exceedance_by_proven_levels(in)) {
         if (law == Law::density) return transfer::exceedance_by_proven_levels(n, [&] { return pressure_ratio(in, n); }, arguments(in));
         return with_radius(transfer::estimated_exceedance(transfer::Grid::blind, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball()));
     }
     require_distribution(in, n);
-    return transfer::exceedance(law, n, [&in] { return Ball(in.real("p")); }, arguments(in));
+    return transfer::exceedance(law, n, p_at, arguments(in));
 }
 
 std::string explain_distribution(const Inputs& in, long n, const Pressure& p_at, long digits)
 {
+    if (by_scale_one(in, n)) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (transfer/scale_one.hpp)\n";
     require_distribution(in, n);
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
     if (n == 0) return "n = 0: (2.17), (2.19)\n";
@@ -313,7 +349,7 @@ void add_contact(std::vector<Quantity>& all)
         const WorkingPrecision precision(bits_for_digits(digits) + 48);
         return transfer::proven_levels_certificate(n, [&] { return pressure_ratio(in, n); }, arguments(in));
     };
-    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 20, load <= 1, G > 2; for n <= 20, load <= 100 to 20 digits, absolute; else estimated",
+    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100; else estimated",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        if (above_support(in, in.integer("n"), in.real("p"))) return Exact(0);
@@ -328,12 +364,12 @@ void add_contact(std::vector<Quantity>& all)
                    }),
                    [](const Inputs& in) -> std::vector<std::string> {
                        if (exceedance_by_proven_levels(in)) return proven_route_names;
-                       return {"forward-density", "forward-exceedance"};
+                       return law_names(in, in.integer("n"));
                    },
                    [](const Inputs& in) { return proven_levels_limits(exceedance_by_proven_levels(in)); }});
 
 
-    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 20, load <= 1, G > 2, else estimated",
+    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2, else estimated",
                    {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        const bool partial = in.real("load") <= 1 && in.compare_G(2) > 0;
@@ -341,10 +377,11 @@ void add_contact(std::vector<Quantity>& all)
                        if (at_zero || above_support(in, in.integer("n"), in.real("p")) || below_support(in, in.integer("n"), in.real("p"))) return Exact(0);
                        throw NotExact();
                    },
-                   by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), [&in] { return Ball(in.real("p")); }); }), explain_p, true,
-                   by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_density(g, in.integer("n"), in, Ball(in.real("p"))); })});
+                   by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), [&in] { return Ball(in.real("p")); }, in.real("p")); }), explain_p, true,
+                   by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_density(g, in.integer("n"), in, [&in] { return Ball(in.real("p")); }, in.real("p")); }),
+                   [](const Inputs& in) { return law_names(in, in.integer("n")); }});
 
-    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 21, load <= 1, G > 2, else estimated",
+    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, or n <= 21, load <= 1, G > 2, else estimated",
                    {"n", "a", "load", "G"}, "density of segments by half-width a (in lambda_n), N^_n lambda_n",
                    [](const Inputs& in) {
                        check_contact(in);
@@ -365,9 +402,9 @@ void add_contact(std::vector<Quantity>& all)
                    }),
                    [](const Inputs& in, long digits) { return explain_distribution(in, in.integer("n") - 1, [&in] { return of_segments(in).first; }, digits); }, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
-                       const auto [p, factor] = of_segments(in);
-                       return scaled(estimated_density(g, in.integer("n") - 1, in, p), factor);
-                   })});
+                       return scaled(estimated_density(g, in.integer("n") - 1, in, [&in] { return of_segments(in).first; }), of_segments(in).second);
+                   }),
+                   [](const Inputs& in) { return law_names(in, in.integer("n") - 1); }});
 
     all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified where contact.area is, else estimated",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",

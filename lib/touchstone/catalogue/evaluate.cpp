@@ -99,13 +99,23 @@ void estimate(const Quantity& q, const Inputs& in, long digits, Evaluation& e)
     e.routes.clear();
     for (const EstimateRoute& r : q.estimates) e.routes.push_back(r.name);
     auto decimal = round_to_digits(hull, std::min(digits, most_estimated_digits));
-    e.note = "no proof: two discretisations agree" + std::string(digits > most_estimated_digits ? fmt::format("; at most {} digits are estimated", most_estimated_digits) : "");
-    if (digits > most_estimated_digits) return;
+    const auto agreed = [&](long n) { return n < 1 ? std::string("no proof: two discretisations do not agree") : fmt::format("no proof: two discretisations agree to {} digits only", n); };
+    if (digits > most_estimated_digits) {
+        long n = most_estimated_digits;
+        while (n > 0 && !round_to_digits(hull, n)) --n;
+        e.note = (n == most_estimated_digits ? "no proof: two discretisations agree" : agreed(n)) + fmt::format("; at most {} digits are estimated", most_estimated_digits);
+        return;
+    }
+    e.note = "no proof: two discretisations agree";
     if (!decimal && digits > 1) { // next to a tie of the last digit: one digit fewer
         decimal = round_to_digits(hull, --digits);
         if (decimal) e.note += ", to all digits but the last asked for";
     }
-    if (!decimal) return;
+    if (!decimal) {
+        while (digits > 0 && !round_to_digits(hull, digits)) --digits;
+        e.note = agreed(digits);
+        return;
+    }
     e.value = decimal->text();
     e.error_bound = decimal->half_unit();
     e.digits = digits;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/full_contact.hpp"
 
+#include "touchstone/paper/peaks.hpp"
 #include "touchstone/transfer/graded.hpp"
 #include "touchstone/transfer/piecewise.hpp"
 
@@ -53,7 +54,7 @@ public:
             return above < below ? Real(1 - asin(sqrt(above / 2)) / half_pi) : Real(asin(sqrt(below / 2)) / half_pi);
         }
         const Real one_minus_x = (1 - x_.high) - x_.low, R = sqrt(one_minus_x * one_minus_x + P * P);
-        return asin(sqrt(below * (G_.high * highest_.high + P) / (2 * (1 + x_.high + R)))) / half_pi;
+        return atan(sqrt(below * (G_.high * highest_.high + P) / (2 * (one_minus_x + R) + P * P))) / half_pi; // arcsin would lose digits next to x = 1, P = 0
     }
 
 private:
@@ -69,15 +70,26 @@ public:
     Levels(First first, Step step) : first_(std::move(first)), step_(std::move(step)) {}
     virtual ~Levels() = default;
 
+    struct Mean {
+        Real value;
+        Real change; ///< by the last terms of the series
+    };
     /// The mean of V_m, or of its derivative, over a wave.
-    Real mean(long m, const Wave<Real>& wave, bool derivative)
+    Mean mean(long m, const Wave<Real>& wave, bool derivative)
     {
-        std::function<Real(const Wave<Real>&)> mean;
+        std::function<Mean(const Wave<Real>&)> mean;
         {
             const std::scoped_lock lock(mutex_);
             for (long k = size(); k <= m; ++k) {
+                if (!failure_.empty()) throw BeyondReach(failure_); // it cost seconds to find out
                 progress("scale", k, m + 1);
-                extend();
+                try {
+                    extend();
+                }
+                catch (const BeyondReach& reason) {
+                    failure_ = reason.what();
+                    throw;
+                }
             }
             progress("scale", m + 1, m + 1);
             mean = mean_of(m, derivative);
@@ -89,37 +101,51 @@ protected:
     virtual long size() const = 0;
     virtual void extend() = 0;
     /// A function that stays valid without the lock.
-    virtual std::function<Real(const Wave<Real>&)> mean_of(long m, bool derivative) = 0;
+    virtual std::function<Mean(const Wave<Real>&)> mean_of(long m, bool derivative) = 0;
 
     First first_;
     Step step_;
 
 private:
     std::mutex mutex_;
+    std::string failure_;
 };
 
 class BlindLevels final : public Levels {
 public:
-    BlindLevels(const Real& reach, double smallest, First first, Step step) : Levels(std::move(first), std::move(step)), reach_(reach) { rule_.smallest = smallest; }
+    /// \param ends where V_0, V_1, ... fall to 0; empty: nowhere
+    BlindLevels(const Real& reach, double smallest, First first, Step step, std::function<Real(long m)> ends)
+        : Levels(std::move(first), std::move(step)), reach_(reach), ends_(std::move(ends))
+    {
+        rule_.smallest = smallest;
+    }
 
 private:
     long size() const override { return static_cast<long>(levels_.size()); }
     void extend() override
     {
+        if (ends_) rule_.end = ends_(size());
         if (levels_.empty()) levels_.emplace_back(rule_, reach_, first_);
         else levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Pair<Real>& x) { return last.after(step_(x)); });
     }
-    std::function<Real(const Wave<Real>&)> mean_of(long m, bool derivative) override
+    std::function<Mean(const Wave<Real>&)> mean_of(long m, bool derivative) override
     {
-        const Piecewise<Real>& v = *std::next(levels_.begin(), m);
-        const Piecewise<Real>& f = derivative ? derivatives_.try_emplace(m, v.derivative()).first->second : v;
-        return [&f](const Wave<Real>& w) { return f.after(w); };
+        auto it = finals_.find({m, derivative});
+        if (it == finals_.end()) {
+            const Piecewise<Real>& v = *std::next(levels_.begin(), m);
+            it = finals_.try_emplace({m, derivative}, derivative ? std::pair(v.derivative(), v.shortened().derivative()) : std::pair(v, v.shortened())).first;
+        }
+        return [&f = it->second](const Wave<Real>& w) {
+            const Real whole = f.first.after(w);
+            return Mean{whole, whole - f.second.after(w)};
+        };
     }
 
     BlindRule rule_;
     Real reach_;
+    std::function<Real(long)> ends_;
     std::list<Piecewise<Real>> levels_;
-    std::map<long, Piecewise<Real>> derivatives_;
+    std::map<std::pair<long, bool>, std::pair<Piecewise<Real>, Piecewise<Real>>> finals_;
 };
 
 class TrackedLevels final : public Levels {
@@ -135,16 +161,22 @@ private:
         levels_.push_back(levels_.empty() ? grid_.sample(first_)
                                           : grid_.sample([this](const Pair<Real>& x) { return grid_.after(levels_.back(), step_(x)); }));
     }
-    std::function<Real(const Wave<Real>&)> mean_of(long m, bool derivative) override
+    std::function<Mean(const Wave<Real>&)> mean_of(long m, bool derivative) override
     {
-        const Function& v = *std::next(levels_.begin(), m);
-        const Function& f = derivative ? derivatives_.try_emplace(m, grid_.derivative(v)).first->second : v;
-        return [this, &f](const Wave<Real>& w) { return grid_.after(f, w); };
+        auto [it, fresh] = finals_.try_emplace({m, derivative});
+        if (fresh) {
+            const Function& v = *std::next(levels_.begin(), m);
+            it->second = derivative ? std::pair(grid_.derivative(v), grid_.derivative(grid_.shortened(v))) : std::pair(v, grid_.shortened(v));
+        }
+        return [this, &f = it->second](const Wave<Real>& w) {
+            const Real whole = grid_.after(f.first, w);
+            return Mean{whole, whole - grid_.after(f.second, w)};
+        };
     }
 
     GradedGrid<Real> grid_;
     std::list<Function> levels_;
-    std::map<long, Function> derivatives_;
+    std::map<std::pair<long, bool>, std::pair<Function, Function>> finals_;
 };
 
 /// The range [0, reach] that the chain does not leave once it is there, and enters with the first wave: y <= f(x)/G, (5.6).
@@ -197,7 +229,7 @@ std::shared_ptr<Levels> areas_of(Grid grid, const Ball& G, const Ball& load)
     return store().get(fmt::format("areas {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade), [&]() -> std::shared_ptr<Levels> {
         const auto step = [g = extended_pair(G)](const Pair<Real>& x) { return wave_from(x, g); };
         const double smallest = std::pow(10.0, decade);
-        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, smallest, first_area, step);
+        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, smallest, first_area, step, nullptr);
         const GradedRule rule{.smallest = smallest};
         return std::make_shared<TrackedLevels>(reach, area_points(G, tracking(reach, rule)), rule, first_area, step);
     });
@@ -211,7 +243,11 @@ std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& loa
         const Pair<Real> g = extended_pair(G);
         const FirstExceedance first(extended_pair(load), g);
         const auto step = [g](const Pair<Real>& y) { return wave_to(product(g, y), false); };
-        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, 1e-20, first, step);
+        const auto end = [load, G](long m) { // x_{m+1}, (5.6)
+            const WorkingPrecision bits(256);
+            return extended_pair(peaks::iterate(m, load, G)).high;
+        };
+        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, 1e-20, first, step, end);
         const GradedRule rule{.tolerance = 1e-18}; // many more points than the areas have
         return std::make_shared<TrackedLevels>(reach, exceedance_points(load, G, tracking(reach, rule)), rule, first, step);
     });
@@ -225,11 +261,12 @@ void require_reach(long n, const Ball& load, const Ball& G)
         throw BeyondReach("not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)");
 }
 
-/// What rounding does to a sum of n levels, measured (full_contact.md): the differences of the two grids are 3e-19 on average.
-Estimate estimate(const Real& value, long n)
+/// What rounding does to a sum of n levels, measured (full_contact.md): the differences of the two grids are 3e-19 on average; and what the
+/// last terms of the series change at this very wave, noise and what they do not resolve next to a singular point included.
+Estimate estimate(const Levels::Mean& mean, long n)
 {
-    const Ball exact = exact_ball(value);
-    return {exact, abs(exact) * Ball::exactly(5e-19 + 1e-19 * std::sqrt(static_cast<double>(n)))};
+    const Ball exact = exact_ball(mean.value);
+    return {exact, abs(exact) * Ball::exactly(5e-19 + 1e-19 * std::sqrt(static_cast<double>(n))) + 4 * abs(exact_ball(mean.change))};
 }
 
 } // namespace
@@ -245,7 +282,7 @@ Estimate estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
     const WorkingPrecision precision(256);
     require_reach(n, load, G);
     const Pair<Real> x = extended_pair(load);
-    return estimate(n == 0 ? first_area(x) : areas_of(grid, G, load)->mean(n - 1, wave_from(x, extended_pair(G)), false), n);
+    return estimate(n == 0 ? Levels::Mean{first_area(x), Real(0)} : areas_of(grid, G, load)->mean(n - 1, wave_from(x, extended_pair(G)), false), n);
 }
 
 Estimate estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
@@ -263,8 +300,8 @@ Estimate estimated_density(Grid grid, long n, const Ball& p, const Ball& load, c
     require_reach(n, load, G);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-    const Estimate slope = estimate(-exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n);
-    return {slope.value / unit, slope.error / unit};
+    const Estimate slope = estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n);
+    return {-slope.value / unit, slope.error / unit};
 }
 
 long scales_in_full_contact(const Ball& load, const Ball& G, long most, const std::function<bool(long)>& tie)

@@ -43,7 +43,7 @@ GradedGrid<Real>::GradedGrid(const GradedRule& rule, const std::vector<SingularP
     const Real end = extended_pair(reach).high;
     for (const SingularPoint& s : points) {
         const Real at = extended_pair(s.position).high;
-        if (at > rule.smallest && at < end) marks.push_back({at, Real(floor_of(s.generation, rule)) * (at < 1 ? at : Real(1))});
+        if (at > rule.smallest) marks.push_back({at, Real(floor_of(s.generation, rule)) * (at < 1 ? at : Real(1))});
     }
     const Real most_ever = longest(generations(rule), rule);
     for (Real y = 0; y < end;) {
@@ -142,6 +142,21 @@ auto GradedGrid<Real>::derivative(const Function& v) const -> Function
             b[k - 1] = (k + 1 < n ? b[k + 1] : Real(0)) + static_cast<Real>(2 * k) * c[k];
         b[0] /= 2;
         for (std::size_t k = 0; k < n; ++k) b[k] *= 2 / cells_[i].width;
+        for (std::size_t j = 0; j < n; ++j) d.moments[i * n + j] = weights_[j] * cells_[i].width * series(d, i, nodes_[j]);
+    }
+    return d;
+}
+
+template <class Real>
+auto GradedGrid<Real>::shortened(const Function& v) const -> Function
+{
+    const std::size_t n = nodes_.size();
+    Function d = v;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        for (std::size_t k = n - 1; k >= n - 3; --k) { // T_k and T_{k-2} are the same at both ends
+            d.coefficients[i * n + k - 2] += d.coefficients[i * n + k];
+            d.coefficients[i * n + k] = 0;
+        }
         for (std::size_t j = 0; j < n; ++j) d.moments[i * n + j] = weights_[j] * cells_[i].width * series(d, i, nodes_[j]);
     }
     return d;

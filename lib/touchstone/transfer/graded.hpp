@@ -48,6 +48,8 @@ public:
     /// From its values at points given to twice the digits; `f` is called from several threads.
     Function sample(const std::function<Real(const Pair<Real>&)>& f) const;
     Function derivative(const Function&) const;
+    /// Without the last three terms of each series, the ends kept: what that changes says how far off the whole may be.
+    Function shortened(const Function&) const;
     /// Expectation after one wave.
     Real after(const Function&, const Wave<Real>&) const;
 

@@ -4,6 +4,7 @@
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/parallel.hpp"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 
@@ -11,6 +12,7 @@ namespace touchstone::transfer {
 
 Pair<Extended> extended_pair(const Ball& b)
 {
+    using std::ldexp;
     const slong bits = std::numeric_limits<Extended>::digits;
     const auto rounded = [bits](const arf_t value, arf_t rest) { // to Extended, and what is left
         arf_t head, part;
@@ -18,6 +20,8 @@ Pair<Extended> extended_pair(const Ball& b)
         arf_init(part);
         arf_set_round(head, value, bits, ARF_RND_NEAR);
         arf_sub(rest, value, head, ARF_PREC_EXACT, ARF_RND_DOWN);
+        const slong exponent = arf_is_zero(head) ? 0 : arf_abs_bound_lt_2exp_si(head); // may be beyond double's
+        arf_mul_2exp_si(head, head, -exponent);
         Extended sum = 0; // 32 bits at a time: exact in any type
         while (!arf_is_zero(head)) {
             arf_set_round(part, head, 32, ARF_RND_DOWN);
@@ -26,7 +30,7 @@ Pair<Extended> extended_pair(const Ball& b)
         }
         arf_clear(head);
         arf_clear(part);
-        return sum;
+        return ldexp(sum, static_cast<int>(std::clamp<slong>(exponent, -20'000, 20'000)));
     };
     arf_t rest, none;
     arf_init(rest);
@@ -41,13 +45,17 @@ Pair<Extended> extended_pair(const Ball& b)
 
 Ball exact_ball(const Extended& value)
 {
+    using std::frexp, std::isfinite;
+    if (!isfinite(value)) throw BeyondReach("not a number: next to a singular point of the recursion");
     Ball sum(0);
     const WorkingPrecision precision(256);
-    for (Extended rest = value; rest != 0;) {
+    int exponent = 0; // may be beyond double's
+    for (Extended rest = frexp(value, &exponent); rest != 0;) {
         const double part = static_cast<double>(rest);
         sum = sum + Ball::exactly(part);
         rest -= Extended(part);
     }
+    arb_mul_2exp_si(sum.get(), sum.get(), exponent);
     return sum;
 }
 
@@ -97,7 +105,7 @@ template <class Real>
 Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::function<Real(const Pair<Real>&)>& f)
     : rule_(rule), gauss_(&gauss_rule<Real>(rule.points)), angle_(&gauss_rule<Real>(rule.angle_points))
 {
-    using std::abs, std::sqrt;
+    using std::abs, std::isfinite, std::sqrt;
     const auto N = static_cast<std::size_t>(rule.points);
     nodes_.push_back({Real(0), Real(1), -1, 0});
     for (Real left = 1; left < reach; left *= 2) nodes_.push_back({left, left, -1, 0});
@@ -121,8 +129,25 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
                 for (std::size_t j = 0; j < N; ++j) a.series[k] += gauss_->to_coefficients[k * N + j] * a.values[j];
             Real tail = 0;
             for (std::size_t k = N - 3; k < N; ++k) tail = abs(a.series[k]) > tail ? Real(abs(a.series[k])) : tail;
-            const Real share = sqrt(node.width / (node.left + node.width));
-            a.tail = a.series[0] == 0 ? (tail == 0 ? 0.0 : 1.0) : static_cast<double>(Real(tail * share / abs(a.series[0])));
+            Real near = node.left, against = abs(a.series[0]);
+            if (const Real to_end = abs(Real(rule.end) - node.left); to_end < near) near = to_end;
+            if (isfinite(rule.end)) {
+                for (const Real& v : a.values) against = abs(v) < against ? Real(abs(v)) : against;
+                if (against < rule.negligible) against = rule.negligible;
+            }
+            const Real share = sqrt(node.width / (near + node.width));
+            const auto weighted = [&](const Real& error) { return against == 0 ? (error == 0 ? 0.0 : 1.0) : static_cast<double>(Real(error * share / against)); };
+            a.tail = weighted(tail);
+            if (a.tail > rule.tolerance) return;
+            // what turns between an end and the point next to it, no point has seen: V = 0 from 1 + 1e-6 on, on [1, 2]
+            Real at_left = 0, at_right = 0;
+            for (std::size_t k = N; k-- > 0;) {
+                at_left = a.series[k] - at_left;
+                at_right += a.series[k];
+            }
+            constexpr double noise = 16; // of a series at its ends
+            if (node.left > 0) a.tail = std::max(a.tail, weighted(Real(abs(f({node.left, Real(0)}) - at_left) / noise)));
+            a.tail = std::max(a.tail, weighted(Real(abs(f({node.left + node.width, Real(0)}) - at_right) / noise)));
         });
         for (std::size_t i = 0; i < answers.size(); ++i) {
             Node& node = nodes_[begin + i];
@@ -209,8 +234,13 @@ Piecewise<Real> Piecewise<Real>::derivative() const
 {
     Piecewise d = *this;
     const auto N = static_cast<std::size_t>(rule_.points);
-    for (const Node& node : nodes_) {
-        if (node.child >= 0) continue;
+    std::vector<std::size_t> leaves;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        if (nodes_[i].child < 0) leaves.push_back(i);
+    std::sort(leaves.begin(), leaves.end(), [this](std::size_t a, std::size_t b) { return nodes_[a].left < nodes_[b].left; });
+    Real before = 0; // the share of V's step at the left end
+    for (std::size_t l = 0; l < leaves.size(); ++l) {
+        const Node& node = nodes_[leaves[l]];
         const Real* c = &coefficients_[node.data];
         Real* b = &d.coefficients_[node.data];
         Real above[2] = {Real(0), Real(0)}; // P'_k = sum of (2j+1) P_j over j = k-1, k-3, ...
@@ -218,15 +248,32 @@ Piecewise<Real> Piecewise<Real>::derivative() const
             b[k] = static_cast<Real>(2 * k + 1) * above[(k + 1) % 2] * 2 / node.width;
             above[k % 2] += c[k];
         }
+        const bool last = l + 1 == leaves.size();
+        const Real step = (last ? Real(0) : series(nodes_[leaves[l + 1]], Real(0))) - series(node, Real(1));
+        Real after = 0, next_before = 0; // the shorter interval is what is less well resolved
+        (last || node.width < nodes_[leaves[l + 1]].width ? after : next_before) = step;
+        b[0] += (before + after) / node.width;
+        before = next_before;
         for (std::size_t j = 0; j < N; ++j) d.moments_[node.data + j] = gauss_->weights[j] * node.width * d.series(node, gauss_->nodes[j]);
     }
     d.sum_moments();
-    std::vector<const Node*> leaves;
-    for (const Node& node : nodes_)
-        if (node.child < 0) leaves.push_back(&node);
-    std::sort(leaves.begin(), leaves.end(), [](const Node* a, const Node* b) { return a->left < b->left; });
-    for (std::size_t i = 1; i < leaves.size(); ++i)
-        d.masses_.push_back({leaves[i]->left, series(*leaves[i], Real(0)) - series(*leaves[i - 1], Real(1))});
+    return d;
+}
+
+template <class Real>
+Piecewise<Real> Piecewise<Real>::shortened() const
+{
+    Piecewise d = *this;
+    const auto N = static_cast<std::size_t>(rule_.points);
+    for (const Node& node : nodes_) {
+        if (node.child >= 0) continue;
+        for (std::size_t k = N - 1; k >= N - 3; --k) { // P_k and P_{k-2} are the same at both ends
+            d.coefficients_[node.data + k - 2] += d.coefficients_[node.data + k];
+            d.coefficients_[node.data + k] = 0;
+        }
+        for (std::size_t j = 0; j < N; ++j) d.moments_[node.data + j] = gauss_->weights[j] * node.width * d.series(node, gauss_->nodes[j]);
+    }
+    d.sum_moments();
     return d;
 }
 
@@ -286,10 +333,6 @@ Real Piecewise<Real>::after(const Wave<Real>& wave) const
                 stack.push_back(&nodes_[static_cast<std::size_t>(node.child)]);
                 stack.push_back(&nodes_[static_cast<std::size_t>(node.child) + 1]);
             }
-        }
-        for (const Mass& m : masses_) {
-            const Real up = arc.below_hi(m.at), down = arc.above_lo(m.at);
-            if (up > 0 && down > 0 && m.at >= arc.begin && m.at < arc.end) total += m.size * arc.density(m.at, up, down, 1 - m.at);
         }
     }
     return total;

@@ -2,13 +2,15 @@
 /// \file
 /// Functions on a line kept as polynomials on intervals that are halved where needed, and one wave applied to them.
 ///
-/// The grid is blind: an interval is halved until the tail of its Legendre series no longer matters. Nothing is told where
+/// The grid is blind: an interval is halved until the tail of its Legendre series, and what the series is off at the ends, no longer matter. Nothing is told where
 /// the function is not smooth. Points x, and so intervals, are binary fractions: their ends and the distances between
 /// them are exact in `Real`.
 ///
 /// **When an interval is fine.** An error e on an interval [a, a + h] reaches a later value with at most the share of
 /// a wave that falls there. The densities (W1), (W2) have square-root ends, so that share is about sqrt(h/(a+h)) and less;
 /// errors relative to the (increasing) function itself add up over levels (positivity). So: |tail| min(1, sqrt(h/(a+h))) <= tolerance |V|.
+/// An exceedance falls to 0 at the end of its support, and what is near the end of the next one comes from there alone: the distance
+/// from that end counts for a if it is less, and the least of V on the interval for V.
 ///
 /// **One wave applied.** Sum over intervals of int V density dy. For an interval, leaf or not, that is at least its
 /// length away from the singular points of the density, the density is replaced by its interpolant at the N Gauss points: the
@@ -29,6 +31,8 @@ struct BlindRule {
     int angle_points = 48;     ///< Gauss points of an angle
     double tolerance = 1e-18;
     double smallest = 1e-20;   ///< an interval that begins at 0 is not halved below this
+    Extended end = std::numeric_limits<Extended>::infinity(); ///< V falls to 0 there
+    double negligible = 1e-25; ///< what is less, next to the end, need not be right in its relative digits
 };
 
 template <class Real>
@@ -40,8 +44,11 @@ public:
 
     /// Expectation of V after one wave: int V density dy. V is 0 outside the grid.
     Real after(const Wave<Real>&) const;
-    /// dV/dx, on the same intervals; the small steps of V between two of them are kept as point masses.
+    /// dV/dx on the same intervals, of V made continuous, 0 beyond the grid: its steps from one to the next are small, but as point masses they would be
+    /// met by an end of a density, where it is infinite. A step is spread over the shorter of the two intervals.
     Piecewise derivative() const;
+    /// Without the last three terms of each series, the ends kept: what that changes says how far off the whole may be.
+    Piecewise shortened() const;
     Real at(const Real& x) const;
     Real integral() const;
     /// Number of leaves.
@@ -65,10 +72,6 @@ private:
     std::size_t roots_ = 0;
     std::vector<Node> nodes_;
     std::vector<Real> moments_, coefficients_;
-    struct Mass {
-        Real at, size;
-    };
-    std::vector<Mass> masses_;
     std::size_t leaves_ = 0;
     double worst_tail_ = 0;
 };

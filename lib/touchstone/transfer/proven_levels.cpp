@@ -358,7 +358,7 @@ void Layer::apply(const Real& x, Result& out) const
         for (int m = 0; m < count; ++m) out.error[m] += lost * largest[m];
     };
     // part of panel j; limits are sin(theta/2), cos(theta/2) or z
-    const auto piece = [&](int j, Variable variable, const Real& low, const Real& high) {
+    const auto piece = [&](int j, Substitution variable, const Real& low, const Real& high) {
         if (!(high > low)) return;
         const Panel& p = panels[j];
         const Real mid = (low + high) * 0.5, width = (high - low) * 0.5;
@@ -368,15 +368,15 @@ void Layer::apply(const Real& x, Result& out) const
         // Gauss: the largest disc about the middle where |local| <= 2.916, inside the ellipse of rho = 6
         constexpr double largest_local = 2.916;
         Real A = 0, B = 0;
-        if (variable == Variable::sine) A = k.full ? (x + 1) * (x + 1) : 4 * x, B = -4 * (x + 1);
-        if (variable == Variable::cosine) A = k.full ? (x - 1) * (x - 1) : Real(0), B = k.full ? 4 * (x - 1) : -4 * (1 - x);
+        if (variable == Substitution::sine) A = k.full ? (x + 1) * (x + 1) : 4 * x, B = -4 * (x + 1);
+        if (variable == Substitution::cosine) A = k.full ? (x - 1) * (x - 1) : Real(0), B = k.full ? 4 * (x - 1) : -4 * (1 - x);
         const Real q = mid * mid; // z G^2 = A + B t^2 + 4 t^4 about t = mid
         const double half = size_of(width), middle = double(mid), G2 = double(k.G2), unit = double(p.half);
-        const double off = size_of(variable == Variable::square ? mid - p.centre : (A + B * q + 4 * q * q) / k.G2 - p.centre);
+        const double off = size_of(variable == Substitution::square ? mid - p.centre : (A + B * q + 4 * q * q) / k.G2 - p.centre);
         const double a1 = size_of((2 * B + 16 * q) * mid) / G2, a2 = size_of(B + 24 * q) / G2, a3 = 16 * middle / G2, a4 = 4 / G2;
-        const auto reach = [&](double d) { return margin * (off + (variable == Variable::square ? d : d * (a1 + d * (a2 + d * (a3 + d * a4))))) / unit; };
-        double d = 0, cannot = min(20 * half, variable == Variable::square ? 0.9 * middle : 0.95 - middle);
-        if (variable == Variable::square) cannot = min(cannot, 0.9 * double(k.end - mid));
+        const auto reach = [&](double d) { return margin * (off + (variable == Substitution::square ? d : d * (a1 + d * (a2 + d * (a3 + d * a4))))) / unit; };
+        double d = 0, cannot = min(20 * half, variable == Substitution::square ? 0.9 * middle : 0.95 - middle);
+        if (variable == Substitution::square) cannot = min(cannot, 0.9 * double(k.end - mid));
         if (reach(cannot) <= largest_local) d = cannot;
         else
             for (int step = 0; step < 12; ++step) {
@@ -387,7 +387,7 @@ void Layer::apply(const Real& x, Result& out) const
         if (d > 1.02 * half) {
             const double axis = d / half, rho = axis + std::sqrt(axis * axis - 1);
             double w;
-            if (variable == Variable::square) {
+            if (variable == Substitution::square) {
                 const double least = double(k.root(mid - d)), most = double(k.root(mid + d));
                 w = G2 / (2 * least) * std::sqrt((1 + x_ + most) / (G2 * double(k.end - (mid + d)) * (0.7 * least + double(1 - x))));
             }
@@ -401,18 +401,18 @@ void Layer::apply(const Real& x, Result& out) const
     const auto direct = [&](int j, Real low, const Real& high) {
         if (!k.full && low < k.end / 6) { // near the edge of contact, distances are kept in z itself
             const Real cut = min(high, k.end * 0.25);
-            piece(j, Variable::square, low, cut);
+            piece(j, Substitution::square, low, cut);
             seam(cut);
             if (high <= cut) return;
             low = cut;
         }
         const Real near = high >= k.end ? Real(0) : k.one_minus_c(high), far = k.one_minus_c(low);
         const Real from_below = low <= k.begin ? Real(0) : k.one_plus_c(low), to_above = k.one_plus_c(high);
-        if (far <= 1) piece(j, Variable::sine, sqrt(near * 0.5), sqrt(far * 0.5));
-        else if (near >= 1) piece(j, Variable::cosine, sqrt(from_below * 0.5), sqrt(to_above * 0.5));
+        if (far <= 1) piece(j, Substitution::sine, sqrt(near * 0.5), sqrt(far * 0.5));
+        else if (near >= 1) piece(j, Substitution::cosine, sqrt(from_below * 0.5), sqrt(to_above * 0.5));
         else { // the two meet at c = 0, where one unit of a limit's rounding is one of theta
-            piece(j, Variable::sine, sqrt(near * 0.5), root_half);
-            piece(j, Variable::cosine, sqrt(from_below * 0.5), sqrt(Real(1) - Real(root_half) * root_half));
+            piece(j, Substitution::sine, sqrt(near * 0.5), root_half);
+            piece(j, Substitution::cosine, sqrt(from_below * 0.5), sqrt(Real(1) - Real(root_half) * root_half));
         }
     };
     bool after_cluster = false, after_direct = false;

@@ -18,7 +18,7 @@ std::vector<SingularPoint> orbit(std::vector<Ball> seeds, const Images& images, 
     std::vector<SingularPoint> all;
     std::vector<Ball> next = std::move(seeds);
     for (int g = 0; g < t.generations; ++g) {
-        std::erase_if(next, [&](const Ball& s) { return certainly(less(t.reach, s)) || !certainly(less(Ball(0), s)); });
+        std::erase_if(next, [&](const Ball& s) { return !certainly(less(Ball(0), s)); });
         std::sort(next.begin(), next.end(), below);
         next.erase(std::unique(next.begin(), next.end(), same), next.end());
         std::erase_if(next, [&](const Ball& s) { // what an earlier generation has, it has more strongly, with all its images
@@ -28,6 +28,7 @@ std::vector<SingularPoint> orbit(std::vector<Ball> seeds, const Images& images, 
         next.clear();
         for (const Ball& s : last) {
             all.push_back({s, g});
+            if (certainly(less(t.reach, s))) continue; // beyond: a neighbour of what is inside, no more
             for (const Ball& image : images(s)) next.push_back(image);
         }
     }

@@ -27,7 +27,7 @@ struct SingularPoint {
 };
 
 struct Tracking {
-    Ball reach;      ///< points in (0, reach]
+    Ball reach;      ///< points in (0, reach], and their images beyond it: an interval that ends at the reach has them as neighbours
     int generations; ///< 0 to this, exclusive
     double merge;    ///< points closer than this, relative to the larger, are one, the stronger: the caller says what that neglects
 };

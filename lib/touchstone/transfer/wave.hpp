@@ -224,8 +224,10 @@ Wave<Real> wave_from(const Pair<Real>& x, const Pair<Real>& G)
 /// The ratio needed to get above pressure P, in units of p* of that wave: (W3), (W4).
 /// \param moves weigh with dx/dP
 template <class Real>
-Wave<Real> wave_to(const Pair<Real>& P, bool moves)
+Wave<Real> wave_to(Pair<Real> P, bool moves)
 {
+    using std::ldexp;
+    if (P.high <= 0) P = {ldexp(Real(1), -3000), Real(0)}; // P = 0 has 1/sqrt(1 - x) at x = 1, which no angle removes; sqrt(P) is what is left
     Wave<Real> wave;
     Arc<Real>& arc = wave.arcs[0];
     arc.kind = Arc<Real>::Kind::needed_full;

@@ -76,7 +76,7 @@ void wave_densities(const WaveKernel<Real>& k, Real mid, Real half, const Wide& 
 }
 
 TOUCHSTONE_CLONES
-double wave_nodes(const WaveKernel<Real>& k, Variable variable, Real mid, Real half, const Wide& nodes, const Wide& weights, Real centre, Real unit,
+double wave_nodes(const WaveKernel<Real>& k, Substitution variable, Real mid, Real half, const Wide& nodes, const Wide& weights, Real centre, Real unit,
                   Wide& local, Wide& weight)
 {
     const Four x(k.x), G(k.G), G2(k.G2), middle(mid), width(half), c(centre), one_unit(Real(1) / unit), scale(half * inverse_pi);
@@ -84,16 +84,16 @@ double wave_nodes(const WaveKernel<Real>& k, Variable variable, Real mid, Real h
     for (std::size_t i = 0; i < nodes.size(); i += 4) {
         const Four t = middle + width * load(nodes, i), q = t * t;
         Four z, w;
-        if (variable == Variable::square) {
+        if (variable == Substitution::square) {
             z = t;
             w = wide_kernel_density(x, G, G2, k.full, z);
         }
         else { // c = 1 - 2 q or 2 q - 1
             if (k.full) {
-                const Four P = variable == Variable::sine ? x + 1 - 2 * q : x - 1 + 2 * q;
+                const Four P = variable == Substitution::sine ? x + 1 - 2 * q : x - 1 + 2 * q;
                 z = P * P / G2;
             }
-            else z = 4 * (variable == Variable::sine ? (1 - q) * (x - q) : q * (q - (1 - x))) / G2;
+            else z = 4 * (variable == Substitution::sine ? (1 - q) * (x - q) : q * (q - (1 - x))) / G2;
             w = 2 / sqrt(1 - q);
         }
         w = w * scale * load(weights, i);

@@ -51,7 +51,7 @@ struct WaveKernel {
     }
 };
 
-enum class Variable { sine, cosine, square }; ///< sin(theta/2), cos(theta/2), z
+enum class Substitution { sine, cosine, square }; ///< sin(theta/2), cos(theta/2), z
 
 /// Counts are multiples of four; everything is owned by the caller.
 
@@ -60,7 +60,7 @@ void wave_densities(const WaveKernel<DoubleDouble<double>>&, DoubleDouble<double
 
 /// Gauss nodes t = mid + half * nodes[i] of the variable: local[i] = (z(t) - centre)/unit and weight[i], which is
 /// half * weights[i] dtheta/dt over pi. \returns the sum of the weights
-double wave_nodes(const WaveKernel<DoubleDouble<double>>&, Variable, DoubleDouble<double> mid, DoubleDouble<double> half, const Wide& nodes,
+double wave_nodes(const WaveKernel<DoubleDouble<double>>&, Substitution, DoubleDouble<double> mid, DoubleDouble<double> half, const Wide& nodes,
                   const Wide& weights, DoubleDouble<double> centre, DoubleDouble<double> unit, Wide& local, Wide& weight);
 
 /// out[k] = sum of weight[i] T_k(local[i]), k < terms

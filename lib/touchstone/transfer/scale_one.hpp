@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The distribution of pressure at scale 1, certified, for any G > 1 and load: (6.1) as one integral over closed forms.
+///
+/// With x = p_0/p*_1 and P = p/p*_1 there are two waves: E(x), the share of lambda_0 above x after the first, and F(x; P), the share of a
+/// region of ratio x above P after the second (wave.hpp, (W1) to (W4)):
+///
+/// | variable | Q_1                                                    | q_1 p*_1                                                  |
+/// |----------|--------------------------------------------------------|-----------------------------------------------------------|
+/// | ratio    | int -E'(x) F(x; P) dx                                  | int -E'(x) (-dF/dP) dx                                    |
+/// | angle    | (1/pi) int E(x(u)) du/sqrt(u(2-u)), 0 < u < 2          | (1/pi) int -E'(x(u)) (dx/dP) du/sqrt(u(2-u))              |
+///
+/// u = 1 + cos(theta) of the second wave: x = P + 1 - u, dx/dP = 1 for u < P (full contact), 1 - x = (u-P)(u+P)/(2u), dx/dP = P/u beyond.
+/// In both, q_1 has its singular points where two ends meet: logarithms inside the support, p = load +- 1 +- G, and so on.
+///
+/// **Evaluation.** Pieces [a, b] between the ends and the seam x = 1, cut in the middle; next to either end the variable is the angle t,
+/// x = a + (b-a) sin^2 t, so that a square root at an end is sin t. All factors are products of roots of distances from ends, each
+/// distance being that of the piece's end (a difference of ends, taken at 4096 bits more) plus (b-a) sin^2 t: p may be as near to a singular
+/// point as one likes. Integrals by acb_calc_integrate, whose bisections approach a near singular point at a cost of log(1/distance); rigorous.
+#pragma once
+
+#include "touchstone/scalar/ball.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace touchstone::transfer {
+
+enum class Variable { ratio, angle };
+
+/// What is asked for; balls at the thread's precision, any precision.
+struct ScaleOne {
+    std::function<Ball()> p;      ///< > 0, in p*_0
+    Rational load;                ///< > 0
+    std::function<Ball()> G;      ///< > 1
+    std::optional<Rational> exact_p, exact_G; ///< if they are rational: two ends that coincide can be told then
+};
+
+/// Q_1(p). \throws BeyondReach if two ends cannot be told from one another, or the integral does not converge
+Ball scale_one_exceedance(Variable, const ScaleOne&);
+/// q_1(p) p*_0. \throws BeyondReach as above, or where it is infinite
+Ball scale_one_density(Variable, const ScaleOne&);
+
+} // namespace touchstone::transfer

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+/// The distribution at scale 1 for any G and load: two variables of integration, the certified chains of partial contact, the
+/// estimates, and the local forms at singular points.
+#include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/transfer/forward.hpp"
+#include "touchstone/transfer/full_contact.hpp"
+#include "touchstone/transfer/scale_one.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using namespace touchstone::transfer;
+
+namespace {
+
+Rational exactly(const char* text) { return *parse_rational(text); }
+
+ScaleOne scale_one(const Rational& p, const Rational& load, const Rational& G)
+{
+    return {[p] { return Ball(p); }, load, [G] { return Ball(G); }, p, G};
+}
+ScaleOne scale_one(const char* p, const char* load, const char* G) { return scale_one(exactly(p), exactly(load), exactly(G)); }
+
+/// 10^-digits
+Rational small(unsigned long digits)
+{
+    mpz_class power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, digits);
+    return Rational(1, power);
+}
+
+/// Radius over midpoint below 10^-digits.
+bool sharp(const Ball& b, long digits) { return arb_rel_accuracy_bits(b.get()) > bits_for_digits(digits); }
+
+double apart(const Ball& a, const Ball& b)
+{
+    const Ball r = abs(a / b - 1);
+    return arf_get_d(arb_midref(r.get()), ARF_RND_UP);
+}
+
+} // namespace
+
+TEST_CASE("both variables give the same, to 30 digits, in every regime, next to singular points and far from them")
+{
+    const WorkingPrecision precision(160);
+    struct Case {
+        const char *load, *G;
+        std::vector<const char*> p;
+    };
+    for (const auto& [load, G, ps] : {
+             Case{"3", "1.5", {"0.5000001", "1", "2.5000001", "4.1", "5.4999999"}},
+             {"1", "2", {"1e-300", "1e-9", "0.9", "3.999999999"}},
+             {"0.3", "1.5", {"1e-300", "0.2", "0.9", "2.1", "2.25"}},
+             {"0.999999", "1.5", {"1e-9", "0.5", "3.4"}},
+             {"1.000001", "1.9999999", {"0.000001", "0.9", "2.000001", "4"}},
+             {"1.5", "2.5", {"0.01", "2.5", "4.9"}}, // (load + 1)/G = 1
+             {"0.36", "1.2", {"0.1", "1.2", "2.3"}}, // 2 sqrt(load)/G = 1
+             {"100", "1.05", {"98", "99.7", "101.9"}},
+             {"0.001", "1.05", {"1e-6", "0.3"}}})
+        for (const char* p : ps) {
+            CAPTURE(load); CAPTURE(G); CAPTURE(p);
+            const ScaleOne q = scale_one(p, load, G);
+            const Ball Q[2] = {scale_one_exceedance(Variable::ratio, q), scale_one_exceedance(Variable::angle, q)};
+            const Ball d[2] = {scale_one_density(Variable::ratio, q), scale_one_density(Variable::angle, q)};
+            CHECK(Q[0].overlaps(Q[1]));
+            CHECK(d[0].overlaps(d[1]));
+            for (const int i : {0, 1}) {
+                CHECK(sharp(Q[i], 30));
+                CHECK(sharp(d[i], 30));
+            }
+        }
+}
+
+TEST_CASE("the certified chains of partial contact hold the same numbers, and the estimates come near")
+{
+    const WorkingPrecision precision(128);
+    for (const auto& [load, G, p] : {std::tuple{"0.3", "3.16", "1.8"}, {"1", "2.5", "0.4"}, {"0.001", "4", "0.1"}}) {
+        CAPTURE(load); CAPTURE(G); CAPTURE(p);
+        const Ball P(exactly(p)), x(exactly(load)), g(exactly(G));
+        const Arguments in{[&] { return x; }, [&] { return g; }};
+        for (const Variable v : {Variable::ratio, Variable::angle}) {
+            CHECK(scale_one_exceedance(v, scale_one(p, load, G)).overlaps(exceedance(Law::exceedance, 1, [&] { return P; }, in)));
+            CHECK(scale_one_density(v, scale_one(p, load, G)).overlaps(density(Law::density, 1, [&] { return P; }, in)));
+        }
+    }
+    for (const auto& [load, G, p] : {std::tuple{"1.5", "2.5", "2.1"}, {"1", "2", "0.9"}, {"3", "1.5", "2.4999999"}, {"0.3", "1.5", "0.9"}}) {
+        CAPTURE(load); CAPTURE(G); CAPTURE(p);
+        const ScaleOne q = scale_one(p, load, G);
+        for (const Grid grid : {Grid::blind, Grid::tracked}) {
+            CHECK(apart(estimated_exceedance(grid, 1, Ball(exactly(p)), Ball(exactly(load)), Ball(exactly(G))).value, scale_one_exceedance(Variable::ratio, q)) < 3e-18);
+            CHECK(apart(estimated_density(grid, 1, Ball(exactly(p)), Ball(exactly(load)), Ball(exactly(G))).value, scale_one_density(Variable::ratio, q)) < 1e-16);
+        }
+    }
+}
+
+TEST_CASE("at a singular point the density is -log(distance)/(2 pi^2 sqrt G), from both sides, as near as one likes")
+{
+    const WorkingPrecision precision(200);
+    const Ball G(exactly("1.5")), slope = 1 / (2 * pi<Ball>() * pi<Ball>() * sqrt(G));
+    Ball thirty_decades;
+    arb_const_log10(thirty_decades.get(), 200);
+    thirty_decades = 30 * thirty_decades;
+    for (const char* at : {"2.5", "3.5"}) // load +- (G - 1)
+        for (const int side : {-1, 1})
+            for (const Variable v : {Variable::ratio, Variable::angle}) {
+                CAPTURE(at); CAPTURE(side);
+                const auto q = [&](unsigned long digits) { return scale_one_density(v, scale_one(exactly(at) + side * small(digits), 3, exactly("1.5"))); };
+                const Ball rise = q(60) - q(30);
+                CHECK(sharp(rise, 30));
+                CHECK(apart(rise, slope * thirty_decades) < 1e-27); // the rest is distance times log(distance)
+            }
+}
+
+TEST_CASE("the density is minus the slope of the exceedance")
+{
+    const WorkingPrecision precision(256);
+    const Rational h = small(20);
+    for (const auto& [p, load, G] : {std::tuple{"2.1", "3", "1.5"}, {"0.4", "0.7", "1.3"}, {"0.2", "1", "1.2"}}) {
+        CAPTURE(p); CAPTURE(load); CAPTURE(G);
+        const auto Q = [&](const Rational& at) { return scale_one_exceedance(Variable::angle, scale_one(at, exactly(load), exactly(G))); };
+        const Ball slope = (Q(exactly(p) - h) - Q(exactly(p) + h)) / (2 * Ball(h));
+        CHECK(apart(slope, scale_one_density(Variable::ratio, scale_one(p, load, G))) < 1e-36);
+    }
+}
+
+TEST_CASE("scale 1 through the catalogue: certified, or one line that says why not")
+{
+    const auto eval = [](const char* name, std::map<std::string, Rational> in) { return evaluate(*find_quantity(name), Inputs(std::move(in)), {.digits = 25}); };
+    const std::map<std::string, Rational> figure_3{{"n", 1}, {"load", 1}, {"D", exactly("1.05")}, {"gamma", 5}, {"p", exactly("0.7")}};
+    for (const char* name : {"contact.exceedance", "contact.density"}) CHECK(eval(name, figure_3).status == Status::certified);
+    CHECK(eval("segments.density", {{"n", 2}, {"load", 1}, {"D", exactly("1.05")}, {"gamma", 5}, {"a", exactly("0.2")}}).status == Status::certified);
+    // where it is infinite or jumps no grid is asked instead
+    for (const auto& [p, why] : {std::pair{"2.5", "infinite"}, {"3.5", "infinite"}, {"0.5", "jumps"}, {"5.5", "jumps"}}) {
+        CAPTURE(p);
+        const auto e = eval("contact.density", {{"n", 1}, {"load", 3}, {"G", exactly("1.5")}, {"p", exactly(p)}});
+        CHECK(e.status == Status::undecided);
+        CHECK(e.digits == 0);
+        CHECK(e.note.find(why) != std::string::npos);
+    }
+    const auto near = eval("contact.density", {{"n", 1}, {"load", 3}, {"G", exactly("1.5")}, {"p", exactly("2.5") + small(30)}});
+    CHECK(near.status == Status::certified);
+}
