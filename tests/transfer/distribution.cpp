@@ -57,6 +57,23 @@ TEST_CASE("the two laws overlap, tightly, from small p up to the edge")
             }
 }
 
+TEST_CASE("force and length are conserved at every scale, in balls: int p q_n dp = load, int q_n dp = A_n")
+{
+    const WorkingPrecision precision(bits_for_digits(16) + 48); // the levels of the test above
+    for (const auto& [G, load] : {std::pair{"2.05", "1"}, {"3.1622776601683795", "0.1"}, {"100", "1e-12"}})
+        for (const long n : {1L, 2L}) {
+            CAPTURE(G); CAPTURE(load); CAPTURE(n);
+            const Ball A = area(Scheme::force_weighted, n, at(load, G)), length = mass(n, at(load, G));
+            CHECK(length.overlaps(A));
+            CHECK(length.relative_bits() > 50);
+            for (const Law law : {Law::density, Law::exceedance}) {
+                const Ball p = force(law, n, at(load, G));
+                CHECK(p.contains(exactly(load)));
+                CHECK(p.relative_bits() > 50);
+            }
+        }
+}
+
 TEST_CASE("a ball at few digits holds the value known from more")
 {
     const auto p_at = share_of_highest(2, "0.4", "0.3", "3");
