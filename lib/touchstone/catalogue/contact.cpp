@@ -134,6 +134,12 @@ Estimate estimated_area(transfer::Grid grid, long n, const Inputs& in)
     return transfer::estimated_area(grid, n, Ball(in.real("load")), in.G_ball());
 }
 
+/// Beyond, the grids do not resolve the functions, and take minutes to find out.
+void require_estimated(long n)
+{
+    if (n > transfer::Forward::largest_n) throw BeyondReach(fmt::format("distributions of pressure are computed for the scales n <= {} only", transfer::Forward::largest_n));
+}
+
 Quantity::Limits proven_levels_limits(bool reached) { return reached ? Quantity::Limits{20, true} : Quantity::Limits{}; }
 
 Quantity::Limits area_limits(const Inputs& in, long n) { return proven_levels_limits(n > 0 && area_by_proven_levels(in)); }
@@ -182,6 +188,32 @@ bool above_support(const Inputs& in, long n, const Rational& p)
 {
     const WorkingPrecision precision(256);
     return certainly(less(highest_pressure(in, n), Ball(p)));
+}
+
+/// Whether p = p_n^max exactly, load <= 1, G > 2: p_n^max = G^(n+1) (2/G)^(2 - 2^-n) load^(2^-(n+1)), raised to the power 2^(n+1).
+bool at_edge(const Inputs& in, long n, const Rational& p)
+{
+    {
+        const WorkingPrecision precision(512);
+        if (!highest_pressure(in, n).contains(p)) return false;
+    }
+    const Exact G = in.G_exact();
+    if (n > 10 || !G.is_rational()) throw NotExact();
+    const auto power = [](const Rational& x, long e) {
+        Rational r;
+        mpz_pow_ui(r.get_num_mpz_t(), x.get_num_mpz_t(), static_cast<unsigned long>(e));
+        mpz_pow_ui(r.get_den_mpz_t(), x.get_den_mpz_t(), static_cast<unsigned long>(e));
+        return r;
+    };
+    const long N = 2L << n;
+    return power(p, N) == power(G.rational(), (n + 1) * N) * power(Rational(2) / G.rational(), 2 * N - 2) * in.real("load");
+}
+
+/// Whether the share above p, or for n >= 2 the density (which goes with (p_n^max - p)^((n-1)/2) there), is exactly 0.
+bool nothing_at(const Inputs& in, long n, bool edge_too)
+{
+    if (above_support(in, n, in.real("p"))) return true;
+    return edge_too && in.real("load") <= 1 && in.compare_G(2) > 0 && at_edge(in, n, in.real("p"));
 }
 
 /// p certainly less than p_n^min > 0, in full contact everywhere.
@@ -277,6 +309,9 @@ bool exceedance_by_proven_levels(const Inputs& in)
 
 Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)
 {
+    require_estimated(n);
+    if (!full_contact(in) && n < 2 && highest_pressure(in, n).overlaps(p_at()))
+        throw BeyondReach(n == 0 ? "q_0 is infinite at p = p_0^max" : "q_1 jumps at p = p_1^max: it has no value there");
     require_pressure(p_at());
     if (by_scale_one(in, n)) density(Law::density, in, n, p_at, std::move(exact_p)); // refuses, and says why: no estimate is better
     return transfer::estimated_density(grid, n, p_at(), Ball(in.real("load")), in.G_ball());
@@ -352,7 +387,7 @@ void add_contact(std::vector<Quantity>& all)
     all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100; else estimated",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
-                       if (above_support(in, in.integer("n"), in.real("p"))) return Exact(0);
+                       if (nothing_at(in, in.integer("n"), true)) return Exact(0);
                        if (everywhere_above(in, in.integer("n"), in.real("p"))) return Exact(1);
                        throw NotExact();
                    },
@@ -360,6 +395,7 @@ void add_contact(std::vector<Quantity>& all)
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        const long n = in.integer("n");
                        if (in.real("p") == 0) return estimated_area(g, n, in);
+                       require_estimated(n);
                        return transfer::estimated_exceedance(g, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball());
                    }),
                    [](const Inputs& in) -> std::vector<std::string> {
@@ -374,7 +410,7 @@ void add_contact(std::vector<Quantity>& all)
                    [](const Inputs& in) -> Exact {
                        const bool partial = in.real("load") <= 1 && in.compare_G(2) > 0;
                        const bool at_zero = in.real("p") == 0 && ((partial && in.integer("n") > 0) || (in.integer("n") == 0 && in.real("load") < 1)); // q ~ p, (2.19)
-                       if (at_zero || above_support(in, in.integer("n"), in.real("p")) || below_support(in, in.integer("n"), in.real("p"))) return Exact(0);
+                       if (at_zero || nothing_at(in, in.integer("n"), in.integer("n") >= 2) || below_support(in, in.integer("n"), in.real("p"))) return Exact(0);
                        throw NotExact();
                    },
                    by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), [&in] { return Ball(in.real("p")); }, in.real("p")); }), explain_p, true,

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #if __has_include(<flint/arb_poly.h>)
+#include <flint/acb_calc.h>
 #include <flint/arb_poly.h>
 #else
+#include <acb_calc.h>
 #include <arb_poly.h>
 #endif
 
@@ -1137,6 +1139,95 @@ struct Forward::Implementation {
         if (std::isfinite(rule.reach)) widen(value, above(front) * from.tail * std::exp(-1.5 * rule.reach) / 1.5 * (1 + slack));
         return {value, r, rule.nodes.size()};
     }
+
+    // ---- integrals over a level
+
+    /// d^(twice/2) e^(-c d) u_k on one panel: with d = t^2 (or d = e^y where the panel is logarithmic) the integrand is entire.
+    struct Weighted {
+        const Panel* panel;
+        long twice;
+        Ball c;
+        slong wide;
+    };
+    static int integrand(acb_ptr out, const acb_t at, void* param, slong, slong)
+    {
+        const Weighted& w = *static_cast<const Weighted*>(param);
+        const WorkingPrecision scope(w.wide);
+        C x, value;
+        acb_set(x.get(), at);
+        const C d = w.panel->logarithmic ? exp(x) : x * x;
+        const C xi = ((w.panel->logarithmic ? x : d) - C(w.panel->mid)) / C(w.panel->half);
+        arb_poly_evaluate_acb(value.get(), w.panel->polynomial, xi.get(), w.wide);
+        value = value * exp(-d * C(w.c));
+        if (w.panel->logarithmic) value = value * exp(x * C(Ball(w.twice + 2) / 2)); // dd = d dy
+        else {
+            C power;
+            acb_pow_ui(power.get(), x.get(), static_cast<ulong>(w.twice + 1), w.wide);
+            value = 2 * value * power; // dd = 2t dt
+        }
+        acb_set(out, value.get());
+        return 0;
+    }
+    /// int d^(twice/2) e^(-c d) u_k over the panels of a level, and where they end.
+    ///
+    /// |u - polynomial| <= interpolation + Lebesgue constant (2/pi) log N + 1 times the worst node's error.
+    std::pair<Ball, double> over_level(const Level& level, long twice, const Ball& c) const
+    {
+        Ball sum(0);
+        for (const auto& panel : level.panels) {
+            const WorkingPrecision scope(wide);
+            const Ball lo = Ball::exactly(panel->a), hi = Ball::exactly(panel->b);
+            const C from = C(panel->logarithmic ? log(lo) : sqrt(lo)), to = C(panel->logarithmic ? log(hi) : sqrt(hi));
+            Weighted w{panel.get(), twice, c, wide};
+            C part;
+            mag_t tolerance;
+            mag_init(tolerance);
+            mag_set_ui_2exp_si(tolerance, 1, -precision);
+            acb_calc_integrate(part.get(), integrand, &w, from.get(), to.get(), precision, tolerance, nullptr, wide);
+            mag_clear(tolerance);
+            // where d^(twice/2) e^(-c d) is largest
+            const double c_d = about(c), half = static_cast<double>(twice) / 2, peak = std::clamp(half / c_d, panel->a, panel->b);
+            const double largest = std::exp((half > 0 ? half * std::log(peak) : 0) - c_d * peak) * (1 + 1e-6);
+            const double off = (panel->interpolation + (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst) * (1 + at_panel_end);
+            Ball real = part.real();
+            widen(real, off * largest * (panel->b - panel->a) * (1 + slack));
+            sum += real;
+        }
+        return {sum, level.panels.back()->b};
+    }
+
+    /// p_n^max = G^k e_k, k = n + 1
+    Ball highest(const Level& level) const
+    {
+        Ball unit;
+        arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(level.k), precision);
+        return unit * level.edge;
+    }
+    Ball force(long n)
+    {
+        extend_to(n + 1);
+        const Level& level = *levels[static_cast<std::size_t>(n) + 1];
+        if (law == Law::density) { // load int f_k dd
+            auto [sum, end] = over_level(level, level.k - 2, Ball(3) / 2);
+            sum *= level.C;
+            widen(sum, level.tail * std::exp(-2.5 * end) / 2.5 * (1 + slack));
+            return load * sum;
+        }
+        auto [sum, end] = over_level(level, level.k, Ball(1) / 2); // int Q_n dp = p_max int e^-d E_k dd
+        sum *= level.C;
+        widen(sum, std::exp(-end) * (1 + slack));
+        return highest(level) * sum;
+    }
+    Ball mass(long n)
+    {
+        if (law != Law::density) throw BeyondReach("the exceedance law has A_n as a limit, not as an integral");
+        extend_to(n + 1);
+        const Level& level = *levels[static_cast<std::size_t>(n) + 1];
+        auto [sum, end] = over_level(level, level.k - 2, Ball(1) / 2); // load int f_k/p dd
+        sum *= level.C;
+        widen(sum, level.tail * std::exp(-1.5 * end) / 1.5 * (1 + slack));
+        return load * sum / highest(level);
+    }
 };
 
 Forward::Forward(Law law, const std::function<Ball()>& G_at, const std::function<Ball()>& load_at, double accuracy)
@@ -1160,6 +1251,20 @@ Ball Forward::exceedance(long n, const Ball& d)
     const std::lock_guard lock(implementation_->mutex);
     const WorkingPrecision scope(implementation_->precision);
     return implementation_->exceedance(n, d).value;
+}
+
+Ball Forward::force(long n)
+{
+    const std::lock_guard lock(implementation_->mutex);
+    const WorkingPrecision scope(implementation_->precision);
+    return implementation_->force(n);
+}
+
+Ball Forward::mass(long n)
+{
+    const std::lock_guard lock(implementation_->mutex);
+    const WorkingPrecision scope(implementation_->precision);
+    return implementation_->mass(n);
 }
 
 std::string Forward::certificate(long n, const Ball& p, const Ball& d)
@@ -1225,6 +1330,15 @@ std::shared_ptr<Forward> levels_for(Law law, double accuracy, const Arguments& a
     return kept.front().made;
 }
 
+void require_proven(const Ball& G, const Ball& load)
+{
+    if (!certainly(less(Ball(2), G)) || !certainly(less(Ball(0), load)) || !(arb_is_one(load.get()) || certainly(less(load, Ball(1)))))
+        throw BeyondReach("needs G > 2 and 0 < load <= 1");
+}
+
+/// Accuracies in use are few, so that levels are shared.
+double accuracy_for(slong wanted) { return 4 * std::ceil(std::max(30.0, static_cast<double>(wanted - 52) * std::numbers::ln2) / 4); }
+
 struct Asked {
     std::shared_ptr<Forward> levels;
     Ball p, d;
@@ -1235,8 +1349,7 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
     const auto distance = [&](slong bits) {
         const WorkingPrecision precision(bits);
         const Ball G = a.G(), load = a.load();
-        if (!certainly(less(Ball(2), G)) || !certainly(less(Ball(0), load)) || !(arb_is_one(load.get()) || certainly(less(load, Ball(1)))))
-            throw BeyondReach("needs G > 2 and 0 < load <= 1");
+        require_proven(G, load);
         // p_n^max = G^(n+1) e_{n+1}, log e_{k+1} = log(2/G) + log(e_k)/2
         Ball log_edge = log(load);
         for (long k = 0; k <= n; ++k) log_edge = log(2 / G) + log_edge / 2;
@@ -1249,8 +1362,7 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
         if (certainly(less(Ball(0), ball))) d = about(ball);
         else if (bits > 40'000) throw BeyondReach("p cannot be told from the upper edge of the support");
     }
-    // Accuracies in use are few, so that levels are shared.
-    double accuracy = 4 * std::ceil(std::max(30.0, static_cast<double>(wanted - 52) * std::numbers::ln2) / 4);
+    double accuracy = accuracy_for(wanted);
     if (law == Law::exceedance) accuracy += 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
     if (accuracy > 700) throw BeyondReach("so many digits of a distribution would cost too much");
     Asked asked{levels_for(law, accuracy, a), {}, {}};
@@ -1273,6 +1385,18 @@ Ball exceedance(Law law, long n, const std::function<Ball()>& p, const Arguments
 {
     const Asked asked = prepare(law, n, p, a, false);
     return asked.levels->exceedance(n, asked.d);
+}
+
+Ball force(Law law, long n, const Arguments& a)
+{
+    require_proven(a.G(), a.load());
+    return levels_for(law, accuracy_for(WorkingPrecision::bits()) + (law == Law::exceedance ? 12 : 0), a)->force(n);
+}
+
+Ball mass(long n, const Arguments& a)
+{
+    require_proven(a.G(), a.load());
+    return levels_for(Law::density, accuracy_for(WorkingPrecision::bits()), a)->mass(n);
 }
 
 std::string distribution_certificate(Law law, long n, const std::function<Ball()>& p, const Arguments& a)

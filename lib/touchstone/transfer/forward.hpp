@@ -61,6 +61,11 @@ public:
     Ball density(long n, const Ball& p, const Ball& d);
     /// Share of lambda_0 with p_n > p, same domain.
     Ball exceedance(long n, const Ball& d);
+    /// int p q_n dp over the whole support, 1 <= n <= largest_n, from the polynomials and proven errors of level n + 1 itself: encloses the load
+    /// where the levels are right. Nothing relies on it: it is there to find out whether they are.
+    Ball force(long n);
+    /// int q_n dp, likewise: encloses A_n/lambda_0. Density law only.
+    Ball mass(long n);
     /// The error budget level by level, and of the row at p.
     std::string certificate(long n, const Ball& p, const Ball& d);
     std::size_t memory() const;
@@ -75,6 +80,9 @@ private:
 /// \throws BeyondReach unless G > 2, 0 < load <= 1 and p < p_n^max are proven, or where the digits would cost too much
 Ball density(Law, long n, const std::function<Ball()>& p, const Arguments&);
 Ball exceedance(Law, long n, const std::function<Ball()>& p, const Arguments&);
+/// int p q_n dp by the levels of this law, and int q_n dp by those of the density: see Forward.
+Ball force(Law, long n, const Arguments&);
+Ball mass(long n, const Arguments&);
 std::string distribution_certificate(Law, long n, const std::function<Ball()>& p, const Arguments&);
 
 } // namespace touchstone::transfer
