@@ -52,9 +52,14 @@ Json header(const Table& t, std::string_view rows)
     h["rows"] = t.rows.size();
     h["status"] = std::string(to_string(t.status()));
     std::vector<std::string> routes;
-    for (const auto& r : t.quantity->routes) routes.push_back(r.name);
-    if (t.status() == Status::estimated) // some rows may be certified or exact: eval says which
-        for (const auto& r : t.quantity->estimates) routes.push_back(r.name);
+    const auto add = [&routes](const std::string& name) {
+        if (name != "exact-arithmetic" && std::find(routes.begin(), routes.end(), name) == routes.end()) routes.push_back(name);
+    };
+    if (t.quantity->route_names || t.status() == Status::estimated) // they differ from row to row: eval says which
+        for (const auto& row : t.rows)
+            for (const auto& name : row.result.routes) add(name);
+    else
+        for (const auto& r : t.quantity->routes) add(r.name);
     h["routes"] = routes;
     h["version"] = std::string(version());
     h["command"] = fmt::format("touchstone table {} --digits {}", t.name, t.digits);

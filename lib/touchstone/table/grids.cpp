@@ -268,14 +268,25 @@ Rows contact_area_grid()
     return distinct(rows);
 }
 
-/// Where full contact occurs: (D, gamma) = (1.05, 5), (1.05, 10) at every load of the paper; (1.5, 5), (1.5, 10) at load 10.
+constexpr double figure_3a_G = 1.0837983867343681; ///< D = 1.05, gamma = 5
+constexpr double figure_3b_G = 1.1220184543019633; ///< D = 1.05, gamma = 10
+constexpr double figure_5_G = 3.1622776601683795;  ///< D = 1.5, gamma = 10
+constexpr double second_G = 2.2360679774997896;    ///< D = 1.5, gamma = 5
+
+/// Tables with full contact are split by what is known of them, so that each has one status: G < 2 here, G > 2 and load > 1 in _heavy.
 Rows contact_area_full_grid()
 {
     Rows rows;
-    for (const double G : {1.0837983867343681, 1.1220184543019633})
+    for (const double G : {figure_3a_G, figure_3b_G})
         for (const double s : paper_loads)
             for (int n = 0; n <= 20; ++n) rows.push_back({static_cast<double>(n), s, G});
-    for (const double G : {2.2360679774997896, 3.1622776601683795})
+    return distinct(rows);
+}
+
+Rows contact_area_heavy_grid()
+{
+    Rows rows;
+    for (const double G : {second_G, figure_5_G})
         for (int n = 0; n <= 20; ++n) rows.push_back({static_cast<double>(n), 10., G});
     return distinct(rows);
 }
@@ -286,8 +297,55 @@ Rows segments_count_full_grid()
     for (const double g : {5., 10.})
         for (const double s : paper_loads)
             for (int n = 1; n <= 21; ++n) rows.push_back({static_cast<double>(n), s, 1.05, g});
+    return distinct(rows);
+}
+
+Rows segments_count_heavy_grid()
+{
+    Rows rows;
     for (const double g : {5., 10.})
         for (int n = 1; n <= 21; ++n) rows.push_back({static_cast<double>(n), 10., 1.5, g});
+    return distinct(rows);
+}
+
+/// The lowest and the highest pressure of scale n, in p*_0, rounded: (5.2), (5.4), (5.6).
+std::pair<double, double> support(long n, double s, double G)
+{
+    double unit = 1, low = s - 1;
+    for (long k = 1; k <= n; ++k) low -= unit *= G;
+    return {std::max(0., low), unit * G * peaks::iterate(n, s, G)};
+}
+
+/// Scale 1 where full contact occurs: the support up to its ends, and beside the points where the density has logarithms.
+Rows contact_scale_1_grid()
+{
+    Rows rows;
+    const auto add = [&rows](double p, double s, double G) {
+        const auto [low, high] = support(1, s, G);
+        if (p > low && p < high) rows.push_back({1, rounded(p), s, G});
+    };
+    std::vector<std::pair<double, double>> cases{{1, 1.5}, {1, 2}, {0.5, 2}, {1.5, 2.5}, {100, 1.5}, {10, second_G}, {10, figure_5_G}};
+    for (const double s : paper_loads)
+        for (const double G : {figure_3a_G, figure_3b_G}) cases.emplace_back(s, G);
+    for (const auto& [s, G] : cases) {
+        const auto [low, high] = support(1, s, G);
+        for (const double share : {0x1p-20, 0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 1 - 0x1p-20}) add(low + (high - low) * share, s, G);
+        if (s <= 1) continue;
+        for (const double at : {s + 1 - G, s - 1 + G})
+            for (const double off : {-0x1p-10, -0x1p-30, 0x1p-30, 0x1p-10}) add(at * (1 + off), s, G);
+    }
+    return distinct(rows);
+}
+
+/// Scales 2 to 4 where full contact occurs.
+Rows contact_distribution_full_grid()
+{
+    Rows rows;
+    for (const auto& [s, G] : {std::pair{1., figure_3a_G}, {10., figure_3a_G}, {0.01, figure_3b_G}, {1., figure_3b_G}, {10., second_G}, {10., figure_5_G}})
+        for (const long n : {2L, 3L, 4L}) {
+            const auto [low, high] = support(n, s, G);
+            for (const double share : {0.02, 0.1, 0.3, 0.5, 0.7, 0.9}) rows.push_back({static_cast<double>(n), rounded(low + (high - low) * share), s, G});
+        }
     return distinct(rows);
 }
 
@@ -296,9 +354,6 @@ const std::vector<double> shares{0x1p-20, 0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99,
 
 /// Where the scales up to 20 are tabulated.
 const std::vector<double> scale_shares{0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99};
-
-constexpr double figure_5_G = 3.1622776601683795; ///< D = 1.5, gamma = 10
-constexpr double second_G = 2.2360679774997896;   ///< D = 1.5, gamma = 5
 
 /// p (in p*_0) across the support: scales 0 and 1 dense at the edges, the case of figure 5 up to scale 20, another up to 4.
 Rows contact_distribution_grid()
@@ -392,6 +447,7 @@ const std::vector<TableSpec>& table_specs()
         {"peaks_fixed_point", "peaks.fixed_point", digits, fixed_point_grid},
         {"contact_area", "contact.area", digits, contact_area_grid},
         {"contact_area_full", "contact.area", most_estimated_digits, contact_area_full_grid, true},
+        {"contact_area_heavy", "contact.area", 20, contact_area_heavy_grid, true},
         {"archard_K", "archard.K", digits, n_grid},
         {"archard_K_inf", "archard.K_inf", 1000, [] { return Rows{{}}; }},
         {"archard_delta", "archard.delta", digits, n_grid},
@@ -401,8 +457,13 @@ const std::vector<TableSpec>& table_specs()
         {"archard_segments_limit", "archard.segments_limit", digits, segments_grid},
         {"contact_exceedance", "contact.exceedance", 30, contact_distribution_grid, true},
         {"contact_density", "contact.density", 30, contact_distribution_grid, true},
+        {"contact_exceedance_scale_1", "contact.exceedance", 30, contact_scale_1_grid},
+        {"contact_density_scale_1", "contact.density", 30, contact_scale_1_grid},
+        {"contact_exceedance_full", "contact.exceedance", most_estimated_digits, contact_distribution_full_grid, true},
+        {"contact_density_full", "contact.density", most_estimated_digits, contact_distribution_full_grid, true},
         {"segments_count", "segments.count", digits, segments_count_grid},
         {"segments_count_full", "segments.count", most_estimated_digits, segments_count_full_grid, true},
+        {"segments_count_heavy", "segments.count", 20, segments_count_heavy_grid, true},
         {"segments_density", "segments.density", 30, segments_density_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };
