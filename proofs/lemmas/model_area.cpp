@@ -2,8 +2,10 @@
 #include "proofs/lemmas/model_area.hpp"
 
 #include "touchstone/paper/archard.hpp"
+#include "touchstone/paper/peaks.hpp"
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/forward.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
 
 #include <map>
@@ -38,6 +40,35 @@ Ball over_loads(const std::vector<Rational>& loads, F&& f)
 }
 
 } // namespace
+
+namespace {
+
+transfer::Arguments figure_5(const Rational& load)
+{
+    return {[load] { return Ball(load); }, [] { return sqrt(Ball(10)); }};
+}
+constexpr slong figure_5_bits = 84;
+
+} // namespace
+
+Ball normalised_density(long n, const Rational& load, const Rational& share)
+{
+    const WorkingPrecision precision(figure_5_bits);
+    const auto highest = [&] {
+        Ball unit;
+        arb_pow_ui(unit.get(), sqrt(Ball(10)).get(), static_cast<ulong>(n + 1), WorkingPrecision::bits());
+        return unit * peaks::iterate(n, Ball(load), sqrt(Ball(10)));
+    };
+    const auto p = [&] { return highest() * Ball(share); };
+    const Ball q = n == 0 ? westergaard::density(p(), Ball(load)) : transfer::density(transfer::Law::density, n, p, figure_5(load));
+    return q * highest() / model_area(n, load, 10);
+}
+
+Ball under_normalised_density(long n, const Rational& load)
+{
+    const WorkingPrecision precision(figure_5_bits);
+    return transfer::mass(n, figure_5(load)) / model_area(n, load, 10);
+}
 
 namespace {
 

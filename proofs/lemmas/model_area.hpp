@@ -19,7 +19,13 @@ Ball model_area(long n, const Rational& load, long gamma);
 /// (7.18), corrected, at the same parameters.
 Ball hertz_area(long n, const Rational& load, long gamma);
 
-/// The same at D = 1.05, figures 3a and 3b, where part of the contact is full: 1 <= n <= 20, load <= 10, within 3e-6
+/// The curves of figure 5a: q_n p_n^max/A_n at p = share p_n^max, 0 < share < 1, D = 1.5, gamma = 10, load < 1; about nine digits
+/// (touchstone/transfer/forward.hpp).
+Ball normalised_density(long n, const Rational& load, const Rational& share);
+/// The area under such a curve from the levels' own polynomials, n >= 1.
+Ball under_normalised_density(long n, const Rational& load);
+
+/// The area at D = 1.05, figures 3a and 3b, where part of the contact is full: 1 <= n <= 20, load <= 10, within 3e-6
 /// (1.5e-8 at load 0.001), through touchstone/transfer/proven_levels.hpp.
 Ball model_area_low_D(long n, const Rational& load, long gamma);
 Ball hertz_area_low_D(long n, const Rational& load, long gamma);
