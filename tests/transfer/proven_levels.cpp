@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/forward.hpp"
+#include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
+#include "touchstone/transfer/scale_one.hpp"
 
 #include <doctest/doctest.h>
 
@@ -122,11 +125,59 @@ TEST_CASE("G = 2 exactly and beside it, load = 1")
         }
 }
 
+TEST_CASE("to fifteen digits: against partial contact's proof, and under load 10 against the one that tracks singular points")
+{
+    const Ball G(4);
+    const ProvenLevels levels(G, 10, 1e-17);
+    const WorkingPrecision precision(110);
+    for (const auto& [text, n] : {std::pair{"1/10", 1L}, {"1/10", 20L}, {"1", 3L}, {"10", 1L}, {"10", 2L}, {"10", 20L}}) {
+        const Ball load(*parse_rational(text)), proven = levels.share(n, load);
+        const transfer::Arguments at{[&] { return load; }, [&] { return G; }};
+        const Ball known = n > 0 && text == std::string("10") ? transfer::area_at_heavy_load(transfer::Scheme::area, n, at) : transfer::area(transfer::Scheme::area, n, at);
+        INFO("load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
+        CHECK(proven.overlaps(known));
+        CHECK(proven.radius_bound() < 1e-14);
+        CHECK(known.radius_bound() < 1e-14);
+    }
+}
+
+TEST_CASE("above a pressure: against the forward chain in partial contact, and scale 1 with full contact")
+{
+    for (const auto& [P, G] : {std::pair{"1/50", "5/2"}, {"1/2", "3/2"}, {"21/10", "5/2"}}) { // P above 2: nothing below x = 1
+        const Ball pressure(*parse_rational(P)), ratio(*parse_rational(G));
+        const ProvenLevels levels(ratio, pressure, 3, 1e-12);
+        const WorkingPrecision precision(100);
+        for (const char* load : {"1/2", "1", "3"})
+            for (const long n : {1L, 2L}) {
+                const bool partial = G[0] == '5' && load[0] != '3';
+                if (!partial && n > 1) continue;
+                const Ball share = levels.share(n, Ball(*parse_rational(load)));
+                const auto p_at = [&] { return n == 1 ? pressure * ratio : pressure * ratio * ratio; };
+                INFO("P ", P, " G ", G, " load ", load, " n ", n, ": ", share.to_string());
+                Ball known(0);
+                try {
+                    known = partial ? transfer::exceedance(transfer::Law::density, n, p_at, {[&] { return Ball(*parse_rational(load)); }, [&] { return ratio; }})
+                                    : transfer::scale_one_exceedance(transfer::Variable::angle, {p_at, *parse_rational(load), [&] { return ratio; }, {}, {}});
+                }
+                catch (const BeyondReach&) { // above the support
+                    CHECK(share.contains(Ball(0)));
+                }
+                CHECK(share.overlaps(known));
+                CHECK(share.radius_bound() < 1e-9);
+            }
+    }
+}
+
 TEST_CASE("what cannot be had is refused")
 {
     CHECK_THROWS_AS(ProvenLevels(Ball(*parse_rational("1001/1000")), 1, 1e-9), BeyondReach);
     CHECK_THROWS_AS(ProvenLevels(Ball(1), 1, 1e-9), BeyondReach);
     CHECK_THROWS_AS(ProvenLevels(Ball(2), 1000, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels(Ball(2), Ball(0), 1, 1e-9), BeyondReach);
+    Ball vague(2); // not known to 101 bits
+    arb_add_error_2exp_si(vague.get(), -90);
+    CHECK_THROWS_AS(ProvenLevels(vague, 1, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels(Ball(2), vague, 1, 1e-9), BeyondReach);
     const ProvenLevels levels(Ball(3), 1, 1e-8);
     CHECK(levels.share(3, Ball(*parse_rational("1e-200"))).relative_bits() <= 1);
 }

@@ -34,7 +34,7 @@ TOUCHSTONE_INLINE Real sum(const Four& f)
     return (a + b) + (c + d);
 }
 
-/// A sum of n products or numbers with the low parts in one binary64: off by at most (n^2/2 + 4 n + 8) 2^-106 of the sum of moduli.
+/// A sum of n products or numbers with the low parts in one binary64: off by at most (n^2/2 + 5 n + 10) 2^-106 of the sum of moduli.
 struct Sum {
     Lanes high{}, low{};
     TOUCHSTONE_INLINE void add(const Four& a)

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/scalar/ball.hpp"
+#include "touchstone/transfer/wave_kernel.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace touchstone;
+using namespace touchstone::transfer;
+using Real = DoubleDouble<double>;
+
+namespace {
+
+Ball ball(const Real& x) { return Ball::exactly(x.high) + Ball::exactly(x.low); }
+
+/// Random heads with random, normalised tails; some nearly equal and opposite.
+struct Numbers {
+    std::mt19937_64 random{1};
+    Real operator()()
+    {
+        std::uniform_real_distribution<double> mantissa(1, 2), tail(-1, 1);
+        std::uniform_int_distribution<int> exponent(-40, 40);
+        const double high = std::ldexp(mantissa(random), exponent(random));
+        return Real::fast_two_sum(high, tail(random) * high * 0x1p-53);
+    }
+};
+
+bool within(const Real& computed, const Ball& exact, int power, const Ball& scale)
+{
+    Ball bound;
+    arb_mul_2exp_si(bound.get(), scale.get(), power);
+    return certainly(less(abs(ball(computed) - exact), bound));
+}
+bool within(const Real& computed, const Ball& exact) { return within(computed, exact, -102, abs(exact)); }
+
+} // namespace
+
+TEST_CASE("operations on 106 bits are off by less than 2^-102, cancellation or not")
+{
+    const WorkingPrecision precision(400);
+    Numbers next;
+    int cancelled = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Real a = next(), b = i % 4 == 0 ? Real::fast_two_sum(a.high, -a.low) : next();
+        CHECK(within(a + b, ball(a) + ball(b)));
+        if (!(a == b)) CHECK(within(a - b, ball(a) - ball(b)));
+        cancelled += std::fabs((a - b).high) < 1e-14 * a.high;
+        CHECK(within(a * b, ball(a) * ball(b)));
+        CHECK(within(a / b, ball(a) / ball(b)));
+        CHECK(within(sqrt(a), sqrt(ball(a))));
+    }
+    CHECK(cancelled > 1000);
+    CHECK(sqrt(Real(0)) == Real(0));
+    CHECK_FALSE(within(Real(1) / 3 + 0x1p-101, Ball(Rational(1, 3)))); // the test would see one unit more
+}
+
+TEST_CASE("four at a time give what one at a time gives")
+{
+    Numbers next;
+    for (int i = 0; i < 1000; ++i) {
+        Real a[4], b[4];
+        DoubleDouble<Lanes> A, B;
+        for (int k = 0; k < 4; ++k) {
+            a[k] = next(), b[k] = next();
+            A.high[k] = a[k].high, A.low[k] = a[k].low, B.high[k] = b[k].high, B.low[k] = b[k].low;
+        }
+        const auto same = [&](const DoubleDouble<Lanes>& r, auto&& one) {
+            for (int k = 0; k < 4; ++k) CHECK(Real(r.high[k], r.low[k]) == one(a[k], b[k]));
+        };
+        same(A + B, [](Real x, Real y) { return x + y; });
+        same(A * B, [](Real x, Real y) { return x * y; });
+        same(A / B, [](Real x, Real y) { return x / y; });
+        same(sqrt(A), [](Real x, Real) { return sqrt(x); });
+        same(positive_part(A - B), [](Real x, Real y) { return positive_part(x - y); });
+    }
+}
+
+TEST_CASE("sums of products, moments and the kernel of a wave, within their counts")
+{
+    const WorkingPrecision precision(400);
+    Numbers next;
+    constexpr std::size_t count = 40, columns = 20;
+    Wide a(count * columns), b(count), out(columns);
+    for (std::size_t i = 0; i < a.size(); ++i) a.set(i, i % 3 == 0 ? -next() : next());
+    for (std::size_t i = 0; i < b.size(); ++i) b.set(i, next());
+    add_products(a, 0, b, columns, out);
+    for (std::size_t m = 0; m < columns; ++m) {
+        Ball exact(0), moduli(0);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Ball term = ball(a[k * columns + m]) * ball(b[k]);
+            exact += term;
+            moduli += abs(term);
+        }
+        CHECK(within(out[m], exact, -95, moduli)); // 2 n u = 80 u, u = 2^-101
+    }
+    Ball exact(0), moduli(0);
+    for (std::size_t k = 0; k < count; ++k) {
+        exact += ball(a[7 + k]) * ball(b[k]);
+        moduli += abs(ball(a[7 + k]) * ball(b[k]));
+    }
+    CHECK(within(dot(a, 7, b), exact, -95, moduli));
+
+    constexpr std::size_t nodes = 132; // more than one block
+    Wide local(nodes), weight(nodes), moments(count);
+    std::uniform_real_distribution<double> in(-1, 1);
+    for (std::size_t i = 0; i < nodes; ++i) local.set(i, Real(in(next.random)) + 1e-18), weight.set(i, Real(1) / static_cast<double>(i + 1));
+    chebyshev_moments(local, weight, count, moments);
+    for (const std::size_t k : {0, 1, 2, 17, 39}) {
+        Ball sum(0);
+        for (std::size_t i = 0; i < nodes; ++i) {
+            Ball T;
+            arb_chebyshev_t_ui(T.get(), k, ball(local[i]).get(), precision.bits());
+            sum += ball(weight[i]) * T;
+        }
+        CHECK(within(moments[k], sum, -101, Ball(static_cast<long>(6 * (k * k + 40)))));
+    }
+
+    const WaveKernel<Real> partial(Real(1) / 3, Real(3) / 2, false), full(Real(5) / 4, Real(3) / 2, true);
+    Wide points(4), densities(4);
+    for (std::size_t i = 0; i < 4; ++i) points.set(i, Real(static_cast<double>(i)) / 5 - 0.3);
+    for (const auto* k : {&partial, &full}) {
+        const Real mid = (positive_part(k->begin) + k->end) * 0.5, half = k->end * 0.1;
+        wave_densities(*k, mid, half, points, densities);
+        for (std::size_t i = 0; i < 4; ++i) { // dtheta/dz, c as a function of z: (T) of proven_levels.hpp
+            const Ball z = ball(mid) + ball(half) * ball(points[i]), x = ball(k->x), G = ball(k->G);
+            const Ball R = k->full ? G * sqrt(z) : sqrt((1 - x) * (1 - x) + G * G * z), c = R - x;
+            const Ball dc = k->full ? G / (2 * sqrt(z)) : G * G / (2 * R);
+            CHECK(within(densities[i], dc / sqrt(1 - c * c) / ScalarTraits<Ball>::pi(), -97, Ball(10)));
+        }
+    }
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+/// Twenty digits: minutes of work.
+#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/forward.hpp"
+#include "touchstone/transfer/proven_levels.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using transfer::ProvenLevels;
+
+TEST_CASE("to twenty digits: areas against partial contact's proof at sqrt 10, figure 5's case")
+{
+    const auto G_at = [] { return sqrt(Ball(10)); };
+    const WorkingPrecision precision(200);
+    const ProvenLevels levels(G_at(), 1, 1e-23);
+    for (const char* text : {"1/1000", "1/10", "1"})
+        for (const long n : {1L, 2L, 3L, 7L, 20L}) {
+            const Ball load(*parse_rational(text)), proven = levels.share(n, load);
+            const Ball known = transfer::area(transfer::Scheme::area, n, {[&] { return load; }, G_at});
+            INFO("load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
+            CHECK(proven.contains(known));
+            CHECK(certainly(less(Ball::exactly(proven.radius_bound()), known * Ball(*parse_rational("1e-20")))));
+        }
+}
+
+TEST_CASE("to twenty digits: a share above a pressure")
+{
+    const auto G_at = [] { return Ball(5) / 2; };
+    const WorkingPrecision precision(150);
+    const Ball pressure(*parse_rational("3/4"));
+    const ProvenLevels levels(G_at(), pressure, 1, 1e-23);
+    for (const long n : {1L, 2L, 3L}) {
+        const auto p_at = [&] {
+            Ball p = pressure;
+            for (long k = 0; k < n; ++k) p *= G_at();
+            return p;
+        };
+        const Ball proven = levels.share(n, Ball(1)), known = transfer::exceedance(transfer::Law::density, n, p_at, {[] { return Ball(1); }, G_at});
+        INFO("n ", n, ": ", proven.to_string(), " ", known.to_string());
+        CHECK(proven.overlaps(known));
+        CHECK(proven.radius_bound() < 1e-20);
+    }
+}
