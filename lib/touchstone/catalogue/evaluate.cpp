@@ -83,7 +83,7 @@ void estimate(const Quantity& q, const Inputs& in, long digits, Evaluation& e)
         for (auto& f : running) found.push_back(f.get());
     }
     catch (const BeyondReach& reason) {
-        e.note = reason.what();
+        if (e.note != reason.what()) e.note += fmt::format("; no estimate: {}", reason.what());
         return;
     }
     if (found.empty()) return;
@@ -105,7 +105,10 @@ void estimate(const Quantity& q, const Inputs& in, long digits, Evaluation& e)
         decimal = round_to_digits(hull, --digits);
         if (decimal) e.note += ", to all digits but the last asked for";
     }
-    if (!decimal) return;
+    if (!decimal) {
+        e.note = "no proof, and the two discretisations do not agree on so many digits";
+        return;
+    }
     e.value = decimal->text();
     e.error_bound = decimal->half_unit();
     e.digits = digits;
