@@ -391,7 +391,7 @@ struct Forward::Implementation {
         return (law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) : std::sqrt(P * (1 + e) * (2 + eta))) / R * (1 + 1e-6);
     }
 
-    static constexpr int sectors = 48;
+    static constexpr int sectors = 32;
     /// Shares of int sin^m over theta in the sectors of [0, pi/2], rounded up (upper sums).
     static std::array<double, sectors> sector_shares(long m)
     {
