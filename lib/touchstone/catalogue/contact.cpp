@@ -236,7 +236,7 @@ void require_distribution(const Inputs& in, long n)
 {
     require_partial_contact(in);
     if (n > transfer::Forward::largest_n)
-        throw BeyondReach(fmt::format("the distribution of pressures is certified for the scales n <= {} only", transfer::Forward::largest_n));
+        throw BeyondReach(fmt::format("distributions of pressure are computed for the scales n <= {} only", transfer::Forward::largest_n));
 }
 
 void check_pressure(const Inputs& in)

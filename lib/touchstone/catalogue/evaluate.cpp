@@ -83,7 +83,7 @@ void estimate(const Quantity& q, const Inputs& in, long digits, Evaluation& e)
         for (auto& f : running) found.push_back(f.get());
     }
     catch (const BeyondReach& reason) {
-        e.note = reason.what();
+        if (e.note != reason.what()) e.note += fmt::format("; no estimate: {}", reason.what());
         return;
     }
     if (found.empty()) return;

@@ -391,7 +391,7 @@ struct Forward::Implementation {
         return (law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) : std::sqrt(P * (1 + e) * (2 + eta))) / R * (1 + 1e-6);
     }
 
-    static constexpr int sectors = 48;
+    static constexpr int sectors = 32;
     /// Shares of int sin^m over theta in the sectors of [0, pi/2], rounded up (upper sums).
     static std::array<double, sectors> sector_shares(long m)
     {
@@ -1364,6 +1364,7 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
     }
     double accuracy = accuracy_for(wanted);
     if (law == Law::exceedance) accuracy += 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
+    if (accuracy > 700 && accuracy_for(wanted) < 600) throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
     if (accuracy > 700) throw BeyondReach("so many digits of a distribution would cost too much");
     Asked asked{levels_for(law, accuracy, a), {}, {}};
     const slong bits = asked.levels->bits();
