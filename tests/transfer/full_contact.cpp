@@ -227,6 +227,8 @@ TEST_CASE("distributions at the seams: G = 2, load = 1, an end of the support th
         CHECK(apart(at(Grid::blind, estimated_exceedance), at(Grid::tracked, estimated_exceedance)) < 1e-16);
         CHECK(apart(at(Grid::blind, estimated_density), at(Grid::tracked, estimated_density)) < std::stod(least));
     }
+    // by one integral more over scale 1 (full_contact_slow), to its 15 digits
+    CHECK(apart(estimated_exceedance(Grid::tracked, 2, ball("0.9"), Ball(1), Ball(2)).value, ball("0.2356090717562473")) < 1e-15);
     // p -> 0 through 1/sqrt(1 - x): no nan, the area
     for (const Grid grid : {Grid::blind, Grid::tracked})
         CHECK(apart(estimated_exceedance(grid, 2, ball("1e-300"), Ball(1), Ball(2)).value, estimated_area(grid, 2, Ball(1), Ball(2)).value) < 1e-17);

@@ -460,7 +460,7 @@ const std::vector<TableSpec>& table_specs()
         {"contact_exceedance_scale_1", "contact.exceedance", 30, contact_scale_1_grid},
         {"contact_density_scale_1", "contact.density", 30, contact_scale_1_grid},
         {"contact_exceedance_full", "contact.exceedance", most_estimated_digits, contact_distribution_full_grid, true},
-        {"contact_density_full", "contact.density", most_estimated_digits, contact_distribution_full_grid, true},
+        {"contact_density_full", "contact.density", 12, contact_distribution_full_grid, true},
         {"segments_count", "segments.count", digits, segments_count_grid},
         {"segments_count_full", "segments.count", 20, segments_count_full_grid, true},
         {"segments_count_heavy", "segments.count", 20, segments_count_heavy_grid, true},

@@ -253,11 +253,13 @@ std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& loa
     });
 }
 
-void require_reach(long n, const Ball& load, const Ball& G)
+constexpr long most_scales_of_areas = 100, most_scales_of_distributions = 40; ///< some seconds each
+
+void require_reach(long n, long most, const Ball& load, const Ball& G)
 {
-    if (n > 200) throw BeyondReach("not computed for n > 200 where full contact occurs (G <= 2 or load > 1)");
+    if (n > most) throw BeyondReach(fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", most));
     if (!certainly(less(Ball(1) + Ball::exactly(1e-6), G))) throw BeyondReach("not computed for G within 1e-6 of 1");
-    if (!certainly(less(load, Ball(1'000'000))) || !certainly(less(Ball::exactly(1e-300), load)))
+    if (certainly(less(Ball(1'000'000), load)) || !certainly(less(Ball::exactly(1e-300), load)))
         throw BeyondReach("not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)");
 }
 
@@ -280,7 +282,7 @@ void report_progress_to(Progress hook)
 Estimate estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
 {
     const WorkingPrecision precision(256);
-    require_reach(n, load, G);
+    require_reach(n, most_scales_of_areas, load, G);
     const Pair<Real> x = extended_pair(load);
     return estimate(n == 0 ? Levels::Mean{first_area(x), Real(0)} : areas_of(grid, G, load)->mean(n - 1, wave_from(x, extended_pair(G)), false), n);
 }
@@ -288,7 +290,7 @@ Estimate estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
 Estimate estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
 {
     const WorkingPrecision precision(256);
-    require_reach(n, load, G);
+    require_reach(n, most_scales_of_distributions, load, G);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
     return estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), false), false), n);
@@ -297,7 +299,7 @@ Estimate estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load
 Estimate estimated_density(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
 {
     const WorkingPrecision precision(256);
-    require_reach(n, load, G);
+    require_reach(n, most_scales_of_distributions, load, G);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
     const Estimate slope = estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n);

@@ -59,7 +59,7 @@ Ball eighth_turn(const Integrand& f)
     acb_calc_integrate_opt_t options;
     acb_calc_integrate_opt_init(options);
     options->depth_limit = 10'000;
-    options->eval_limit = 2'000'000;
+    options->eval_limit = 400'000;
     mag_t tolerance;
     mag_init(tolerance);
     mag_set_ui_2exp_si(tolerance, 1, -6000);
@@ -214,10 +214,10 @@ public:
     Ball by_ratio(bool density) const
     {
         const C P(narrow(P_.at()));
-        const End P_below = shifted(P_, -1), P_above = shifted(P_, 1);
+        const End P_below = shifted(P_, -1), P_above = shifted(P_, 1), zero = rational(0);
         // the second wave in partial contact
         Ball sum = over(larger(low_, needed_), lesser(high_, one_), [&](const Piece& piece) {
-            const Beyond lo = piece.left(needed_), one = piece.right(one_);
+            const Beyond lo = piece.left(needed_), one = piece.right(one_), origin = piece.left(zero);
             std::vector<Beyond> roots = first_roots(piece);
             if (density) roots.push_back(lo);
             return piece.integral(
@@ -225,7 +225,7 @@ public:
                     const C to_one = x.distance(one), R = x.root_of(to_one * to_one + P * P), up = to_one + R;
                     const C second = density ? P * x.root_of((2 - to_one + R) / up) / (2 * C(pi<Ball>()) * R)
                                              : two_angles(x.root_of(lo) * C(sqrt(Ball(2))), x.root_of(up + P * P / 2), x.analytic);
-                    return first(1 - to_one, x) * second;
+                    return first(x.distance(origin), x) * second;
                 },
                 roots);
         });
@@ -273,7 +273,8 @@ public:
             const bool seam_first = !below(high_, one_);
             const Ball above_one = narrow(difference(seam_first ? one_ : high_, seam_first ? high_ : one_));
             sum = sum + over(first_u, within ? last_u : two, [&](const Piece& piece) {
-                const Beyond start = piece.left(first_u), end = piece.right(last_u), seam = piece.left(P_), origin = piece.left(zero);
+                const Beyond start = piece.left(first_u), end = piece.right(last_u), seam = piece.left(P_), origin = piece.left(zero), least = piece.right(two);
+                const C needed(narrow(needed_.at()));
                 const C first_at(narrow(first_u.at())), last_at(narrow(last_u.at()));
                 const bool at_seam = order(high_, one_) == 0;
                 std::vector<Beyond> roots{origin, piece.right(two)};
@@ -281,7 +282,7 @@ public:
                 if (density && full_) roots.push_back(end);
                 return piece.integral(
                     [&](const Point& point) {
-                        const C u = point.distance(origin), x = 1 - point.distance(seam) * (u + P) / (2 * u);
+                        const C u = point.distance(origin), x = needed + point.distance(least) * (1 + P * P / (2 * u)) / 2;
                         // hi - x and x - lo are a distance along u times these
                         const auto slope = [&](const C& at) { return (1 + P * P / (u * at)) / 2; };
                         C to_hi = point.root_of(seam_first && !at_seam ? C(above_one) + point.distance(seam) * (u + P) / (2 * u) : slope(first_at));
