@@ -300,14 +300,6 @@ Rows segments_count_full_grid()
     return distinct(rows);
 }
 
-Rows segments_count_heavy_grid()
-{
-    Rows rows;
-    for (const double g : {5., 10.})
-        for (int n = 1; n <= 21; ++n) rows.push_back({static_cast<double>(n), 10., 1.5, g});
-    return distinct(rows);
-}
-
 /// The lowest and the highest pressure of scale n, in p*_0, rounded: (5.2), (5.4), (5.6).
 std::pair<double, double> support(long n, double s, double G)
 {
@@ -459,11 +451,10 @@ const std::vector<TableSpec>& table_specs()
         {"contact_density", "contact.density", 30, contact_distribution_grid, true},
         {"contact_exceedance_scale_1", "contact.exceedance", 30, contact_scale_1_grid},
         {"contact_density_scale_1", "contact.density", 30, contact_scale_1_grid},
-        {"contact_exceedance_full", "contact.exceedance", most_estimated_digits, contact_distribution_full_grid, true},
+        {"contact_exceedance_full", "contact.exceedance", 12, contact_distribution_full_grid, true},
         {"contact_density_full", "contact.density", 12, contact_distribution_full_grid, true},
         {"segments_count", "segments.count", digits, segments_count_grid},
-        {"segments_count_full", "segments.count", 20, segments_count_full_grid, true},
-        {"segments_count_heavy", "segments.count", 20, segments_count_heavy_grid, true},
+        {"segments_count_full", "segments.count", 16, segments_count_full_grid, true},
         {"segments_density", "segments.density", 30, segments_density_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };

@@ -4,8 +4,8 @@
 ///
 /// Two discretisations of one operator (chain.hpp, wave.hpp) that share neither grid nor splitting rule nor quadrature:
 /// blind halving (piecewise.hpp) and a grid graded towards the tracked singular points (graded.hpp). All levels and loads of one G
-/// share the work; it is kept for later calls. See full_contact.md for what is known about the functions and what a
-/// proof would need.
+/// share the work; it is kept for later calls. See full_contact.md for what is known about the functions.
+/// Areas and exceedances are certified by proven_levels.hpp; what is here is the value it must overlap, and the densities.
 #pragma once
 
 #include "touchstone/catalogue/quantity.hpp"

@@ -53,7 +53,7 @@ private:
 
 /// A_n/lambda_0 (6.7), and the share above a pressure given in p*_n, to the digits that the thread's precision asks for; meshes are
 /// kept for later calls. 1 <= n <= 20, load <= 100.
-/// \throws BeyondReach if more than about 20 digits are asked for, and as ProvenLevels
+/// or as far as 106 bits go, about 22. \throws BeyondReach as ProvenLevels
 Ball area_by_proven_levels(long n, const Arguments&);
 Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&);
 /// \param pressure of the exceedance; empty: of the area
