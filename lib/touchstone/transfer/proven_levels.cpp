@@ -987,15 +987,16 @@ std::string ProvenLevels::certificate(long n, const Ball& load) const
 
 namespace {
 
-/// The tolerance of the mesh for the digits that the thread's precision is meant for (evaluate.cpp: digits + 48 bits), or for
-/// another attempt at twice that precision.
+/// The tolerance of the mesh for the digits that the thread's precision is meant for: evaluate.cpp asks with digits + 48 bits, at most 20
+/// digits, and with twice as many bits where those were not decided.
 double tolerance_wanted()
 {
-    constexpr double most_digits = 20.5, finest = 1e-25;
-    const slong bits = WorkingPrecision::bits();
+    constexpr double spare = 3.5, finest = 25; // scale 20 loses a digit and a half
+    slong bits = WorkingPrecision::bits();
+    double more = 0;
+    for (; bits > bits_for_digits(20) + 48; bits /= 2) more += 2.5;
     const double digits = static_cast<double>(bits - 48 - bits_for_digits(0)) / 3.322;
-    if (digits <= most_digits) return std::pow(10.0, -max(6.0, digits) - 3.5); // scale 20 loses a digit and a half
-    return finest; // all there is
+    return std::pow(10.0, -min(finest, max(6.0, digits) + spare + more));
 }
 
 struct Mesh {
