@@ -90,7 +90,7 @@ Ball model_area_low_D(long n, const Rational& load, long gamma)
     auto it = kept.find(gamma);
     if (it == kept.end()) {
         const WorkingPrecision precision(160);
-        it = kept.emplace(gamma, transfer::ProvenLevels(G_low_D(gamma), 10, 1e-6)).first;
+        it = kept.emplace(gamma, transfer::ProvenLevels(G_low_D(gamma), 10, 1e-8)).first;
     }
     return it->second.share(n, Ball(load));
 }

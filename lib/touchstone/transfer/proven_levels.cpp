@@ -34,6 +34,8 @@ double power(double x, int n)
         if (n & 1) r *= x;
     return r;
 }
+/// The larger, and infinite where v is not a number: nothing is known then.
+void raise(double& bound, double v) { bound = v <= infinite ? max(bound, v) : infinite; }
 double size_of(const Real& x) { return std::fabs(x.high) * margin; }
 
 Ball to_ball(const Real& x)
@@ -179,7 +181,7 @@ struct Exceeding : First {
         if (low >= 1) {
             if (!(safe < to_high)) return unknown;
             const double w = std::fabs(pressure - double(x)) + r;
-            return {either(w, arccos_bound(margin * (from_low + r))), either(w, arccos_bound(margin * (to_high + r)))};
+            return {either(w, arccos_bound(margin * (double(x + 1 - to_real(P)) + r))), either(w, arccos_bound(margin * (to_high + r)))};
         }
         if (high > 1 || !(safe < double(x)) || !(safe < std::hypot(to_one, pressure))) return unknown;
         const double w = std::fabs(to_one) + pressure + double(x) + 2 * r; // |1 - w| = |4x - P^2|/|1 + x + R|, the denominator above 1
@@ -696,9 +698,9 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
             for (std::size_t n = 0; n < check.points.at.size(); ++n) {
                 const Real at = x + half * check.points.at[n];
                 const auto [v, error] = value(at);
-                most = max(most, size_of(v - all->value(i, 0, local(at))) + error);
+                raise(most, size_of(v - all->value(i, 0, local(at))) + error);
             }
-            D = max(D, margin * (check.lebesgue * (most + 2 * rounding) + bound));
+            raise(D, margin * (check.lebesgue * (most + 2 * rounding) + bound));
         }
         else { // increasing, between its ends
             double change = 0;
@@ -707,7 +709,7 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
             const Real v = all->value(i, 0, local(low));
             const auto [least, least_error] = value(low);
             const auto [most, most_error] = value(high);
-            D = max(D, margin * (max(size_of(most - v), size_of(v - least)) + least_error + most_error + change + 2 * rounding));
+            raise(D, margin * (size_of(most - v) + size_of(v - least) + least_error + most_error + change + 2 * rounding));
         }
     }
 }
@@ -765,7 +767,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
                     const double gap = double(upper ? 1 + x - G * inner : G * inner - x + 1);
                     if (r > 0.79 * gap || gap > 0.9 || y_low * y_low < q.left() * Real{1, 8 * u} || y_high * y_high > q.right() * Real{1, -8 * u}) return false;
                     ends[upper] = {e, std::sqrt(1.8 * gap) * 2 / std::sqrt(2 - 1.8 * gap) / pi_below, (2 * double(max(y, inner)) * r + r * r / g) / g / double(q.half),
-                                   std::sqrt(g * double(upper ? sqrt(q.right()) - q.y1 : q.y0 - sqrt(max(Real(0), q.left()))) / 2)};
+                                   std::sqrt(g * max(0.0, double(upper ? sqrt(q.right()) - q.y1 : q.y0 - sqrt(max(Real(0), q.left())))) / 2)};
                 }
                 middle = 5;
             }
@@ -783,7 +785,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
                 const double gap = double(k.one_minus_c(max(q.z0, at_gap))), dc = 2.36 * r;
                 if (dc > 0.79 * gap || gap > 0.9 || 4 * low / k.G2 < q.left() * Real{1, 8 * u} || 4 * high / k.G2 > q.right() * Real{1, -8 * u}) return false;
                 ends[1] = {e, std::sqrt(1.8 * gap) * 2 / std::sqrt(2 - 1.8 * gap) / pi_below,
-                           (2 * (2 * r + dc) + 2 * x_ * dc + dc * (2 * r + dc)) / (g * g) / double(q.half), std::sqrt(g * double(sqrt(q.right()) - q.y1) / 2)};
+                           (2 * (2 * r + dc) + 2 * x_ * dc + dc * (2 * r + dc)) / (g * g) / double(q.half), std::sqrt(g * max(0.0, double(sqrt(q.right()) - q.y1)) / 2)};
                 middle = 4.1;
             }
             return true;
@@ -801,7 +803,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
                 for (const End& e : ends)
                     if (e.panel >= 0) bound += e.factor * all->growth_at(e.panel, m - 1, ellipse_of_distance(e.distance));
                 bounds[m] = margin * bound * c.tail;
-                enough = bounds[m] <= tolerance / 4 || (h <= 100 * small && &c == &checks.back());
+                enough = bounds[m] <= tolerance / 4 || (h <= 100 * small && &c == &checks.back() && bounds[m] < infinite);
             }
             if (enough) {
                 check = &c;
@@ -822,8 +824,8 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
                 for (int k = 1; k < terms; ++k) slope += all->magnitude(i, k, m) * k * k;
                 const double change = margin * min(slope * double(high * high - low * low) / half_z, 2 * all->size[at(i, m)]);
                 const Real v = all->value(i, m, (low * low - p.centre) / p.half);
-                const double off = max(size_of(b.value[m - 1] - v), size_of(v - a.value[m - 1]));
-                D[m] = max(D[m], margin * (off + change + a.error[m - 1] + b.error[m - 1] + 2 * rounding[at(i, m)]));
+                const double off = size_of(b.value[m - 1] - v) + size_of(v - a.value[m - 1]);
+                raise(D[m], margin * (off + change + a.error[m - 1] + b.error[m - 1] + 2 * rounding[at(i, m)]));
             }
             continue;
         }
@@ -834,14 +836,14 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
             all->values(i, local, a);
             for (int m = 1; m < levels; ++m) {
                 const double difference = size_of(here.value[m - 1] - a.value[m]) + here.error[m - 1] + 2 * rounding[at(i, m)];
-                most[m] = difference <= infinite ? max(most[m], difference) : infinite; // not a number: nothing is known
+                raise(most[m], difference);
             }
         }
         for (int m = 1; m < levels; ++m) {
             double outside = 0;
             for (const End& e : ends)
                 if (e.panel >= 0) outside += e.outside * overlap_defect[at(e.panel, m - 1)];
-            D[m] = max(D[m], margin * (check->lebesgue * (most[m] + outside) + outside + bounds[m]));
+            raise(D[m], margin * (check->lebesgue * (most[m] + outside) + outside + bounds[m]));
         }
     }
 }
@@ -864,10 +866,10 @@ void ProvenLevels::State::prove()
                     double most = 0;
                     for (std::size_t i = 0; i < own.at.size(); ++i) {
                         const Real z = (low + high) * 0.5 + (high - low) * 0.5 * own.at[i];
-                        most = max(most, size_of(all->value(e, m, (z - p.centre) / p.half) - all->value(n, m, (z - panels[n].centre) / panels[n].half)));
+                        raise(most, size_of(all->value(e, m, (z - p.centre) / p.half) - all->value(n, m, (z - panels[n].centre) / panels[n].half)));
                     }
                     most += all->rounding[at(e, m)] + all->rounding[at(n, m)];
-                    overlap_defect[at(e, m)] = max(overlap_defect[at(e, m)], margin * lebesgue * most);
+                    raise(overlap_defect[at(e, m)], margin * lebesgue * most);
                 }
             }
     });
