@@ -3,7 +3,8 @@
 /// Numbers of 106 bits as unevaluated sums of two binary64, one at a time or four side by side, with proven errors.
 ///
 /// Relative errors, w = 2^-53: sum 3 w^2 + 13 w^3, product 5 w^2, quotient 15 w^2 + 56 w^3 (Joldes, Muller, Popescu, "Tight and rigorous
-/// error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44, 2017: algorithms 6, 10, 17), square root
+/// error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44, 2017: algorithms 6, 10, 17; the product's 7 w^2 there was
+/// sharpened by Muller, Rideau, "Formalization of double-word arithmetic, and comments on ...", ACM TOMS 48, 2022), square root
 /// 25/8 w^2 (Lefevre et al., "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS 49, 2023).
 /// So no operation is off by more than 2^-102, cancellation or not, while nothing leaves 1e-270 ... 1e270.
 /// Results do not depend on whether the machine has a fused multiply-add: std::fma is exact by definition.

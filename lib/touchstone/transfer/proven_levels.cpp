@@ -25,6 +25,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double pi_below = 3.14159265358979311;
 constexpr int levels = ProvenLevels::levels;
 constexpr double margin = 1.001; // on bounds that are themselves computed with roundings
+constexpr double narrowest = 2e6 * u; // half of an interval of x, relative: rounding moves its Chebyshev points by less than 1e-6 of that
 constexpr double overlap = 1.4;  // a panel's polynomial is a good approximation on so much more than the panel
 
 double power(double x, int n)
@@ -215,7 +216,7 @@ struct Check { ///< Chebyshev points of an interval inside a disc whose radius i
     ChebyshevPoints points;
     Check(int count, double rho_)
         : rho(rho_), spread((rho + 1 / rho) / 2 * margin), tail(margin * 4 / (power(rho, count - 1) * (rho - 1))),
-          lebesgue(1 + 2 / pi_below * std::log(count) * margin), points(count)
+          lebesgue(1.01 * (1 + 2 / pi_below * std::log(count))), points(count)
     {
     }
 };
@@ -396,7 +397,7 @@ void Layer::apply(const Real& x, Result& out) const
             else w = 2 / std::sqrt(1 - (middle + d) * (middle + d));
             quadrature = margin * 64 / 15 * half * w / pi_below / (power(rho, 2 * orders.gauss - 2) * (1 - 1 / (rho * rho)));
         }
-        for (int m = 0; m < count; ++m) out.error[m] += (growth[at(j, m)] > 0 ? quadrature * growth[at(j, m)] : 0) + margin * measure * rounding[at(j, m)];
+        for (int m = 0; m < count; ++m) out.error[m] += (growth[at(j, m)] == 0 ? 0 : quadrature * growth[at(j, m)]) + margin * measure * rounding[at(j, m)];
         if (count == 1) out.value.set(0, out.value[0] + dot(coefficients, row(j, 0), out.moment));
         else add_products(coefficients, row(j, 0), out.moment, count, out.value);
     };
@@ -675,7 +676,7 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
         const auto [low, high] = waiting.back();
         waiting.pop_back();
         const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
-        const double x_ = double(x), h = size_of(half), r = h * check.spread, small = max(1e-6 * width, 1e6 * u * x_);
+        const double x_ = double(x), h = size_of(half), r = h * check.spread, small = max(1e-6 * width, 2 * narrowest * x_);
         if (low < 1 && high > 1) { // what is on either side need not be one analytic function
             waiting.emplace_back(low, Real(1));
             waiting.emplace_back(Real(1), high);
@@ -693,7 +694,7 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
         }
-        else if (bound < infinite) {
+        else if (bound < infinite && h >= narrowest * x_) {
             double most = 0;
             for (std::size_t n = 0; n < check.points.at.size(); ++n) {
                 const Real at = x + half * check.points.at[n];
@@ -707,8 +708,8 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
             for (int k = 1; k < orders.terms; ++k) change += all->magnitude(i, k, 0) * k * k;
             change = margin * min(change * double(high * high - low * low) / half_z, 2 * all->size[i * levels]);
             const Real v = all->value(i, 0, local(low));
-            const auto [least, least_error] = value(low);
-            const auto [most, most_error] = value(high);
+            const auto [least, least_error] = value(low * Real{1, -4 * u});
+            const auto [most, most_error] = value(high * Real{1, 4 * u});
             raise(D, margin * (size_of(most - v) + size_of(v - least) + least_error + most_error + change + 2 * rounding));
         }
     }
@@ -791,11 +792,11 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
             return true;
         };
         double bounds[levels];
-        const double small = max(1e-6 * width, 1e6 * u * x_); // so that rounding moves a check point by less than 1e-6 of J
+        const double small = max(1e-6 * width, 2 * narrowest * x_);
         const Check* check = nullptr;
         for (const Check& c : checks) { // the fewest points first
             const double r = h * c.spread;
-            if (!analytic(r)) continue;
+            if (h < narrowest * x_ || !analytic(r)) continue;
             const double own_rho = ellipse_of_distance((2 * x_ * r + r * r) / half_z);
             bool enough = true;
             for (int m = 1; m < levels && enough; ++m) {
@@ -854,7 +855,7 @@ void ProvenLevels::State::prove()
     const auto& panels = all->panels;
     std::vector<double> overlap_defect(panels.size() * levels);
     const auto at = [](std::size_t panel, int m) { return panel * levels + m; };
-    const double lebesgue = 1 + 2 / pi_below * std::log(orders.terms) * margin;
+    const double lebesgue = 1.01 * (1 + 2 / pi_below * std::log(orders.terms));
     const int count = static_cast<int>(panels.size());
     in_parallel(panels.size(), [&](std::size_t e) {
         const Panel& p = panels[e];
@@ -892,7 +893,7 @@ double ProvenLevels::State::effect(int m, double reach) const
     const auto& panels = all->panels;
     std::vector<std::pair<double, double>> parts;
     for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
-        parts.emplace_back(defect[i * levels + m], std::sqrt(margin * double(G) * panels[i].width() / 2));
+        parts.emplace_back(defect[i * levels + m], std::sqrt(margin * double(G) * (panels[i].width() + 4 * u * double(panels[i].y1)) / 2));
     std::sort(parts.rbegin(), parts.rend());
     double best = infinite, above = 0;
     for (const auto& [d, share] : parts) {
@@ -1042,6 +1043,13 @@ std::shared_ptr<const ProvenLevels> proven_levels(const Arguments& a, const std:
     return mine->made;
 }
 
+/// The load is asked for to all bits the levels use, however few digits are wanted.
+Ball share_at(const ProvenLevels& levels, long n, const Arguments& a)
+{
+    const WorkingPrecision precision(256);
+    return levels.share(n, a.load());
+}
+
 void require_level(long n)
 {
     if (n > levels) throw BeyondReach(fmt::format("with full contact shares of length are certified for n <= {} only", levels));
@@ -1052,18 +1060,20 @@ void require_level(long n)
 Ball area_by_proven_levels(long n, const Arguments& a)
 {
     require_level(n);
-    return proven_levels(a, nullptr)->share(n, a.load());
+    return share_at(*proven_levels(a, nullptr), n, a);
 }
 
 Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments& a)
 {
     require_level(n);
-    return proven_levels(a, &pressure)->share(n, a.load());
+    return share_at(*proven_levels(a, &pressure), n, a);
 }
 
 std::string proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a)
 {
-    return proven_levels(a, pressure ? &pressure : nullptr)->certificate(n, a.load());
+    const auto levels = proven_levels(a, pressure ? &pressure : nullptr);
+    const WorkingPrecision precision(256);
+    return levels->certificate(n, a.load());
 }
 
 } // namespace touchstone::transfer
