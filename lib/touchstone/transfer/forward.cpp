@@ -1058,7 +1058,7 @@ struct Forward::Implementation {
             if (!u.is_finite() || !std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");
             to.log_d.push_back(std::log(d));
             to.log_v.push_back(std::log(std::fabs(about(r.value))));
-            const double unit = scale / epsilon;
+            const double unit = whole ? std::fabs(about(values[0])) : scale / epsilon;
             to.worst_row = std::max(to.worst_row, r.rule_error * decay_d / unit);
             to.worst_carried = std::max(to.worst_carried, (r.interpolation + r.carried) * decay_d / unit);
             to.worst_total = std::max(to.worst_total, panel.errors[j] / unit);
@@ -1208,7 +1208,7 @@ struct Forward::Implementation {
         double error = 0, interpolation = 0, carried = 0;
         mag_t tolerance;
         mag_init(tolerance);
-        mag_set_d(tolerance, epsilon * epsilon);
+        mag_set_ui_2exp_si(tolerance, 1, -2 * precision);
         for (const auto& panel : level.panels) {
             const Ball lo = Ball::exactly(panel->a), hi = Ball::exactly(panel->b);
             const C from = C(panel->logarithmic ? log(lo) : sqrt(lo)), to = C(panel->logarithmic ? log(hi) : sqrt(hi));
@@ -1237,11 +1237,12 @@ struct Forward::Implementation {
         const double C_d = above(level.C);
         Ball unit;
         arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), precision);
-        const double rest = above(load / (unit * level.edge)) * most(end) / 1.26 * level.tail * std::exp(2 - 1.5 * end) * 3.5 * (n == 2 ? (end + 2.2) / 5.2 : 1) * (1 + 1e-6);
+        const Ball beyond = load / (unit * level.edge) * exp(2 - 3 * Ball::exactly(end) / 2) * Ball::exactly(level.tail) * Ball::exactly(most(end) / 1.26 * 3.5 * (n == 2 ? (end + 2.2) / 5.2 : 1) * (1 + 1e-6));
         r.interpolation = interpolation * C_d;
         r.carried = carried * C_d;
-        r.rule_error = rest;
-        widen(r.value, error * C_d * (1 + slack) + rest);
+        r.rule_error = above(beyond);
+        widen(r.value, error * C_d * (1 + slack));
+        arb_add_error(r.value.get(), beyond.get());
         return {exp(-d) / (Traits::pi() * unit) * r.value, r, level.nodes, end};
     }
 
