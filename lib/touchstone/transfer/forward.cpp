@@ -206,7 +206,7 @@ const Settings& settings(Law law)
     return law == Law::density ? density : exceedance;
 }
 
-/// T_{k+1} from T_k; see the header. Force density f_k <= T_k e^(-5 delta/2) for delta >= 4.
+/// T_{k+1} from T_k; see the header. Force density f_k <= T_k e^(-5 delta/2) for delta >= 4; so also T_k e^(2-3 delta), with (delta+1.2)/5.2 more at k = 2.
 ///
 /// f_{k+1}(d) = int_0^2d f_k(delta) e^(-3D/2) K dD-part, K <= k2 (1 - e^-D)^(-1/2), k2 = (4/pi)(1-e_k)^(-3/2) since R, M/2 >= 1 - x and
 /// (1+x+R)/(1-x+R) falls with R. Let d >= 4. The part delta < 4 (total force 1) gives at most 1.01 k2 e^(-3d+6); the part delta >= 4
@@ -890,7 +890,7 @@ struct Forward::Implementation {
         }
     }
 
-    /// \param whole_until 0, or where E_{k+1} (in place of u) is to end: see Final form
+    /// \param whole_until 0, or where E_{k+1}, kept in place of u_{k+1}, is to end: for small p
     std::unique_ptr<Level> next(const Level& from, double whole_until = 0)
     {
         const bool whole = whole_until > 0;
