@@ -113,6 +113,39 @@ TEST_CASE("q_n goes with p, also where the far end is left out")
         CHECK(certainly(less(abs(slope(share) / reference - 1), Ball(exactly("1e-33")))));
 }
 
+TEST_CASE("small p by the exceedance law: its own limit of q_n/p, which the density law and another program give")
+{
+    const WorkingPrecision precision(bits_for_digits(30) + 48);
+    const auto slope = [](Law law, const char* share) {
+        const auto p_at = share_of_highest(2, share, "0.1", "3");
+        return density(law, 2, p_at, at("0.1", "3")) / p_at();
+    };
+    const Ball small = slope(Law::exceedance, "1e-300");
+    CHECK(small.relative_bits() > 104);
+    CHECK(small.overlaps(slope(Law::density, "1e-300")));
+    CHECK(certainly(less(abs(slope(Law::exceedance, "1e-200") / small - 1), Ball(exactly("1e-31")))));
+    // gp: (1/(2 pi G^4)) <<y^(-1/2) (1-y)^(-3/2)>>, y the load ratio two waves on, each an intnum over its angle; 60 digits
+    CHECK(near(small, "0.000346796744484476749706120767893088557403448", "1e-31"));
+    const auto refused = [] { return density(Law::exceedance, 1, [] { return Ball(exactly("1e-300")); }, at("0.1", "3")); };
+    CHECK_THROWS_AS(refused(), BeyondReach); // scale 1: the catalogue knows a better route
+}
+
+TEST_CASE("small p by the exceedance law: both sides of where its two forms meet")
+{
+    const WorkingPrecision precision(bits_for_digits(16) + 48);
+    const Arguments a = at("0.1", "3.1622776601683795"); // the density's levels are those of the first test
+    std::string form[2];
+    for (const int side : {0, 1}) {
+        const auto p_at = share_of_highest(2, side == 0 ? "1e-8" : "1e-9", "0.1", "3.1622776601683795");
+        const Ball q = density(Law::exceedance, 2, p_at, a);
+        CHECK(q.relative_bits() > 57);
+        CHECK(q.overlaps(density(Law::density, 2, p_at, a)));
+        form[side] = distribution_certificate(Law::exceedance, 2, p_at, a);
+    }
+    CHECK(form[0].find("by parts") == std::string::npos);
+    CHECK(form[1].find("by parts over E_2") != std::string::npos);
+}
+
 TEST_CASE("n = 1 against nested quadrature, n = 2 against another program's")
 {
     const WorkingPrecision precision(bits_for_digits(20) + 48);
@@ -140,6 +173,11 @@ TEST_CASE("through the catalogue: ends of the support, and what is out of reach"
     CHECK(eval("contact.density", {{"n", 1}, {"p", 0}, {"load", load}, {"G", G}}, 30).status == Status::exact);
     CHECK(eval("contact.density", {{"n", 1}, {"p", exactly("3.5")}, {"load", load}, {"G", G}}, 30).status == Status::certified);
     CHECK(eval("contact.density", {{"n", 2}, {"p", 1}, {"load", load}, {"G", G}}, 15).status == Status::certified);
+    const auto tiny = eval("contact.density", {{"n", 1}, {"p", exactly("1e-300")}, {"load", exactly("0.1")}, {"G", G}}, 30); // gp, as above: one wave
+    CHECK(tiny.value == "1.23308843096240858505896966105e-302");
+    CHECK(tiny.status == Status::certified);
+    CHECK(tiny.routes == std::vector<std::string>{"scale-one-by-ratio", "scale-one-by-angle"});
+    CHECK(eval("contact.density", {{"n", 1}, {"p", exactly("1e-150")}, {"load", 1}, {"G", G}}, 10).status == Status::certified); // q_1 ~ p log p
     CHECK(eval("contact.density", {{"n", 21}, {"p", 1}, {"load", load}, {"G", G}}, 15).status == Status::undecided);
     // exactly at the edge: load = 1, G = 8, p_1^max = 8^2/8 and p_2^max = 8^3 (2/8) sqrt(1/8), irrational
     CHECK(eval("contact.exceedance", {{"n", 1}, {"p", 8}, {"load", 1}, {"G", 8}}, 15).status == Status::exact);

@@ -262,8 +262,12 @@ bool by_forward_levels(const Inputs& in, long n)
     return true;
 }
 
-/// Scale 1 has a certified route of its own where they don't.
-bool by_scale_one(const Inputs& in, long n) { return n == 1 && !by_forward_levels(in, n); }
+/// Scale 1 has a certified route of its own where they don't, and far below p_1^max, where the exceedance law's density cancels.
+bool by_scale_one(const Inputs& in, long n, const Ball& p)
+{
+    if (n != 1 || !by_forward_levels(in, n)) return n == 1;
+    return certainly(less(Ball(0), p)) && certainly(less(Ball(Rational("100000000000000000000")) * p, highest_pressure(in, 1)));
+}
 
 transfer::Variable variable(Law law) { return law == Law::density ? transfer::Variable::ratio : transfer::Variable::angle; }
 
@@ -278,9 +282,9 @@ transfer::ScaleOne at_scale_one(const Inputs& in, const Pressure& p_at, std::opt
     return q;
 }
 
-std::vector<std::string> law_names(const Inputs& in, long n)
+std::vector<std::string> law_names(const Inputs& in, long n, const Ball& p)
 {
-    if (by_scale_one(in, n)) return {"scale-one-by-ratio", "scale-one-by-angle"};
+    if (by_scale_one(in, n, p)) return {"scale-one-by-ratio", "scale-one-by-angle"};
     return {"forward-density", "forward-exceedance"};
 }
 
@@ -291,7 +295,7 @@ void require_pressure(const Ball& p)
 
 Ball density(Law law, const Inputs& in, long n, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)
 {
-    if (by_scale_one(in, n)) {
+    if (by_scale_one(in, n, p_at())) {
         require_pressure(p_at());
         return transfer::scale_one_density(variable(law), at_scale_one(in, p_at, std::move(exact_p)));
     }
@@ -328,7 +332,7 @@ Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const 
     if (!full_contact(in) && n < 2 && highest_pressure(in, n).overlaps(p_at()))
         throw BeyondReach(n == 0 ? "q_0 is infinite at p = p_0^max" : "q_1 jumps at p = p_1^max: it has no value there");
     require_pressure(p_at());
-    if (by_scale_one(in, n)) density(Law::density, in, n, p_at, std::move(exact_p)); // refuses, and says why: no estimate is better
+    if (by_scale_one(in, n, p_at())) density(Law::density, in, n, p_at, std::move(exact_p)); // refuses, and says why: no estimate is better
     return transfer::estimated_density(grid, n, p_at(), Ball(in.real("load")), in.G_ball());
 }
 
@@ -342,7 +346,7 @@ Ball exceedance(Law law, const Inputs& in)
         return in.real("load") < 1 ? as_printed::exceedance_partial(p, load) : as_printed::exceedance_full(p, load);
     }
     const Pressure p_at = [&in] { return Ball(in.real("p")); };
-    if (by_scale_one(in, n)) return transfer::scale_one_exceedance(variable(law), at_scale_one(in, p_at, in.real("p")));
+    if (by_scale_one(in, n, p_at())) return transfer::scale_one_exceedance(variable(law), at_scale_one(in, p_at, in.real("p")));
     if (exceedance_by_proven_levels(in)) {
         if (law == Law::density) return transfer::exceedance_by_proven_levels(n, [&] { return pressure_ratio(in, n); }, arguments(in));
         return with_radius(transfer::estimated_exceedance(transfer::Grid::blind, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball()));
@@ -353,7 +357,7 @@ Ball exceedance(Law law, const Inputs& in)
 
 std::string explain_distribution(const Inputs& in, long n, const Pressure& p_at, long digits)
 {
-    if (by_scale_one(in, n)) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (transfer/scale_one.hpp)\n";
+    if (by_scale_one(in, n, p_at())) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (transfer/scale_one.hpp)\n";
     require_distribution(in, n);
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
     if (n == 0) return "n = 0: (2.17), (2.19)\n";
@@ -415,7 +419,7 @@ void add_contact(std::vector<Quantity>& all)
                    }),
                    [](const Inputs& in) -> std::vector<std::string> {
                        if (exceedance_by_proven_levels(in)) return proven_route_names;
-                       return law_names(in, in.integer("n"));
+                       return law_names(in, in.integer("n"), Ball(in.real("p")));
                    },
                    [](const Inputs& in) { return proven_levels_limits(exceedance_by_proven_levels(in)); }});
 
@@ -430,7 +434,7 @@ void add_contact(std::vector<Quantity>& all)
                    },
                    by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), [&in] { return Ball(in.real("p")); }, in.real("p")); }), explain_p, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_density(g, in.integer("n"), in, [&in] { return Ball(in.real("p")); }, in.real("p")); }),
-                   [](const Inputs& in) { return law_names(in, in.integer("n")); }});
+                   [](const Inputs& in) { return law_names(in, in.integer("n"), Ball(in.real("p"))); }});
 
     all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, or n <= 21, load <= 1, G > 2, else estimated",
                    {"n", "a", "load", "G"}, "density of segments by half-width a (in lambda_n), N^_n lambda_n",
@@ -455,7 +459,7 @@ void add_contact(std::vector<Quantity>& all)
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        return scaled(estimated_density(g, in.integer("n") - 1, in, [&in] { return of_segments(in).first; }), of_segments(in).second);
                    }),
-                   [](const Inputs& in) { return law_names(in, in.integer("n") - 1); }});
+                   [](const Inputs& in) { return law_names(in, in.integer("n") - 1, of_segments(in).first); }});
 
     all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified where contact.area is, else estimated",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",

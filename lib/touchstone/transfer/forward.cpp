@@ -206,6 +206,44 @@ const Settings& settings(Law law)
     return law == Law::density ? density : exceedance;
 }
 
+/// T_{k+1} from T_k; see the header. Force density f_k <= T_k e^(-5 delta/2) for delta >= 4; so also T_k e^(2-3 delta), with (delta+1.2)/5.2 more at k = 2.
+///
+/// f_{k+1}(d) = int_0^2d f_k(delta) e^(-3D/2) K dD-part, K <= k2 (1 - e^-D)^(-1/2), k2 = (4/pi)(1-e_k)^(-3/2) since R, M/2 >= 1 - x and
+/// (1+x+R)/(1-x+R) falls with R. Let d >= 4. The part delta < 4 (total force 1) gives at most 1.01 k2 e^(-3d+6); the part delta >= 4
+/// T_k k2 e^(-3d) int e^-delta (1-e^-D)^(-1/2) ddelta <= 4.1 T_k k2 e^(-3d-4): D >= 1 weighs at most 1.26 e^-4, D < 1 at most 2.83 e^-4.
+/// First, f_1 <= (8/pi) a e^(-3 delta/2) (1 - e^(-2 delta))^(-1/2), a = min((2 load^(1/2))^(-3/2), (1-load)^(-3/2)), from R >= 2 load^(1/2) e^-delta,
+/// R >= 1 - load and (1+x+R)/(1-x+R) <= (R+2)/R <= 4/R; so f_2(d) <= (8a/pi) k2 e^(-3d) 2.02 (d + 1.2).
+double next_tail(long k, const Ball& edge_bound, double tail, double load)
+{
+    const double k2 = 4 / std::numbers::pi * std::pow(1 - above(edge_bound), -1.5) * (1 + slack);
+    if (k == 1) {
+        const double a = std::min(std::pow(2 * std::sqrt(load), -1.5), std::pow(std::max(0.0, 1 - load), -1.5)) * (1 + slack);
+        return 8 * a / std::numbers::pi * k2 * 1.43;
+    }
+    return std::exp(-2.0) * k2 * (1.01 * std::exp(6.0) + 4.1 * std::exp(-4.0) * tail) * (1 + slack);
+}
+
+/// Where E_n is cut off for small p, so that what is left out, relative to q_n, and what the cut makes of the levels' errors, e^(cut/2),
+/// both come to about e^-a where levels have the accuracy a + cut/2.
+double cut_for_small(double accuracy, long n, const Ball& G, const Ball& load)
+{
+    const WorkingPrecision low(bound_bits);
+    Ball edge = 2 / G * sqrt(load);
+    double tail = infinity;
+    for (long k = 1; k < n; ++k) {
+        tail = next_tail(k, edge, tail, about(load));
+        edge = 2 / G * sqrt(edge);
+    }
+    return (accuracy + std::log(3.5 * std::exp(2.0) * tail) + (n == 2 ? std::log(accuracy) - 1 : 0)) / 2;
+}
+
+/// The accuracy of levels for q_n to e^-accuracy by the form for small p, or 0 where p is not small.
+double accuracy_for_small(double accuracy, long n, double d, const Ball& G, const Ball& load)
+{
+    const double cut = 4.0 / 3 * cut_for_small(accuracy, n, G, load), levels = 4 * std::ceil((accuracy + cut / 2) / 4);
+    return 2 * d > cut_for_small(levels, n, G, load) + 1.02 ? levels : 0;
+}
+
 } // namespace
 
 struct Forward::Implementation {
@@ -222,6 +260,7 @@ struct Forward::Implementation {
     double delta_max;
     Shells shells;
     std::vector<std::unique_ptr<Level>> levels; ///< index k, from 1
+    std::map<long, std::unique_ptr<Level>> whole;  ///< E_k up to the cut, for small p
     std::map<long, std::vector<std::pair<Ball, Ball>>> gauss;
     std::map<long, std::vector<Ball>> to_monomials;      ///< [power][node]
     std::map<long, std::vector<double>> chebyshev_at;    ///< T_m(x_j), [m][j]
@@ -800,9 +839,10 @@ struct Forward::Implementation {
 
     // ---- building a level
 
-    /// Bound of |u| on the ellipse rho of [a, b], in d or in log d.
-    double ellipse_bound(const Boxes& boxes, double a, double b, bool logarithmic, double rho) const
+    /// Bound of |u| on the ellipse rho of [a, b], in d or in log d; whole: of |v|, or in log d of |d^(k/2) v|, b = 1/2.
+    double ellipse_bound(const Level& to, double a, double b, bool logarithmic, double rho, bool whole) const
     {
+        const Boxes& boxes = to.boxes;
         const double lo = logarithmic ? std::log(a) : a, hi = logarithmic ? std::log(b) : b;
         const double mid = (lo + hi) / 2, half = (hi - lo) / 2 * (1 + slack), A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
         constexpr int arcs = 40;
@@ -812,9 +852,11 @@ struct Forward::Implementation {
             const double phi = std::numbers::pi * (i + 0.5) / arcs, x = mid + half * A * std::cos(phi), y = half * B * std::sin(phi);
             if (logarithmic) {
                 if (y + radius > 3.1) return infinity;
-                most = std::max(most, lookup(boxes, {std::exp(x - radius) * (1 - slack), std::exp(x + radius) * (1 + slack), std::max(0.0, y - radius), y + radius}));
+                const double outer = std::exp(x + radius) * (1 + slack), least = std::max(0.0, y - radius);
+                const double back = whole ? std::exp((std::max(0.0, outer * std::cos(least)) + static_cast<double>(to.k) * (x + radius)) / 2) * (1 + 1e-6) : 1;
+                most = std::max(most, back * lookup(boxes, {std::exp(x - radius) * (1 - slack), outer, least, y + radius}));
             }
-            else most = std::max(most, lookup(boxes, polar(x, y, radius)));
+            else most = std::max(most, (whole ? std::exp((x + radius) / 2) * (1 + slack) : 1) * lookup(boxes, polar(x, y, radius)));
         }
         return most;
     }
@@ -823,14 +865,15 @@ struct Forward::Implementation {
         double b = 0, rho = 0, bound = 0;
         long points = std::numeric_limits<long>::max();
     };
-    Choice choose(const Level& from, const Boxes& boxes, double a, double b, bool logarithmic) const
+    Choice choose(const Level& from, const Level& to, double a, double b, bool logarithmic, bool whole) const
     {
         static constexpr std::array rhos{12.0, 9.5, 7.6, 6.2, 5.0, 4.1, 3.4, 2.8, 2.35, 2.0, 1.75, 1.55};
-        const double goal = epsilon * std::min(estimate_step(from, a == 0 ? b * 1e-3 : a), estimate_step(from, b));
+        const double at_b = estimate_step(from, b);
+        const double goal = epsilon * (whole && logarithmic ? std::pow(b, static_cast<double>(to.k) / 2) * at_b : std::min(estimate_step(from, a == 0 ? b * 1e-3 : a), at_b));
         const Settings& set = settings(law);
         Choice best;
         for (const double rho : rhos) {
-            const double U = ellipse_bound(boxes, a, b, logarithmic, rho);
+            const double U = ellipse_bound(to, a, b, logarithmic, rho, whole);
             if (!std::isfinite(U)) continue;
             long n = 1 + static_cast<long>(std::ceil(std::log(std::max(4 * U / (goal * (rho - 1)), 1.0)) / std::log(rho)));
             n = set.least_points + std::max(0L, (n - set.least_points + set.step_points - 1) / set.step_points) * set.step_points;
@@ -847,8 +890,10 @@ struct Forward::Implementation {
         }
     }
 
-    std::unique_ptr<Level> next(const Level& from)
+    /// \param whole_until 0, or where E_{k+1}, kept in place of u_{k+1}, is to end: for small p
+    std::unique_ptr<Level> next(const Level& from, double whole_until = 0)
     {
+        const bool whole = whole_until > 0;
         auto to = std::make_unique<Level>();
         to->k = from.k + 1;
         to->edge = 2 / G * sqrt(from.edge);
@@ -857,25 +902,26 @@ struct Forward::Implementation {
             const WorkingPrecision low(bound_bits);
             to->edge_bound = to->edge + Ball(0);
         }
-        to->tail = next_tail(from);
+        to->tail = next_tail(from.k, from.edge_bound, from.tail, load_d);
         bound_boxes(from, *to);
         const Settings& set = settings(law);
         const double disc_radius = shells.radius(to->boxes.disc);
         double a = 0;
-        while (a < delta_max) {
+        const double end = whole ? whole_until : delta_max;
+        while (a < end) {
             Choice best;
             bool logarithmic = false;
             if (a == 0) {
                 for (double b = 8 * disc_radius; b > disc_radius / 64; b /= std::numbers::sqrt2) {
-                    best = choose(from, to->boxes, 0, b, false);
+                    best = choose(from, *to, 0, b, false, whole);
                     if (best.points <= most_points) break;
                 }
             }
             else {
                 double merit = 0;
                 for (const double ratio : set.ratios) {
-                    const double b = std::min(a * ratio, 1.5 * delta_max); // rows reach 2b, boxes 16 delta_max
-                    const Choice c = choose(from, to->boxes, a, b, set.logarithmic);
+                    const double b = std::min(a * ratio, whole ? end : 1.5 * delta_max); // rows reach 2b, boxes 16 delta_max
+                    const Choice c = choose(from, *to, a, b, set.logarithmic, whole);
                     if (c.points > most_points) continue;
                     const double m = std::log(b / a) / static_cast<double>(c.points);
                     if (m > merit) {
@@ -903,7 +949,7 @@ struct Forward::Implementation {
             panel->interpolation = 4 * best.bound * std::pow(r, 1 - n) / (r - 1) * (1 + at_panel_end);
             // sum_{k >= N} 2 U rho^-k (k^2 + N^2) <= 4 U sum k^2 rho^-k
             panel->slope = 4 * best.bound * std::pow(q, n) * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q) * (1 + at_panel_end);
-            fill_panel(from, *to, *panel);
+            fill_panel(from, *to, *panel, whole);
             a = best.b;
             to->panels.push_back(std::move(panel));
         }
@@ -912,23 +958,6 @@ struct Forward::Implementation {
         std::sort(known.begin(), known.end());
         for (std::size_t i = 0; i < known.size(); ++i) std::tie(to->log_d[i], to->log_v[i]) = known[i];
         return to;
-    }
-
-    /// T_{k+1} from T_k; see the header. Force density f_k <= T_k e^(-5 delta/2) for delta >= 4.
-    ///
-    /// f_{k+1}(d) = int_0^2d f_k(delta) e^(-3D/2) K dD-part, K <= k2 (1 - e^-D)^(-1/2), k2 = (4/pi)(1-e_k)^(-3/2) since R, M/2 >= 1 - x and
-    /// (1+x+R)/(1-x+R) falls with R. Let d >= 4. The part delta < 4 (total force 1) gives at most 1.01 k2 e^(-3d+6); the part delta >= 4
-    /// T_k k2 e^(-3d) int e^-delta (1-e^-D)^(-1/2) ddelta <= 4.1 T_k k2 e^(-3d-4): D >= 1 weighs at most 1.26 e^-4, D < 1 at most 2.83 e^-4.
-    /// First, f_1 <= (8/pi) a e^(-3 delta/2) (1 - e^(-2 delta))^(-1/2), a = min((2 load^(1/2))^(-3/2), (1-load)^(-3/2)), from R >= 2 load^(1/2) e^-delta,
-    /// R >= 1 - load and (1+x+R)/(1-x+R) <= (R+2)/R <= 4/R; so f_2(d) <= (8a/pi) k2 e^(-3d) 2.02 (d + 1.2).
-    double next_tail(const Level& from) const
-    {
-        const double k2 = 4 / std::numbers::pi * std::pow(1 - above(from.edge_bound), -1.5) * (1 + slack);
-        if (from.k == 1) {
-            const double a = std::min(std::pow(2 * std::sqrt(load_d), -1.5), std::pow(std::max(0.0, 1 - load_d), -1.5)) * (1 + slack);
-            return 8 * a / std::numbers::pi * k2 * 1.43;
-        }
-        return std::exp(-2.0) * k2 * (1.01 * std::exp(6.0) + 4.1 * std::exp(-4.0) * from.tail) * (1 + slack);
     }
 
     /// Fixed-point form of the panel's polynomial: sum |c| < 2^14 units of 2^scale.
@@ -995,7 +1024,7 @@ struct Forward::Implementation {
         mag_clear(e);
     }
 
-    void fill_panel(const Level& from, Level& to, Panel& panel)
+    void fill_panel(const Level& from, Level& to, Panel& panel, bool whole)
     {
         const long n = panel.points;
         const auto N = static_cast<std::size_t>(n);
@@ -1014,13 +1043,14 @@ struct Forward::Implementation {
             const double d = at_d[j];
             if (d * (1 + 1e-12) < rule_from || j == 0) {
                 const double low = panel.a == 0 && d < panel.b / 12 ? 0 : d / 1.13;
-                const double relaxed = std::min(epsilon * std::exp(std::min(beta * low, 600.0)), 1e-3);
+                const double relaxed = whole ? epsilon : std::min(epsilon * std::exp(std::min(beta * low, 600.0)), 1e-3);
                 rule = make_rule(from, Kind::step, low, d * (1 + 1e-12), 0, relaxed * estimate_step(from, d));
                 rule_from = low;
             }
             const Row r = row(from, Kind::step, at[j], rule);
             to.row_nodes += rule.nodes.size();
-            const Ball decay = exp(-at[j] * Traits::quotient(law == Law::density ? 3 : 1, 2)), u = r.value * decay;
+            const Ball decay = whole ? panel.logarithmic ? half_power(at[j], to.k) : Ball(1) : exp(-at[j] * Traits::quotient(law == Law::density ? 3 : 1, 2));
+            const Ball u = r.value * decay;
             const double decay_d = above(decay), scale = epsilon * std::fabs(about(r.value));
             panel.errors[j] = (r.error * decay_d + mag_get_d(arb_radref(u.get()))) * (1 + slack);
             panel.worst = std::max(panel.worst, panel.errors[j]);
@@ -1028,7 +1058,7 @@ struct Forward::Implementation {
             if (!u.is_finite() || !std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");
             to.log_d.push_back(std::log(d));
             to.log_v.push_back(std::log(std::fabs(about(r.value))));
-            const double unit = scale / epsilon;
+            const double unit = whole ? std::fabs(about(values[0])) : scale / epsilon;
             to.worst_row = std::max(to.worst_row, r.rule_error * decay_d / unit);
             to.worst_carried = std::max(to.worst_carried, (r.interpolation + r.carried) * decay_d / unit);
             to.worst_total = std::max(to.worst_total, panel.errors[j] / unit);
@@ -1044,7 +1074,7 @@ struct Forward::Implementation {
             for (std::size_t j = 0; j < N; ++j) arb_addmul(c, A[p * N + j].get(), values[j].get(), wide);
         }
         _arb_poly_set_length(panel.polynomial, n);
-        make_fixed(panel);
+        if (!whole) make_fixed(panel);
     }
 
     // ---- values
@@ -1088,10 +1118,12 @@ struct Forward::Implementation {
         Ball value;
         Row row;
         std::size_t nodes;
+        double cut = 0; ///< where E_n ends, if by the form for small p
     };
 
     Value density(long n, const Ball& p, const Ball& d)
     {
+        if (is_small(n, d)) return small_density(n, d);
         extend_to(n);
         const Level& from = *levels[static_cast<std::size_t>(n)];
         const Ball constant = constant_after(from);
@@ -1113,6 +1145,105 @@ struct Forward::Implementation {
         Ball v = plain.value;
         widen(v, plain.error);
         return {half_power(d, n - 1) * constant * ((n + 1) * v / 2 + d * v_d) / p, r, rule.nodes.size()};
+    }
+
+    // ---- small p by the exceedance law
+
+    bool is_small(long n, const Ball& d) const { return law == Law::exceedance && n >= 2 && 2 * about(d) > cut_for_small(accuracy, n, G, load) + 1.01; }
+
+    /// h and h g at delta, D = 2d - delta: q(P; x) = (e^-d/pi) e^(delta/2) h, dq/ddelta = q g; see the header.
+    struct SmallKernel {
+        Ball edge, w4, e2d; ///< e_n, P^2, e^(-2d)
+        std::pair<C, C> at(const C& delta, bool analytic) const
+        {
+            const slong bits = WorkingPrecision::bits();
+            const auto root = [&](const C& z) {
+                C r;
+                acb_sqrt_analytic(r.get(), z.get(), analytic, bits);
+                return r;
+            };
+            const C x = C(edge) * exp(-delta), one_minus = 1 - x, R = root(one_minus * one_minus + C(w4)), P = 1 + x + R, M = one_minus + R;
+            const C rest = 1 - C(e2d) * exp(delta), h = root(P) / (root(M) * R * root(rest)), R_delta = one_minus * x / R;
+            return {h, h * (1 / (2 * rest) - R_delta / R + ((R_delta - x) / P - (R_delta + x) / M) / 2)};
+        }
+    };
+    struct SmallIntegrand {
+        const Panel* panel;
+        const SmallKernel* kernel;
+        long k;
+        slong wide;
+    };
+    static int small_integrand(acb_ptr out, const acb_t at, void* param, slong order, slong)
+    {
+        const SmallIntegrand& w = *static_cast<const SmallIntegrand*>(param);
+        const WorkingPrecision scope(w.wide);
+        C x, value;
+        acb_set(x.get(), at);
+        const C delta = w.panel->logarithmic ? exp(x) : x * x;
+        const C xi = ((w.panel->logarithmic ? x : delta) - C(w.panel->mid)) / C(w.panel->half);
+        arb_poly_evaluate_acb(value.get(), w.panel->polynomial, xi.get(), w.wide);
+        value = value * w.kernel->at(delta, order != 0).second * exp(delta / 2);
+        if (w.panel->logarithmic) value = value * delta; // ddelta = delta dy
+        else { // delta^(k/2) ddelta = 2 t^(k+1) dt
+            C power;
+            acb_pow_ui(power.get(), x.get(), static_cast<ulong>(w.k + 1), w.wide);
+            value = 2 * value * power;
+        }
+        acb_set(out, value.get());
+        return 0;
+    }
+
+    Value small_density(long n, const Ball& d)
+    {
+        extend_to(n - 1);
+        auto& kept = whole[n];
+        const double end = std::ldexp(std::floor(std::ldexp(cut_for_small(accuracy, n, G, load), 10)), -10);
+        if (!kept) kept = next(*levels[static_cast<std::size_t>(n) - 1], end);
+        const Level& level = *kept;
+        const WorkingPrecision scope(wide);
+        SmallKernel kernel{level.edge, 4 * level.edge * exp(-2 * d), exp(-2 * d)};
+        const double e = above(level.edge_bound);
+        const auto most = [e](double delta) { return 1.26 * std::pow(1 - e * std::exp(-delta) * (1 + slack), -1.5); }; // of h
+        Ball sum(0);
+        double error = 0, interpolation = 0, carried = 0;
+        mag_t tolerance;
+        mag_init(tolerance);
+        mag_set_ui_2exp_si(tolerance, 1, -2 * precision);
+        for (const auto& panel : level.panels) {
+            const Ball lo = Ball::exactly(panel->a), hi = Ball::exactly(panel->b);
+            const C from = C(panel->logarithmic ? log(lo) : sqrt(lo)), to = C(panel->logarithmic ? log(hi) : sqrt(hi));
+            SmallIntegrand w{panel.get(), &kernel, n, wide};
+            C part;
+            acb_calc_integrate(part.get(), small_integrand, &w, from.get(), to.get(), precision, tolerance, nullptr, wide);
+            sum -= part.real();
+            const double x = e * std::exp(-panel->a), slope = 0.8 + 1.75 * x / (1 - x);
+            double weight = most(panel->a) * slope * 2 * (std::exp(panel->b / 2) - std::exp(panel->a / 2));
+            if (!panel->logarithmic) weight *= std::pow(panel->b, static_cast<double>(n) / 2);
+            if (panel == level.panels.back()) {
+                Ball whole_at_end;
+                const Ball xi = ((panel->logarithmic ? log(hi) : hi) - panel->mid) / panel->half;
+                arb_poly_evaluate(whole_at_end.get(), panel->polynomial, xi.get(), wide);
+                if (!panel->logarithmic) whole_at_end *= half_power(hi, n);
+                sum += whole_at_end * kernel.at(C(hi), false).first.real() * exp(hi / 2);
+                weight += most(panel->b) * std::exp(panel->b / 2) * (panel->logarithmic ? 1 : std::pow(panel->b, static_cast<double>(n) / 2));
+            }
+            interpolation += weight * panel->interpolation * (1 + 1e-6);
+            carried += weight * (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst * (1 + 1e-6);
+        }
+        mag_clear(tolerance);
+        error = (interpolation + carried) * (1 + at_panel_end);
+        Row r;
+        r.value = sum * level.C;
+        const double C_d = above(level.C);
+        Ball unit;
+        arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), precision);
+        const Ball beyond = load / (unit * level.edge) * exp(2 - 3 * Ball::exactly(end) / 2) * Ball::exactly(level.tail) * Ball::exactly(most(end) / 1.26 * 3.5 * (n == 2 ? (end + 2.2) / 5.2 : 1) * (1 + 1e-6));
+        r.interpolation = interpolation * C_d;
+        r.carried = carried * C_d;
+        r.rule_error = above(beyond);
+        widen(r.value, error * C_d * (1 + slack));
+        arb_add_error(r.value.get(), beyond.get());
+        return {exp(-d) / (Traits::pi() * unit) * r.value, r, level.nodes, end};
     }
 
     Value exceedance(long n, const Ball& d)
@@ -1276,11 +1407,14 @@ std::string Forward::certificate(long n, const Ball& p, const Ball& d)
     const double v = std::fabs(about(q.row.value));
     std::string text = fmt::format("{} law: {} bits, far end from delta = {:.0f}\n", in.law == Law::density ? "density" : "exceedance", in.precision, in.delta_max);
     for (long k = 2; k <= n; ++k) {
-        const Level& l = *in.levels[static_cast<std::size_t>(k)];
+        const Level& l = q.cut > 0 && k == n ? *in.whole[n] : *in.levels[static_cast<std::size_t>(k)];
         text += fmt::format("  scale {:2}: {:2} panels, {:4} nodes, {:4} points a row; of v: rows {:.1e}, carried {:.1e}, all {:.1e}; interpolation {:.1e}\n", k - 1, l.panels.size(),
                             l.nodes, l.row_nodes / l.nodes, l.worst_row, l.worst_carried, l.worst_total, l.worst_interpolation);
     }
-    text += fmt::format("  at p: {} points; of v: rule {:.1e}, interpolation {:.1e}, carried {:.1e}\n", q.nodes, q.row.rule_error / v, q.row.interpolation / v, q.row.carried / v);
+    if (q.cut > 0)
+        text += fmt::format("  at p: small, by parts over E_{} up to delta = {:.1f}; of q: beyond {:.1e}, interpolation {:.1e}, carried {:.1e}\n", n, q.cut, q.row.rule_error / v,
+                            q.row.interpolation / v, q.row.carried / v);
+    else text += fmt::format("  at p: {} points; of v: rule {:.1e}, interpolation {:.1e}, carried {:.1e}\n", q.nodes, q.row.rule_error / v, q.row.interpolation / v, q.row.carried / v);
     return text;
 }
 
@@ -1292,6 +1426,7 @@ std::size_t Forward::memory() const
     for (const auto& [size, matrix] : implementation_->to_monomials) n += matrix.size() * word;
     for (const auto& level : implementation_->levels)
         if (level) n += level->nodes * (word + 24) + level->boxes.bound.size() * 8;
+    for (const auto& [k, level] : implementation_->whole) n += level->nodes * (word + 24) + level->boxes.bound.size() * 8;
     return n;
 }
 
@@ -1363,7 +1498,11 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
         else if (bits > 40'000) throw BeyondReach("p cannot be told from the upper edge of the support");
     }
     double accuracy = accuracy_for(wanted);
-    if (law == Law::exceedance) accuracy += 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
+    if (law == Law::exceedance) {
+        const double cancelling = 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
+        const double small = for_density && n >= 2 ? accuracy_for_small(accuracy, n, d, a.G(), a.load()) : 0;
+        accuracy = small > 0 ? small : accuracy + cancelling;
+    }
     if (accuracy > 700 && accuracy_for(wanted) < 600) throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
     if (accuracy > 700) throw BeyondReach("so many digits of a distribution would cost too much");
     Asked asked{levels_for(law, accuracy, a), {}, {}};

@@ -16,7 +16,7 @@
 /// with u_k = e^(-b d) v_k, b = 3/2 or 1/2, <sin^m| f> = int_0^(pi/2) sin^m f dtheta / int_0^(pi/2) sin^m dtheta, u_k taken at
 /// 2d s. The first step is closed: v_1 = (P/(M E))^(1/2)/R, or arcsin(z)/(2d)^(1/2), z^2 = 4 d x E/P, at x = load, D = 2d.
 ///  - density: q_n = load f_{n+1}/p^2, f the law's unknown. Exceedance: f_n, as a share of length, against Q of (2.17).
-///  - exceedance: Q_n = E_{n+1}; q_n = (1/p) dE_{n+1}/dd, the derivative of (and under) the integral.
+///  - exceedance: Q_n = E_{n+1}; q_n = (1/p) dE_{n+1}/dd, the derivative of (and under) the integral, or as below where p is small.
 ///
 /// **Analyticity.** delta = 2d s stays on the ray of d. So each direction arg d is on its own: if u_k is analytic with known
 /// bounds on a star-shaped set and P, M, R^2, E meet no branch cut, u_{k+1} is, and is bounded by the average of the bounds.
@@ -33,6 +33,23 @@
 /// f_k <= T_k e^(-5 delta/2) for delta >= 4, k >= 2 (by induction from total force 1, forward.cpp).
 /// **Errors over levels.** A node's error is its row's, plus sum_j |B_j| (error of node j), B_j the row applied to the j-th
 /// Lagrange polynomial: computed in `double`, with its rounding covered. The step is an average, so these hardly grow.
+///
+/// **Small p.** dE_{n+1}/dd cancels 2d nats. With s = dE_n/ddelta, D = 2d - delta, p/p*_n = 2 e_n^(1/2) e^-d, so 4x - (p/p*_n)^2 = 4x (1 - e^-D) in
+/// (2.19), a cut c and a remainder r >= 0, the exceedance law gives for n >= 2, 2d > c + 1, by parts (E_n(0) = 0),
+///
+///     q_n = e^-d/(pi G^n) int_0^2d s H ddelta,   int_0^2d s H = E_n(c) H(c) - int_0^c E_n H' + r,
+///     H = e^(delta/2) h,   h = (P/M)^(1/2)/(R (1-e^-D)^(1/2)).
+///
+///  - r: s = load f/(G^n x), f the density of force, f <= T_n e^(2-3 delta) w(delta) for delta >= 4, w = 1, or (delta+1.2)/5.2 at n = 2
+///    (forward.cpp); h <= ((1-x)^3 (1-e^-D))^(-1/2), for R, M/2 >= 1-x and P/M falls with R; int_c^2d e^(-3 delta/2) w (1-e^-D)^(-1/2)
+///    <= 3.5 w(c+1) e^(-3c/2): D > 1 makes 1.26 times the integral without the root, D < 1 at most 2.52 w e^(-3c/2). So
+///    r <= load/(G^n e_n) (1-e_n e^-c)^(-3/2) 3.5 T_n w(c+1) e^(2-3c/2), whatever p is.
+///  - Errors of E_n: times |H'| <= 1.26 (1-x)^(-3/2) (0.8 + 1.75 x/(1-x)) e^(delta/2), and |H(c)|. They grow by e^(c/2), all that cancels;
+///    c is where r comes to the same. Here E_n itself is interpolated (in log d; v_n next to the edge), from rows of level n - 1:
+///    u_n would lose e^(c/2) once more.
+///  - int_0^c by acb_calc_integrate in delta^(1/2) or log delta, the roots of H' off their cuts.
+///
+/// At n = 1 r does not fall with c (load = 1: q_1 ~ p log p); the catalogue uses scale_one.hpp.
 #pragma once
 
 #include "touchstone/transfer/contact.hpp"
