@@ -173,6 +173,23 @@ TEST_CASE("A_n = 1 exactly as long as min p_n > 0, and the first scale that lose
     CHECK(eval("segments.count", {{"n", 3}, {"load", 10}, {"D", exactly("1.05")}, {"gamma", 5}}, 15).value == "125");
     CHECK(eval("contact.exceedance", {{"n", 1}, {"p", exactly("0.4")}, {"load", 3}, {"G", exactly("1.5")}}, 15).value == "1");
     CHECK(eval("contact.density", {{"n", 1}, {"p", exactly("0.4")}, {"load", 3}, {"G", exactly("1.5")}}, 15).value == "0");
+    // the ends of the support, p_n^max = G^(n+1) x_n by (5.6), through both regimes, and p_n^min
+    for (const auto& [n, p, load, G] : {std::tuple{2L, "7.75", "3", "1.5"}, {2L, "5.76", "0.64", "1.6"}, {3L, "6.868", "1.5", "1.2"}}) {
+        CAPTURE(p);
+        for (const char* name : {"contact.exceedance", "contact.density"}) {
+            const auto e = eval(name, {{"n", n}, {"p", exactly(p)}, {"load", exactly(load)}, {"G", exactly(G)}}, 15);
+            CHECK(e.status == Status::exact);
+            CHECK(e.value == "0");
+        }
+    }
+    CHECK(eval("contact.density", {{"n", 2}, {"p", exactly("0.25")}, {"load", 5}, {"G", exactly("1.5")}}, 15).value == "0");
+    CHECK(eval("contact.exceedance", {{"n", 2}, {"p", exactly("0.25")}, {"load", 5}, {"G", exactly("1.5")}}, 15).value == "1");
+    for (const auto& [p, load] : {std::pair{"4", "3"}, {"2", "3"}, {"2", "1"}, {"0", "1"}, {"1", "0.25"}}) { // infinite at the ends of one wave
+        CAPTURE(p);
+        const auto e = eval("contact.density", {{"n", 0}, {"p", exactly(p)}, {"load", exactly(load)}, {"G", exactly("1.5")}}, 15);
+        CHECK(e.status == Status::undecided);
+        CHECK(e.note.find("infinite") != std::string::npos);
+    }
     // the engine knows nothing of that
     for (const Grid grid : {Grid::blind, Grid::tracked}) CHECK(apart(estimated_area(grid, 2, Ball(15), Ball(3)).value, Ball(1)) < 2e-18);
 }

@@ -195,6 +195,7 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
             const ProvenLevels bad = levels([=](int m, double, double) { return m == level ? 1e-2 : 0; });
             for (const char* load : {"1/1000", "1/10", "3"})
                 compare(good, bad, Ball(*parse_rational(load)), {level + 1L, level + 2L, level + 5L});
+            compare(good, bad, Ball(*parse_rational("1/10000")), {level + 2L});
             CHECK(compare(good, bad, Ball(1) / 10, {level + 1L}) > 1e-3);
         }
         // where only the highest ratios come

@@ -1026,6 +1026,8 @@ std::shared_ptr<const ProvenLevels> proven_levels(const Arguments& a, const std:
     const Ball G = a.G(), P = pressure ? (*pressure)() : Ball(0);
     const double load = double(to_real(a.load()));
     if (!(load <= 100)) throw BeyondReach("load above 100");
+    const double g = double(to_real(G)); // below: the first panel of the finest mesh begins above all ratios
+    if (4 * load < 1e-53 * g * g) throw BeyondReach("load too small for the proven levels");
     const double highest = pressure ? load * (1 + 0x1p-40) : load <= 10 ? 10 : 100; // one mesh for the loads of figure 3
     std::shared_ptr<Mesh> mine;
     {
