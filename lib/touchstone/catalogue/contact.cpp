@@ -350,9 +350,9 @@ Ball exceedance(Law law, const Inputs& in)
 std::string explain_distribution(const Inputs& in, long n, const Pressure& p_at, long digits)
 {
     if (by_scale_one(in, n)) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (transfer/scale_one.hpp)\n";
+    if (n == 0) return "n = 0: (2.14) to (2.19)\n";
     require_distribution(in, n);
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
-    if (n == 0) return "n = 0: (2.17), (2.19)\n";
     if (!certainly(less(p_at(), highest_pressure(in, n)))) return "above the support\n";
     return transfer::distribution_certificate(Law::density, n, p_at, arguments(in))
          + transfer::distribution_certificate(Law::exceedance, n, p_at, arguments(in));
@@ -439,6 +439,7 @@ void add_contact(std::vector<Quantity>& all)
                    [](const Inputs& in) -> Exact { // no pressures, no segments
                        const WorkingPrecision precision(256);
                        const long n = in.integer("n");
+                       if (n > 2 && in.real("a") == Rational(1, 2)) return Exact(0); // sin(2 pi a) = 0, and q_{n-1} is finite
                        const Ball p = of_segments(in).first;
                        if (certainly(less(highest_pressure(in, n - 1), p))) return Exact(0);
                        const auto none = [](long) { return false; };
