@@ -221,6 +221,17 @@ TEST_CASE("what is estimated says so, and no digit is given that the two do not 
     CHECK(at_odds.note == "no proof: two discretisations do not agree");
 }
 
+TEST_CASE("scale 2 through the catalogue: as nested integrals over theta and psi, cut at the singular points, in 38 digits elsewhere")
+{
+    const auto share = eval("contact.exceedance", {{"n", 2}, {"p", exactly("0.9")}, {"load", 1}, {"G", exactly("1.2")}}, 5);
+    CHECK(share.status == Status::certified);
+    CHECK(share.value == "0.41578"); // 0.415780719727410675080929
+    const auto count = eval("segments.count", {{"n", 3}, {"load", 3}, {"D", exactly("1.5")}, {"gamma", exactly("2.25")}}, 6);
+    CHECK(count.status == Status::certified);
+    CHECK(count.value == "10.0935"); // gamma^3 times 0.886121094698361969962823
+    CHECK(eval("contact.density", {{"n", 2}, {"p", exactly("0.9")}, {"load", 1}, {"G", 2}}, 15).value == "0.0243928295266353"); // 0.02439282952663530310
+}
+
 TEST_CASE("the same G, the same certified areas; the digits are those of the first route, and the second has to overlap it")
 {
     const auto a = eval("contact.area", {{"n", 3}, {"load", 10}, {"D", exactly("1.5")}, {"gamma", 16}}, 15);
