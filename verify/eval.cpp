@@ -69,6 +69,7 @@ int evaluate_and_print(const EvalOptions& o)
     const Quantity& q = quantity_named(o.quantity);
     const Inputs in = read_inputs(q, o.assignments);
     const Evaluation e = evaluate(q, in, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision});
+    const bool proven = e.status == Status::certified; // else there is no proof to explain
     if (o.json) {
         nlohmann::ordered_json inputs = nlohmann::ordered_json::object();
         for (const auto& word : o.assignments) inputs[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
@@ -80,7 +81,7 @@ int evaluate_and_print(const EvalOptions& o)
         j["equation"] = q.equation;
         j["unit"] = q.unit;
         if (!e.note.empty()) j["note"] = e.note;
-        if (o.explain && q.explain) j["explain"] = q.explain(in, o.digits);
+        if (o.explain && proven && q.explain) j["explain"] = q.explain(in, o.digits);
         fmt::print("{}\n", j.dump());
     }
     else {
@@ -89,8 +90,9 @@ int evaluate_and_print(const EvalOptions& o)
         if (e.binary64) fmt::print("  nearest binary64 {} = {}\n", hexfloat(*e.binary64), shortest(*e.binary64));
         if (!e.note.empty()) fmt::print("  {}\n", e.note);
         if (o.explain) {
-            fmt::print("  routes, each of which alone proves the digits: {}\n", fmt::join(e.routes, ", "));
-            if (q.explain) fmt::print("{}", q.explain(in, o.digits));
+            const char* what = !proven ? "" : q.limits && q.limits(in).first_decides ? ", the first of which proves the digits" : ", each of which alone proves the digits";
+            fmt::print("  routes{}: {}\n", what, fmt::join(e.routes, ", "));
+            if (proven && q.explain) fmt::print("{}", q.explain(in, o.digits));
         }
     }
     return e.status == Status::undecided ? undecided : holds;

@@ -58,6 +58,16 @@ class Program(unittest.TestCase):
         self.assertEqual(r.returncode, 2)
         self.assertEqual(json.loads(r.stdout)["status"], "undecided")
 
+    def test_only_what_is_proven_is_explained(self):
+        for n, status in (("0", "certified"), ("1", "certified"), ("2", "estimated")):  # with full contact
+            words = ["eval", "contact.density", f"n={n}", "p=0.9", "load=1", "G=2", "--digits", "3", "--explain"]
+            plain = run(*words)
+            self.assertEqual((plain.returncode, plain.stderr), (0, ""))
+            self.assertEqual("proves the digits" in plain.stdout, status == "certified")
+            j = json.loads(run(*words, "--json").stdout)
+            self.assertEqual((j["status"], "explain" in j), (status, status == "certified"))
+        self.assertEqual(run("eval", "contact.area", "n=2", "load=1000", "G=1.5", "--explain").returncode, 0)
+
     def test_usage_errors(self):
         self.refuses(64, "nearest is 'archard.K'", "eval", "arhcard.K", "n=3")
         self.refuses(64, "missing key 'n'", "eval", "archard.K")

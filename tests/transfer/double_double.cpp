@@ -130,3 +130,43 @@ TEST_CASE("sums of products, moments and the kernel of a wave, within their coun
         }
     }
 }
+
+TEST_CASE("one wave: its ends, 1 -+ c, and the nodes and weights in each variable")
+{
+    const WorkingPrecision precision(400);
+    const Real G = Real(3) / 2;
+    Wide nodes(4), weights(4), local(4), weight(4);
+    for (std::size_t i = 0; i < 4; ++i) nodes.set(i, Real(static_cast<double>(i)) / 2 - 0.8), weights.set(i, Real(1) / static_cast<double>(i + 3));
+    for (const Real& ratio : {Real(1) / 3, Real(9) / 10, Real(5) / 4}) {
+        const bool is_full = ratio >= 1;
+        const WaveKernel<Real> k(ratio, G, is_full);
+        const Ball x = ball(k.x), g = ball(k.G);
+        const auto z_at = [&](const Ball& c) { return (is_full ? (x + c) * (x + c) : (1 + c) * (2 * x - 1 + c)) / (g * g); }; // (T) of proven_levels.hpp
+        CHECK(within(k.end, z_at(Ball(1)), -98, Ball(1)));
+        CHECK(within(k.begin, is_full ? z_at(Ball(-1)) : -(1 - x) * (1 - x) / (g * g), -98, Ball(1)));
+        for (const double share : {0.01, 0.4, 0.97}) {
+            const Real z = positive_part(k.begin) + Real(share) * (k.end - positive_part(k.begin));
+            CHECK(within(z, z_at(1 - ball(k.one_minus_c(z))), -96, Ball(1)));
+            CHECK(within(z, z_at(ball(k.one_plus_c(z)) - 1), -96, Ball(1)));
+        }
+        for (const Substitution variable : {Substitution::sine, Substitution::cosine, Substitution::square}) {
+            const bool square = variable == Substitution::square;
+            const Real mid = square ? (positive_part(k.begin) + k.end) * 0.5 : Real(0.4), half = square ? k.end * 0.1 : Real(0.2), centre = 0.3, unit = 0.7;
+            wave_nodes(k, variable, mid, half, nodes, weights, centre, unit, local, weight);
+            for (std::size_t i = 0; i < 4; ++i) {
+                const Ball t = ball(mid) + ball(half) * ball(nodes[i]);
+                Ball z = t, slope; // dtheta/dt
+                if (square) {
+                    const Ball R = is_full ? g * sqrt(z) : sqrt((1 - x) * (1 - x) + g * g * z), c = R - x;
+                    slope = g * g / (2 * R) / sqrt(1 - c * c);
+                }
+                else {
+                    z = z_at(variable == Substitution::sine ? 1 - 2 * t * t : 2 * t * t - 1);
+                    slope = 2 / sqrt(1 - t * t);
+                }
+                CHECK(within(local[i], (z - ball(centre)) / ball(unit), -95, Ball(1)));
+                CHECK(within(weight[i], ball(half) * ball(weights[i]) * slope / ScalarTraits<Ball>::pi(), -97, Ball(1)));
+            }
+        }
+    }
+}

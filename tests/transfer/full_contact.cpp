@@ -173,6 +173,23 @@ TEST_CASE("A_n = 1 exactly as long as min p_n > 0, and the first scale that lose
     CHECK(eval("segments.count", {{"n", 3}, {"load", 10}, {"D", exactly("1.05")}, {"gamma", 5}}, 15).value == "125");
     CHECK(eval("contact.exceedance", {{"n", 1}, {"p", exactly("0.4")}, {"load", 3}, {"G", exactly("1.5")}}, 15).value == "1");
     CHECK(eval("contact.density", {{"n", 1}, {"p", exactly("0.4")}, {"load", 3}, {"G", exactly("1.5")}}, 15).value == "0");
+    // the ends of the support, p_n^max = G^(n+1) x_n by (5.6), through both regimes, and p_n^min
+    for (const auto& [n, p, load, G] : {std::tuple{2L, "7.75", "3", "1.5"}, {2L, "5.76", "0.64", "1.6"}, {3L, "6.868", "1.5", "1.2"}}) {
+        CAPTURE(p);
+        for (const char* name : {"contact.exceedance", "contact.density"}) {
+            const auto e = eval(name, {{"n", n}, {"p", exactly(p)}, {"load", exactly(load)}, {"G", exactly(G)}}, 15);
+            CHECK(e.status == Status::exact);
+            CHECK(e.value == "0");
+        }
+    }
+    CHECK(eval("contact.density", {{"n", 2}, {"p", exactly("0.25")}, {"load", 5}, {"G", exactly("1.5")}}, 15).value == "0");
+    CHECK(eval("contact.exceedance", {{"n", 2}, {"p", exactly("0.25")}, {"load", 5}, {"G", exactly("1.5")}}, 15).value == "1");
+    for (const auto& [p, load] : {std::pair{"4", "3"}, {"2", "3"}, {"2", "1"}, {"0", "1"}, {"1", "0.25"}}) { // infinite at the ends of one wave
+        CAPTURE(p);
+        const auto e = eval("contact.density", {{"n", 0}, {"p", exactly(p)}, {"load", exactly(load)}, {"G", exactly("1.5")}}, 15);
+        CHECK(e.status == Status::undecided);
+        CHECK(e.note.find("infinite") != std::string::npos);
+    }
     // the engine knows nothing of that
     for (const Grid grid : {Grid::blind, Grid::tracked}) CHECK(apart(estimated_area(grid, 2, Ball(15), Ball(3)).value, Ball(1)) < 2e-18);
 }
@@ -202,6 +219,17 @@ TEST_CASE("what is estimated says so, and no digit is given that the two do not 
     CHECK(at_odds.status == Status::undecided);
     CHECK(at_odds.value == "nan");
     CHECK(at_odds.note == "no proof: two discretisations do not agree");
+}
+
+TEST_CASE("scale 2 through the catalogue: as nested integrals over theta and psi, cut at the singular points, in 38 digits elsewhere")
+{
+    const auto share = eval("contact.exceedance", {{"n", 2}, {"p", exactly("0.9")}, {"load", 1}, {"G", exactly("1.2")}}, 5);
+    CHECK(share.status == Status::certified);
+    CHECK(share.value == "0.41578"); // 0.415780719727410675080929
+    const auto count = eval("segments.count", {{"n", 3}, {"load", 3}, {"D", exactly("1.5")}, {"gamma", exactly("2.25")}}, 6);
+    CHECK(count.status == Status::certified);
+    CHECK(count.value == "10.0935"); // gamma^3 times 0.886121094698361969962823
+    CHECK(eval("contact.density", {{"n", 2}, {"p", exactly("0.9")}, {"load", 1}, {"G", 2}}, 15).value == "0.0243928295266353"); // 0.02439282952663530310
 }
 
 TEST_CASE("the same G, the same certified areas; the digits are those of the first route, and the second has to overlap it")

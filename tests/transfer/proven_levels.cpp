@@ -8,6 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace touchstone;
 using transfer::ProvenLevels;
 
@@ -165,6 +167,49 @@ TEST_CASE("above a pressure: against the forward chain in partial contact, and s
                 CHECK(share.overlaps(known));
                 CHECK(share.radius_bound() < 1e-9);
             }
+    }
+}
+
+TEST_CASE("V may be anything: levels made worse still hold the truth, and say how much worse they are")
+{
+    const WorkingPrecision precision(160);
+    const auto compare = [](const ProvenLevels& good, const ProvenLevels& bad, const Ball& load, std::initializer_list<long> scales) {
+        const auto middle = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
+        double most = 0; // how far off the worse values are, whatever they say
+        for (const long n : scales) {
+            const Ball truth = good.share(n, load), share = bad.share(n, load);
+            INFO("load ", load.to_string(), " n ", n, ": ", share.to_string(), " ", truth.to_string());
+            CHECK(share.overlaps(truth));
+            most = std::max(most, std::fabs(middle(truth) - middle(share)));
+        }
+        return most;
+    };
+    for (const bool area : {true, false}) {
+        const Ball G = Ball(area ? 5 : 3) / 2;
+        const auto levels = [&](const ProvenLevels::Spoiled& spoiled) {
+            return area ? ProvenLevels(G, 3, 1e-5, spoiled) : ProvenLevels(G, Ball(1) / 2, 3, 1e-5, spoiled);
+        };
+        const ProvenLevels good = levels({});
+        for (const int level : {0, 2}) { // everywhere
+            if (level == 2 && !area) continue;
+            const ProvenLevels bad = levels([=](int m, double, double) { return m == level ? 1e-2 : 0; });
+            for (const char* load : {"1/1000", "1/10", "3"})
+                compare(good, bad, Ball(*parse_rational(load)), {level + 1L, level + 2L, level + 5L});
+            CHECK(compare(good, bad, Ball(1) / 10, {level + 1L}) > 1e-3);
+        }
+        if (area) CHECK(compare(good, levels([](int m, double, double) { return m == 0 ? 1. : 0; }), Ball(1) / 1'000'000, {2}) > 3e-6); // T1 is far above the load
+        // where only the highest ratios come
+        const double top = area ? 4 / 2.5 : 4 / 1.5;
+        CHECK(compare(good, levels([=](int m, double, double y1) { return m == 0 && y1 > 0.9 * top ? 1e-2 : 0; }), Ball(3), {1}) > 1e-3);
+        if (!area) continue;
+        double end = 0; // on one narrow panel, under a load whose waves end with it
+        const ProvenLevels bad = levels([&](int m, double y0, double y1) {
+            if (m != 0 || y0 < 0.999 || y1 >= 1 || (end != 0 && end != y1)) return 0.0;
+            end = y1;
+            return 1.;
+        });
+        REQUIRE(end > 0);
+        CHECK(compare(good, bad, G * Ball::exactly(end) - Ball(1), {1, 2}) > 1e-3);
     }
 }
 

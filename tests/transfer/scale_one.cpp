@@ -93,6 +93,15 @@ TEST_CASE("the certified chains of partial contact hold the same numbers, and th
     }
 }
 
+TEST_CASE("all of a wave above the pressure, or none of it")
+{
+    const WorkingPrecision precision(128);
+    for (const Variable v : {Variable::ratio, Variable::angle}) {
+        CHECK(apart(scale_one_exceedance(v, scale_one("0.4", "3", "1.5")), Ball(1)) < 1e-30); // p_1^min = 0.5
+        CHECK(certainly(less(abs(scale_one_exceedance(v, scale_one("5.6", "3", "1.5"))), Ball(small(30))))); // p_1^max = 5.5
+    }
+}
+
 TEST_CASE("at a singular point the density is -log(distance)/(2 pi^2 sqrt G), from both sides, as near as one likes")
 {
     const WorkingPrecision precision(200);

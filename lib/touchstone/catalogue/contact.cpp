@@ -26,13 +26,13 @@ constexpr long largest_n = 10'000;
 void require_G_above_2(const Inputs& in)
 {
     if (in.compare_G(2) <= 0)
-        throw BeyondReach("not computed yet for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale");
+        throw BeyondReach("no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale");
 }
 void require_partial_contact(const Inputs& in)
 {
     require_G_above_2(in);
     if (in.real("load") > 1)
-        throw BeyondReach("not computed yet for load > 1, where the first scale is in full contact");
+        throw BeyondReach("no proof for load > 1, where the first scale is in full contact");
 }
 
 transfer::Arguments arguments(const Inputs& in)
@@ -193,30 +193,33 @@ bool above_support(const Inputs& in, long n, const Rational& p)
     return certainly(less(highest_pressure(in, n), Ball(p)));
 }
 
-/// Whether p = p_n^max exactly, load <= 1, G > 2: p_n^max = G^(n+1) (2/G)^(2 - 2^-n) load^(2^-(n+1)), raised to the power 2^(n+1).
+/// Whether p = p_n^max exactly: f(x) = (x + 1)/G for x >= 1, 2 x^(1/2)/G for x < 1 (5.5), once irrational, stays so while G is rational.
 bool at_edge(const Inputs& in, long n, const Rational& p)
 {
     {
         const WorkingPrecision precision(512);
         if (!highest_pressure(in, n).contains(p)) return false;
     }
-    const Exact G = in.G_exact();
-    if (n > 10 || !G.is_rational()) throw NotExact();
-    const auto power = [](const Rational& x, long e) {
-        Rational r;
-        mpz_pow_ui(r.get_num_mpz_t(), x.get_num_mpz_t(), static_cast<unsigned long>(e));
-        mpz_pow_ui(r.get_den_mpz_t(), x.get_den_mpz_t(), static_cast<unsigned long>(e));
-        return r;
-    };
-    const long N = 2L << n;
-    return power(p, N) == power(G.rational(), (n + 1) * N) * power(Rational(2) / G.rational(), 2 * N - 2) * in.real("load");
+    const Exact G_exact = in.G_exact();
+    if (!G_exact.is_rational()) throw NotExact();
+    const Rational G = G_exact.rational();
+    Rational x = in.real("load"), unit = 1;
+    for (long k = 0; k <= n; ++k, unit *= G) {
+        if (x < 1) {
+            if (!mpz_perfect_square_p(x.get_num_mpz_t()) || !mpz_perfect_square_p(x.get_den_mpz_t())) return false;
+            x = 2 * Rational(mpz_class(sqrt(x.get_num())), mpz_class(sqrt(x.get_den())));
+        }
+        else x += 1;
+        x /= G;
+    }
+    return p == x * unit;
 }
 
 /// Whether the share above p, or for n >= 2 the density (which goes with (p_n^max - p)^((n-1)/2) there), is exactly 0.
 bool nothing_at(const Inputs& in, long n, bool edge_too)
 {
     if (above_support(in, n, in.real("p"))) return true;
-    return edge_too && in.real("load") <= 1 && in.compare_G(2) > 0 && at_edge(in, n, in.real("p"));
+    return edge_too && at_edge(in, n, in.real("p"));
 }
 
 /// p certainly less than p_n^min > 0, in full contact everywhere.
@@ -293,6 +296,12 @@ void require_pressure(const Ball& p)
     if (!certainly(less(Ball(0), p))) throw BeyondReach("not computed at p = 0, where q_n is 0 unless a singular point lies there; ask for p > 0");
 }
 
+/// At p_0^max, and at p_0^min > 0 and load = 1, p = 0, where (2.19) goes with p^(-1/2).
+bool infinite_first_density(const Rational& p, const Rational& load)
+{
+    return load < 1 ? p * p == 4 * load : p == load + 1 || p == load - 1;
+}
+
 Ball density(Law law, const Inputs& in, long n, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)
 {
     if (by_scale_one(in, n, p_at())) {
@@ -304,6 +313,7 @@ Ball density(Law law, const Inputs& in, long n, const Pressure& p_at, std::optio
     if (certainly(less(highest_pressure(in, n), p))) return Ball(0);
     if (n == 0) {
         const Ball load(in.real("load"));
+        if (exact_p && infinite_first_density(*exact_p, in.real("load"))) throw BeyondReach("q_0 is infinite at this pressure, an end of its support");
         if (certainly(less(p, load - 1))) return Ball(0);
         if (law == Law::density) return westergaard::density(p, load);
         return in.real("load") < 1 ? as_printed::density_partial(p, load) : as_printed::density_full(p, load);
@@ -329,8 +339,8 @@ bool exceedance_by_proven_levels(const Inputs& in)
 Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)
 {
     require_estimated(n);
-    if (!full_contact(in) && n < 2 && highest_pressure(in, n).overlaps(p_at()))
-        throw BeyondReach(n == 0 ? "q_0 is infinite at p = p_0^max" : "q_1 jumps at p = p_1^max: it has no value there");
+    if (n == 1 && !full_contact(in) && highest_pressure(in, n).overlaps(p_at())) throw BeyondReach("q_1 jumps at p = p_1^max: it has no value there");
+    if (n == 0) density(Law::density, in, n, p_at, std::move(exact_p)); // as below
     require_pressure(p_at());
     if (by_scale_one(in, n, p_at())) density(Law::density, in, n, p_at, std::move(exact_p)); // refuses, and says why: no estimate is better
     return transfer::estimated_density(grid, n, p_at(), Ball(in.real("load")), in.G_ball());
@@ -348,6 +358,7 @@ Ball exceedance(Law law, const Inputs& in)
     const Pressure p_at = [&in] { return Ball(in.real("p")); };
     if (by_scale_one(in, n, p_at())) return transfer::scale_one_exceedance(variable(law), at_scale_one(in, p_at, in.real("p")));
     if (exceedance_by_proven_levels(in)) {
+        if (n > transfer::ProvenLevels::levels) throw BeyondReach(fmt::format("with full contact shares of length are certified for n <= {} only", transfer::ProvenLevels::levels));
         if (law == Law::density) return transfer::exceedance_by_proven_levels(n, [&] { return pressure_ratio(in, n); }, arguments(in));
         return with_radius(transfer::estimated_exceedance(transfer::Grid::blind, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball()));
     }
@@ -358,9 +369,9 @@ Ball exceedance(Law law, const Inputs& in)
 std::string explain_distribution(const Inputs& in, long n, const Pressure& p_at, long digits)
 {
     if (by_scale_one(in, n, p_at())) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (transfer/scale_one.hpp)\n";
+    if (n == 0) return "n = 0: (2.14) to (2.19)\n";
     require_distribution(in, n);
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
-    if (n == 0) return "n = 0: (2.17), (2.19)\n";
     if (!certainly(less(p_at(), highest_pressure(in, n)))) return "above the support\n";
     return transfer::distribution_certificate(Law::density, n, p_at, arguments(in))
          + transfer::distribution_certificate(Law::exceedance, n, p_at, arguments(in));
@@ -380,7 +391,7 @@ std::pair<Ball, Ball> of_segments(const Inputs& in)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100, G <= 2.02; else estimated", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100, G <= 2.02; else estimated for n <= 100", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
                        if (everywhere_above(in, in.integer("n"), 0)) return Exact(1);
@@ -403,7 +414,7 @@ void add_contact(std::vector<Quantity>& all)
         const WorkingPrecision precision(bits_for_digits(digits) + 48);
         return transfer::proven_levels_certificate(n, [&] { return pressure_ratio(in, n); }, arguments(in));
     };
-    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100; else estimated",
+    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100; else estimated for n <= 20",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        if (nothing_at(in, in.integer("n"), true)) return Exact(0);
@@ -424,19 +435,20 @@ void add_contact(std::vector<Quantity>& all)
                    [](const Inputs& in) { return proven_levels_limits(exceedance_by_proven_levels(in)); }});
 
 
-    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2, else estimated",
+    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; else estimated for n <= 20",
                    {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        const bool partial = in.real("load") <= 1 && in.compare_G(2) > 0;
                        const bool at_zero = in.real("p") == 0 && ((partial && in.integer("n") > 0) || (in.integer("n") == 0 && in.real("load") < 1)); // q ~ p, (2.19)
                        if (at_zero || nothing_at(in, in.integer("n"), in.integer("n") >= 2) || below_support(in, in.integer("n"), in.real("p"))) return Exact(0);
+                       if (in.integer("n") >= 2 && everywhere_above(in, in.integer("n"), in.real("p"))) return Exact(0); // p_n^min, as at p_n^max
                        throw NotExact();
                    },
                    by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), [&in] { return Ball(in.real("p")); }, in.real("p")); }), explain_p, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_density(g, in.integer("n"), in, [&in] { return Ball(in.real("p")); }, in.real("p")); }),
                    [](const Inputs& in) { return law_names(in, in.integer("n"), Ball(in.real("p"))); }});
 
-    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, or n <= 21, load <= 1, G > 2, else estimated",
+    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, or n <= 21, load <= 1, G > 2; else estimated for n <= 21",
                    {"n", "a", "load", "G"}, "density of segments by half-width a (in lambda_n), N^_n lambda_n",
                    [](const Inputs& in) {
                        check_contact(in);
@@ -446,6 +458,7 @@ void add_contact(std::vector<Quantity>& all)
                    [](const Inputs& in) -> Exact { // no pressures, no segments
                        const WorkingPrecision precision(256);
                        const long n = in.integer("n");
+                       if (n > 2 && in.real("a") == Rational(1, 2)) return Exact(0); // sin(2 pi a) = 0, and q_{n-1} is finite
                        const Ball p = of_segments(in).first;
                        if (certainly(less(highest_pressure(in, n - 1), p))) return Exact(0);
                        const auto none = [](long) { return false; };
@@ -461,7 +474,7 @@ void add_contact(std::vector<Quantity>& all)
                    }),
                    [](const Inputs& in) { return law_names(in, in.integer("n") - 1, of_segments(in).first); }});
 
-    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified where contact.area is, else estimated",
+    all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified or estimated where contact.area is at n - 1",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
                    [](const Inputs& in) { check_contact(in); require_integer(in, "n", 1, largest_n); },
                    [](const Inputs& in) -> Exact {

@@ -537,11 +537,11 @@ struct ProvenLevels::State {
     std::vector<double> defect;          ///< [panel * levels + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|
     std::vector<double> sum_of_effects;  ///< [m]: at least T |B_m - V_m|
 
-    State(Real G_, std::unique_ptr<const First> first_, double highest, double tolerance_)
+    State(Real G_, std::unique_ptr<const First> first_, double highest, double tolerance_, const Spoiled& spoiled)
         : G(G_), tolerance(tolerance_), first(std::move(first_)), orders(tolerance_), gauss(orders.gauss), exact(orders.terms), own(orders.terms), kernel_points(orders.kernel)
     {
         for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {1.0, 4.0}}) checks.emplace_back(static_cast<int>(orders.terms * share) + 7, rho);
-        collocate(highest);
+        collocate(highest, spoiled);
         prove();
     }
 
@@ -555,7 +555,7 @@ struct ProvenLevels::State {
     /// The coefficients of the polynomials through f at the nodes of the panels.
     template <class F>
     Wide interpolate(const std::vector<Panel>& panels, const F& f) const;
-    void collocate(double highest);
+    void collocate(double highest, const Spoiled&);
     void prove();
     void prove_first(std::size_t i, const Real& left, const Real& right);
     void prove_panel(std::size_t i, const std::vector<double>& overlap_defect, std::vector<char>& by_monotony);
@@ -616,7 +616,7 @@ ProvenLevels::State::Series ProvenLevels::State::resolve(std::vector<Panel> on, 
     return result;
 }
 
-void ProvenLevels::State::collocate(double highest)
+void ProvenLevels::State::collocate(double highest, const Spoiled& spoiled)
 {
     std::vector<Panel> start;
     for (Real y = tolerance / 10; y < highest;) {
@@ -656,6 +656,11 @@ void ProvenLevels::State::collocate(double highest)
             for (std::size_t i = 0; i < terms; ++i) here.set(i, on.value(parents[j], 0, (p.centre + p.half * own.at[i] - of.centre) / of.half));
             for (std::size_t k = 0; k < terms; ++k) series.set(j * terms + k, dot(own.T, k * terms, here) * (k == 0 ? 1 : 2) / orders.terms);
         });
+        if (spoiled)
+            for (std::size_t j = 0; j < all->panels.size(); ++j) {
+                const Panel& p = all->panels[j];
+                series.set(j * terms, series[j * terms] + spoiled(m, double(p.y0), double(p.y1)));
+            }
         all->set(m, series);
     }
     defect.resize(all->panels.size() * levels);
@@ -908,7 +913,7 @@ double ProvenLevels::State::effect(int m, double reach) const
 
 // ---- values
 
-static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<const First> first, double highest, double tolerance)
+static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<const First> first, double highest, double tolerance, const ProvenLevels::Spoiled& spoiled)
 {
     if (!(tolerance >= 1e-25 && tolerance <= 1e-5)) throw std::invalid_argument("tolerance from 1e-25 to 1e-5");
     const WorkingPrecision precision(256);
@@ -917,17 +922,20 @@ static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<
     if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u)))) throw BeyondReach("G must be above 1 and known to 101 bits");
     const double top = max(highest, 1.1 / double(nearest - 1)); // so that (x + 1)/G stays below
     if (!(top <= 400)) throw BeyondReach("G too near 1, or the load too high, for the proven levels");
-    return std::make_unique<ProvenLevels::State>(nearest, std::move(first), top * 1.01, tolerance);
+    return std::make_unique<ProvenLevels::State>(nearest, std::move(first), top * 1.01, tolerance, spoiled);
 }
 
-ProvenLevels::ProvenLevels(const Ball& G, double highest, double tolerance) : state_(made(G, std::make_unique<InContact>(), highest, tolerance)) {}
-ProvenLevels::ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance)
+ProvenLevels::ProvenLevels(const Ball& G, double highest, double tolerance, const Spoiled& spoiled)
+    : state_(made(G, std::make_unique<InContact>(), highest, tolerance, spoiled))
+{
+}
+ProvenLevels::ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& spoiled)
 {
     const WorkingPrecision precision(256);
     const Real nearest = to_real(pressure);
     if (!certainly(less(Ball(0), pressure)) || !certainly(less(abs(to_ball(nearest) / pressure - Ball(1)), Ball::exactly(u))))
         throw BeyondReach("the pressure must be above 0 and known to 101 bits");
-    state_ = made(G, std::make_unique<Exceeding>(pressure), highest, tolerance);
+    state_ = made(G, std::make_unique<Exceeding>(pressure), highest, tolerance, spoiled);
 }
 ProvenLevels::~ProvenLevels() = default;
 ProvenLevels::ProvenLevels(ProvenLevels&&) noexcept = default;
@@ -1018,6 +1026,8 @@ std::shared_ptr<const ProvenLevels> proven_levels(const Arguments& a, const std:
     const Ball G = a.G(), P = pressure ? (*pressure)() : Ball(0);
     const double load = double(to_real(a.load()));
     if (!(load <= 100)) throw BeyondReach("load above 100");
+    const double g = double(to_real(G)); // below: the first panel of the finest mesh begins above all ratios
+    if (4 * load < 1e-53 * g * g) throw BeyondReach("load too small for the proven levels");
     const double highest = pressure ? load * (1 + 0x1p-40) : load <= 10 ? 10 : 100; // one mesh for the loads of figure 3
     std::shared_ptr<Mesh> mine;
     {

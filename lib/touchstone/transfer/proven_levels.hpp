@@ -28,14 +28,16 @@ namespace touchstone::transfer {
 class ProvenLevels {
 public:
     static constexpr int levels = 20;
+    /// For tests: what V_m is made worse by on the panel y0 <= y <= y1. V_m may be anything; the proof has to see it.
+    using Spoiled = std::function<double(int m, double y0, double y1)>;
 
     /// Shares in contact, for 0 < load <= highest and every scale n <= levels.
     /// tolerance: what the mesh is made for, 1e-25 ... 1e-5; the proven error comes out between it and 100 times that, and
     /// relative errors at scale 20 up to 1000 times.
     /// \throws BeyondReach where the mesh would be too large (G too near 1, highest too large)
-    ProvenLevels(const Ball& G, double highest, double tolerance);
+    ProvenLevels(const Ball& G, double highest, double tolerance, const Spoiled& = {});
     /// Shares above `pressure` > 0 in units of p*_n, the same at every scale.
-    ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance);
+    ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& = {});
     ~ProvenLevels();
     ProvenLevels(ProvenLevels&&) noexcept;
 
