@@ -60,7 +60,7 @@ bool full_contact(const Inputs& in)
 }
 bool area_by_proven_levels(const Inputs& in)
 {
-    return in.compare_G(2) <= 0 || (in.real("load") > 1 && in.compare_G(Rational(101, 50)) <= 0);
+    return in.compare_G(Rational(2'000'001, 1'000'000)) < 0 || (in.real("load") > 1 && in.compare_G(Rational(101, 50)) <= 0);
 }
 
 Ball with_radius(const Estimate& e)
@@ -391,7 +391,7 @@ std::pair<Ball, Ball> of_segments(const Inputs& in)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G > 2; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100, G <= 2.02; else estimated for n <= 100", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G >= 2.000001; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100 elsewhere; else estimated for n <= 100", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
                        if (everywhere_above(in, in.integer("n"), 0)) return Exact(1);

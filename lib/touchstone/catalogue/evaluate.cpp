@@ -193,6 +193,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
             break;
         }
     }
+    if (e.note.empty() && limits.first_decides) e.note = "no more digits are certified here";
     if (e.note.empty()) e.note = fmt::format("not decided at {} bits; a larger --max-precision may", e.bits);
     e.status = Status::undecided;
     show_what_is_known(e, shown);

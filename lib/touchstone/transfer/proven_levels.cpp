@@ -1007,7 +1007,7 @@ double tolerance_wanted()
     double more = 0;
     for (; bits > bits_for_digits(20) + 48; bits /= 2) more += 2.5;
     const double digits = static_cast<double>(bits - 48 - bits_for_digits(0)) / 3.322;
-    return std::pow(10.0, -min(finest, max(6.0, digits) + spare + more));
+    return std::pow(10.0, -min(finest, max(4.0, digits) + spare + more));
 }
 
 struct Mesh {
