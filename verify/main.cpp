@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "touchstone/oracle/baseline.hpp"
 #include "touchstone/table/format.hpp"
-#include "touchstone/transfer/full_contact.hpp"
+#include "touchstone/transfer/progress.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 
@@ -77,8 +77,8 @@ int main(int argc, char** argv)
     add_judge(app, run);
     if (::isatty(2) != 0)
         transfer::report_progress_to([](std::string_view what, long done, long total) {
-            fmt::print(stderr, "\r{} {} of {}", what, done, total);
-            if (done == total) fmt::print(stderr, "\r{:40}\r", "");
+            fmt::print(stderr, "\r{:<50}", fmt::format("{} {} of {}", what, done, total));
+            if (done == total) fmt::print(stderr, "\r{:50}\r", "");
         });
     try {
         app.parse(argc, argv);

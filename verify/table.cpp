@@ -101,7 +101,7 @@ int make_tables(const TableOptions& o)
     for (const TableSpec* spec : specs) {
         const auto start = std::chrono::steady_clock::now();
         const Table t = compute(*spec, o.digits.value_or(spec->digits), o.jobs, [&](std::size_t done, std::size_t total) {
-            if (terminal && (done % 64 == 0 || done == total)) fmt::print(stderr, "\r{:<28} {:>5} of {}", spec->name, done, total);
+            if (terminal) fmt::print(stderr, "\r{:<28} {:>5} of {}", spec->name, done, total);
         });
         if (terminal) fmt::print(stderr, "\r{:60}\r", "");
         any_undecided = any_undecided || t.status() == Status::undecided;
@@ -126,6 +126,7 @@ int make_tables(const TableOptions& o)
         else write_file(path, text);
         fmt::print("{:<28} {:>5} rows, {:>4} digits, {}, {} ({:.1f} s)\n", file, t.rows.size(), t.digits, to_string(t.status()), verdict,
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        std::fflush(stdout); // minutes may pass until the next
     }
     const fs::path manifest_path = fs::path(o.out) / ("manifest." + o.format + ".json");
     if (!o.out.empty() && (whole_set || (!o.check && fs::exists(manifest_path)))) {

@@ -58,9 +58,12 @@ bool full_contact(const Inputs& in)
 {
     return in.compare_G(2) <= 0 || in.real("load") > 1;
 }
-bool area_by_proven_levels(const Inputs& in)
+/// A_n, n >= 1. Above load 1 heavy_load.hpp has two proofs, but is slow, or does not apply, towards G = 2.
+bool area_by_proven_levels(const Inputs& in, long n)
 {
-    return in.compare_G(Rational(2'000'001, 1'000'000)) < 0 || (in.real("load") > 1 && in.compare_G(Rational(101, 50)) <= 0);
+    if (in.compare_G(Rational(2'000'001, 1'000'000)) < 0) return true;
+    if (in.real("load") <= 1) return false;
+    return in.compare_G(n <= transfer::ProvenLevels::levels && in.real("load") <= 100 ? Rational(16, 5) : Rational(101, 50)) <= 0;
 }
 
 Ball with_radius(const Estimate& e)
@@ -81,7 +84,7 @@ Ball area_with_full_contact(Scheme scheme, long n, const Inputs& in)
 Ball certified_area(Scheme scheme, long n, const Inputs& in)
 {
     if (n > 0 || in.real("load") > 1) {
-        if (area_by_proven_levels(in)) return area_with_full_contact(scheme, n, in);
+        if (area_by_proven_levels(in, n)) return area_with_full_contact(scheme, n, in);
         return in.real("load") > 1 ? transfer::area_at_heavy_load(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
     }
     const Ball x(in.real("load"));
@@ -145,13 +148,13 @@ void require_estimated(long n)
 
 Quantity::Limits proven_levels_limits(bool reached) { return reached ? Quantity::Limits{20, true} : Quantity::Limits{}; }
 
-Quantity::Limits area_limits(const Inputs& in, long n) { return proven_levels_limits(n > 0 && area_by_proven_levels(in)); }
+Quantity::Limits area_limits(const Inputs& in, long n) { return proven_levels_limits(n > 0 && area_by_proven_levels(in, n)); }
 
 const std::vector<std::string> proven_route_names{"proven-levels", "blind-halving (overlaps, estimated)"};
 
 std::vector<std::string> area_route_names(const Inputs& in, long n)
 {
-    if (n > 0 && area_by_proven_levels(in)) return proven_route_names;
+    if (n > 0 && area_by_proven_levels(in, n)) return proven_route_names;
     return {"force-weighted-chebyshev", "area-gauss-panels"};
 }
 
@@ -159,7 +162,7 @@ std::string explain_area(const Inputs& in, long n, long digits)
 {
     if (n == 0) return "A_0 = (2/pi) arcsin sqrt(load), (6.6)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
-    if (area_by_proven_levels(in)) return transfer::proven_levels_certificate(n, {}, arguments(in));
+    if (area_by_proven_levels(in, n)) return transfer::proven_levels_certificate(n, {}, arguments(in));
     if (in.real("load") > 1)
         return transfer::heavy_load_certificate(Scheme::force_weighted, n, arguments(in))
              + transfer::heavy_load_certificate(Scheme::area, n, arguments(in));
@@ -333,7 +336,7 @@ Ball pressure_ratio(const Inputs& in, long n)
 bool exceedance_by_proven_levels(const Inputs& in)
 {
     const long n = in.integer("n");
-    return in.real("p") == 0 ? n > 0 && area_by_proven_levels(in) : n > 1 && !by_forward_levels(in, n);
+    return in.real("p") == 0 ? n > 0 && area_by_proven_levels(in, n) : n > 1 && !by_forward_levels(in, n);
 }
 
 Estimate estimated_density(transfer::Grid grid, long n, const Inputs& in, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)

@@ -325,7 +325,7 @@ Rows contact_distribution_full_grid()
 {
     Rows rows;
     for (const auto& [s, G] : {std::pair{1., figure_3a_G}, {10., figure_3a_G}, {0.01, figure_3b_G}, {10., figure_5_G}})
-        for (const auto& [n, share] : {std::pair{2L, 0.1}, {2L, 0.5}, {4L, 0.7}}) {
+        for (const auto& [n, share] : {std::pair{2L, 0.5}, {4L, 0.7}}) {
             const auto [low, high] = support(n, s, G);
             rows.push_back({static_cast<double>(n), rounded(low + (high - low) * share), s, G});
         }
@@ -429,8 +429,8 @@ const std::vector<TableSpec>& table_specs()
         {"peaks_iterate", "peaks.iterate", digits, iterate_grid},
         {"peaks_fixed_point", "peaks.fixed_point", digits, fixed_point_grid},
         {"contact_area", "contact.area", digits, contact_area_grid},
-        {"contact_area_full", "contact.area", 17, contact_area_full_grid, true},
-        {"contact_area_heavy", "contact.area", 20, contact_area_heavy_grid, true},
+        {"contact_area_full", "contact.area", 16, contact_area_full_grid, true},
+        {"contact_area_heavy", "contact.area", 17, contact_area_heavy_grid, true},
         {"archard_K", "archard.K", digits, n_grid},
         {"archard_K_inf", "archard.K_inf", 1000, [] { return Rows{{}}; }},
         {"archard_delta", "archard.delta", digits, n_grid},
@@ -442,7 +442,7 @@ const std::vector<TableSpec>& table_specs()
         {"contact_density", "contact.density", 30, contact_distribution_grid, true},
         {"contact_exceedance_scale_1", "contact.exceedance", 30, contact_scale_1_grid},
         {"contact_density_scale_1", "contact.density", 30, contact_scale_1_grid},
-        {"contact_exceedance_full", "contact.exceedance", 12, contact_distribution_full_grid, true},
+        {"contact_exceedance_full", "contact.exceedance", 10, contact_distribution_full_grid, true},
         {"segments_count", "segments.count", digits, segments_count_grid},
         {"segments_density", "segments.density", 30, segments_density_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},

@@ -4,6 +4,7 @@
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/chain.hpp"
 #include "touchstone/transfer/fixed.hpp"
+#include "touchstone/transfer/progress.hpp"
 
 #include <fmt/format.h>
 
@@ -887,6 +888,7 @@ struct Forward::Implementation {
         while (static_cast<long>(levels.size()) <= k) {
             const WorkingPrecision scope(precision);
             levels.push_back(next(*levels.back()));
+            progress("distribution, scale", static_cast<long>(levels.size()) - 1, k);
         }
     }
 

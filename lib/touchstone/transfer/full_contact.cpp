@@ -4,6 +4,7 @@
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/transfer/graded.hpp"
 #include "touchstone/transfer/piecewise.hpp"
+#include "touchstone/transfer/progress.hpp"
 
 #include <fmt/format.h>
 
@@ -16,15 +17,6 @@ namespace touchstone::transfer {
 namespace {
 
 using Real = Extended;
-
-std::mutex progress_mutex;
-Progress progress_hook;
-
-void progress(std::string_view what, long done, long total)
-{
-    const std::scoped_lock lock(progress_mutex);
-    if (progress_hook) progress_hook(what, done, total);
-}
 
 /// (6.6)
 Real first_area(const Pair<Real>& x)
@@ -82,7 +74,7 @@ public:
             const std::scoped_lock lock(mutex_);
             for (long k = size(); k <= m; ++k) {
                 if (!failure_.empty()) throw BeyondReach(failure_); // it cost seconds to find out
-                progress("scale", k, m + 1);
+                progress("estimate, scale", k, m + 1);
                 try {
                     extend();
                 }
@@ -91,7 +83,7 @@ public:
                     throw;
                 }
             }
-            progress("scale", m + 1, m + 1);
+            progress("estimate, scale", m + 1, m + 1);
             mean = mean_of(m, derivative);
         }
         return mean(wave);
@@ -272,12 +264,6 @@ Estimate estimate(const Levels::Mean& mean, long n)
 }
 
 } // namespace
-
-void report_progress_to(Progress hook)
-{
-    const std::scoped_lock lock(progress_mutex);
-    progress_hook = std::move(hook);
-}
 
 Estimate estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
 {

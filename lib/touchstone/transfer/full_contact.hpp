@@ -11,7 +11,6 @@
 #include "touchstone/catalogue/quantity.hpp"
 
 #include <functional>
-#include <string_view>
 
 namespace touchstone::transfer {
 
@@ -31,9 +30,5 @@ Estimate estimated_density(Grid, long n, const Ball& p, const Ball& load, const 
 /// keeps it, by (5.2), (5.4). Decided in balls; `tie` says where they cannot tell (load and the sum equal: contact is just kept).
 /// \returns the number of scales n = 0, 1, ... in full contact everywhere, at most `most`
 long scales_in_full_contact(const Ball& load, const Ball& G, long most, const std::function<bool(long n)>& tie);
-
-/// Called with what is being computed and how far it is, when set; from one thread at a time.
-using Progress = std::function<void(std::string_view what, long done, long total)>;
-void report_progress_to(Progress);
 
 } // namespace touchstone::transfer

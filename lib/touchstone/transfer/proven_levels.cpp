@@ -3,11 +3,13 @@
 
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/parallel.hpp"
+#include "touchstone/transfer/progress.hpp"
 #include "touchstone/transfer/wave_kernel.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <list>
@@ -630,6 +632,7 @@ void ProvenLevels::State::collocate(double highest, const Spoiled& spoiled)
         return to_real(first->at(sqrt(to_ball(z))));
     }));
     for (int m = 1; m < levels; ++m) {
+        progress("mesh, level", m, levels);
         Layer before(orders, gauss, kernel_points, exact, G, tolerance, found.back().panels, 1);
         before.set(0, found.back().coefficients);
         found.push_back(resolve(found.back().panels, [&](const Real& z) {
@@ -880,7 +883,11 @@ void ProvenLevels::State::prove()
             }
     });
     std::vector<char> by_monotony(panels.size());
-    in_parallel(panels.size(), [&](std::size_t i) { prove_panel(i, overlap_defect, by_monotony); });
+    std::atomic<long> proven{0};
+    in_parallel(panels.size(), [&](std::size_t i) {
+        prove_panel(i, overlap_defect, by_monotony);
+        progress("proof, panel", ++proven, count);
+    });
     // where monotony of B_m was used, T V_{m-1} stood for T B_{m-1}
     double so_far = 0;
     for (int m = 0; m < levels; ++m) {
@@ -1002,10 +1009,10 @@ namespace {
 /// digits, and with twice as many bits where those were not decided.
 double tolerance_wanted()
 {
-    constexpr double spare = 3.5, finest = 25; // scale 20 loses a digit and a half
+    constexpr double spare = 4.5, finest = 25; // scale 20 loses up to two and a half
     slong bits = WorkingPrecision::bits();
     double more = 0;
-    for (; bits > bits_for_digits(20) + 48; bits /= 2) more += 2.5;
+    for (; bits > bits_for_digits(20) + 48; bits /= 2) more += 1.5;
     const double digits = static_cast<double>(bits - 48 - bits_for_digits(0)) / 3.322;
     return std::pow(10.0, -min(finest, max(4.0, digits) + spare + more));
 }
