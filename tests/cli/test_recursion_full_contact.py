@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How accurate the recursion in double precision is where full contact occurs: verify/subjects/recursion_full_contact.cpp against the
-reference tables, scale by scale. The tables have 12 to 30 digits: half a unit of the last one is taken off.
+reference tables, scale by scale. The tables have 10 to 30 digits: half a unit of the last one is taken off.
 
 usage: test_recursion_full_contact.py --recursion PROGRAM --tables FOLDER
 """

@@ -394,7 +394,7 @@ std::pair<Ball, Ball> of_segments(const Inputs& in)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G >= 2.000001; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100 elsewhere; else estimated for n <= 100", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G >= 2.000001; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100, G > 1.003 elsewhere; else estimated for n <= 100", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
                        if (everywhere_above(in, in.integer("n"), 0)) return Exact(1);
@@ -417,7 +417,7 @@ void add_contact(std::vector<Quantity>& all)
         const WorkingPrecision precision(bits_for_digits(digits) + 48);
         return transfer::proven_levels_certificate(n, [&] { return pressure_ratio(in, n); }, arguments(in));
     };
-    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100; else estimated for n <= 20",
+    all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100, G > 1.003; else estimated for n <= 20",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        if (nothing_at(in, in.integer("n"), true)) return Exact(0);

@@ -1169,6 +1169,21 @@ struct Forward::Implementation {
             return {h, h * (1 / (2 * rest) - R_delta / R + ((R_delta - x) / P - (R_delta + x) / M) / 2)};
         }
     };
+    /// Where the variable of integration over a panel, t with delta = t^2 or y with delta = e^y, is x: delta, and the panel's polynomial.
+    static std::pair<C, C> on_panel(const Panel& panel, const C& x, slong bits)
+    {
+        C delta = panel.logarithmic ? exp(x) : x * x, value;
+        const C xi = ((panel.logarithmic ? x : delta) - C(panel.mid)) / C(panel.half);
+        arb_poly_evaluate_acb(value.get(), panel.polynomial, xi.get(), bits);
+        return {std::move(delta), std::move(value)};
+    }
+    /// delta^(twice/2) ddelta = 2 t^(twice+1) dt
+    static C root_measure(const C& t, long twice, slong bits)
+    {
+        C power;
+        acb_pow_ui(power.get(), t.get(), static_cast<ulong>(twice + 1), bits);
+        return 2 * power;
+    }
     struct SmallIntegrand {
         const Panel* panel;
         const SmallKernel* kernel;
@@ -1179,18 +1194,11 @@ struct Forward::Implementation {
     {
         const SmallIntegrand& w = *static_cast<const SmallIntegrand*>(param);
         const WorkingPrecision scope(w.wide);
-        C x, value;
+        C x;
         acb_set(x.get(), at);
-        const C delta = w.panel->logarithmic ? exp(x) : x * x;
-        const C xi = ((w.panel->logarithmic ? x : delta) - C(w.panel->mid)) / C(w.panel->half);
-        arb_poly_evaluate_acb(value.get(), w.panel->polynomial, xi.get(), w.wide);
-        value = value * w.kernel->at(delta, order != 0).second * exp(delta / 2);
-        if (w.panel->logarithmic) value = value * delta; // ddelta = delta dy
-        else { // delta^(k/2) ddelta = 2 t^(k+1) dt
-            C power;
-            acb_pow_ui(power.get(), x.get(), static_cast<ulong>(w.k + 1), w.wide);
-            value = 2 * value * power;
-        }
+        const auto [delta, E] = on_panel(*w.panel, x, w.wide);
+        const C measure = w.panel->logarithmic ? delta : root_measure(x, w.k, w.wide); // ddelta = delta dy
+        const C value = E * w.kernel->at(delta, order != 0).second * exp(delta / 2) * measure;
         acb_set(out, value.get());
         return 0;
     }
@@ -1286,18 +1294,11 @@ struct Forward::Implementation {
     {
         const Weighted& w = *static_cast<const Weighted*>(param);
         const WorkingPrecision scope(w.wide);
-        C x, value;
+        C x;
         acb_set(x.get(), at);
-        const C d = w.panel->logarithmic ? exp(x) : x * x;
-        const C xi = ((w.panel->logarithmic ? x : d) - C(w.panel->mid)) / C(w.panel->half);
-        arb_poly_evaluate_acb(value.get(), w.panel->polynomial, xi.get(), w.wide);
-        value = value * exp(-d * C(w.c));
-        if (w.panel->logarithmic) value = value * exp(x * C(Ball(w.twice + 2) / 2)); // dd = d dy
-        else {
-            C power;
-            acb_pow_ui(power.get(), x.get(), static_cast<ulong>(w.twice + 1), w.wide);
-            value = 2 * value * power; // dd = 2t dt
-        }
+        const auto [d, u] = on_panel(*w.panel, x, w.wide);
+        const C measure = w.panel->logarithmic ? exp(x * C(Ball(w.twice + 2) / 2)) : root_measure(x, w.twice, w.wide); // dd = d dy
+        const C value = u * exp(-d * C(w.c)) * measure;
         acb_set(out, value.get());
         return 0;
     }
