@@ -4,7 +4,9 @@
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/progress.hpp"
+#include "touchstone/transfer/two_waves.hpp"
 #include "touchstone/transfer/wave_kernel.hpp"
+#include "touchstone/transfer/wide_balls.hpp"
 
 #include <fmt/format.h>
 
@@ -40,21 +42,6 @@ double power(double x, int n)
 /// The larger, and infinite where v is not a number: nothing is known then.
 void raise(double& bound, double v) { bound = v <= infinite ? max(bound, v) : infinite; }
 double size_of(const Real& x) { return std::fabs(x.high) * margin; }
-
-Ball to_ball(const Real& x)
-{
-    if (!std::isfinite(x.high)) return Ball::indeterminate();
-    const WorkingPrecision precision(256);
-    return Ball::exactly(x.high) + Ball::exactly(x.low);
-}
-/// The midpoint, within a relative error of u.
-Real to_real(const Ball& x)
-{
-    const WorkingPrecision precision(256);
-    const double high = arf_get_d(arb_midref(x.get()), ARF_RND_NEAR);
-    const Ball rest = x - Ball::exactly(high);
-    return {high, arf_get_d(arb_midref(rest.get()), ARF_RND_NEAR)};
-}
 
 // ---- panels
 
@@ -97,20 +84,6 @@ int add_clusters(std::vector<Cluster>& all, const std::vector<Panel>& panels, in
     return mine;
 }
 
-struct Gauss { ///< on [-1, 1]
-    Wide nodes, weights;
-    explicit Gauss(int count) : nodes(count), weights(count)
-    {
-        const WorkingPrecision precision(200);
-        for (int i = 0; i < count; ++i) {
-            Ball x, w;
-            arb_hypgeom_legendre_p_ui_root(x.get(), w.get(), static_cast<ulong>(count), static_cast<ulong>(i), precision.bits());
-            nodes.set(i, to_real(x));
-            weights.set(i, to_real(w));
-        }
-    }
-};
-
 /// Chebyshev points of the first kind and T_k there.
 struct ChebyshevPoints {
     Wide at, T; ///< T[k * count + i]
@@ -127,25 +100,62 @@ struct ChebyshevPoints {
 /// The rho of the Bernstein ellipse through focal sum 2(1 + d): what lies within d of [-1, 1] lies inside.
 double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
 
-// ---- B_0: the share of one wave in contact, or under a pressure above P
+/// mu_x(J) = (T 1_J)(x) for any x and |J| = width: proven_levels.md (2)
+double largest_share(double G, double width) { return std::sqrt(G * width / 2); }
+/// T^2 1_J: proven_levels.md, 6
+double largest_second_share(double G, double width)
+{
+    const double l = G * width;
+    return min(largest_share(G, width), margin * l * (1 + 2 * std::sqrt(G) + std::sqrt(2 * G) / pi_below * max(0.0, std::log(1 / (2 * l)))));
+}
+constexpr double lowest_of_densities = 1e-25; // first panel
 
-/// An increasing function with values from 0 to 1, 0 at 0 and at most x^(1/2).
+// ---- B_0: the share of one wave in contact, or under a pressure above P; or the density after two waves
+
 struct First {
     virtual ~First() = default;
     virtual bool is_area() const { return false; }
-    virtual Ball at(const Ball& x) const = 0;
+    /// Whether B_0, and B_m with it, increases from 0 to 1 and is at most x^(1/2). Else it need not be bounded.
+    virtual bool is_share() const { return true; }
+    /// B_0(x) and a bound of the error.
+    virtual std::pair<Real, double> value(const Real& x) const = 0;
     struct Bounds {
         double value, complement; ///< of |B_0| and |1 - B_0|
     };
     /// On the disc of radius r about a real x, of the function that is B_0 on low <= x <= high; infinite if it may not be analytic there.
     virtual Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const = 0;
+    /// What |B_0| + largest counts for on an interval of that width from x on, singular points and all (two_waves.hpp). Only if it is no share.
+    virtual double weight_on(double, double, double) const { return infinite; }
+    /// B_0 is 0 below this.
+    virtual double lowest() const { return 0; }
+};
+
+/// A function known in balls.
+struct Share : First {
+    virtual Ball at(const Ball& x) const = 0;
+    std::pair<Real, double> value(const Real& x) const override
+    {
+        const WorkingPrecision precision(160);
+        const Ball b = at(to_ball(x));
+        return {to_real(b), b.radius_bound() + 2 * u};
+    }
+};
+
+struct Density : First {
+    Density(const Ball& G, const Ball& pressure, double tolerance) : waves(G, pressure, tolerance) {}
+    bool is_share() const override { return false; }
+    std::pair<Real, double> value(const Real& x) const override { return waves.value(x); }
+    Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const override { return {waves.on_disc(low, high, x, r), infinite}; }
+    double weight_on(double x, double width, double largest) const override { return waves.weight_on(x, width, largest); }
+    double lowest() const override { return waves.lowest(); }
+    TwoWaves waves;
 };
 
 /// |arccos w| = |int_w^1 (1 - t^2)^(-1/2) dt| <= 2|1 - w|^(1/2) where Re w >= 0, along the straight line; so where |1 - w| <= 1.
 double arccos_bound(double from_one) { return from_one <= 1 ? 2 * std::sqrt(from_one) : infinite; }
 
 /// (2/pi) arcsin x^(1/2), 1 from x = 1 on.
-struct InContact : First {
+struct InContact : Share {
     bool is_area() const override { return true; }
     Ball at(const Ball& x) const override { return certainly(less(x, Ball(1))) ? 2 * asin(sqrt(x)) / pi<Ball>() : Ball(1); }
     Bounds on_disc(const Real& low, const Real&, const Real& x, double r) const override
@@ -160,7 +170,7 @@ struct InContact : First {
 
 /// (2.17), (2.14): the exceedance of one wave, (1/pi) arccos w, w = P - x where x >= 1, w = R - x, R^2 = (1 - x)^2 + P^2, where P^2/4 <= x < 1.
 /// It is analytic between low_end, 1 and high_end; from the left of 1 so far as R is. w is real for real x only: x = (1 + P^2 - w^2)/(2(1 + w)).
-struct Exceeding : First {
+struct Exceeding : Share {
     explicit Exceeding(const Ball& P_)
         : P(P_), low_end(certainly(less(P_, Ball(2))) ? to_real(P_ * P_ / 4) : to_real(P_ - Ball(1))), high_end(to_real(P_ + Ball(1)))
     {
@@ -277,6 +287,7 @@ struct Layer {
     std::vector<double> rounding;  ///< error of evaluating V_m on the panel, the point's own rounding included
     std::vector<double> jump;      ///< at least the jumps of V_m at the panel's edges and at those of its neighbours
     std::vector<double> size;      ///< sum |c_k|
+    std::vector<double> top;       ///< [cluster * count + m]: at least |V_m| on the cluster
     std::vector<double> noise;     ///< [cluster * count + m]: mean error of V_m on the cluster, from `rounding`
     std::vector<double> largest;   ///< [m]: at least |V_m|
 
@@ -288,6 +299,7 @@ struct Layer {
         add_clusters(clusters, panels, 0, static_cast<int>(panels.size()) - 1);
         weights = Wide(clusters.size() * orders.kernel * count);
         noise.resize(clusters.size() * count);
+        top = noise;
     }
 
     std::size_t at(std::size_t panel, int m) const { return panel * count + m; }
@@ -440,8 +452,8 @@ void Layer::apply(const Real& x, Result& out) const
                 const std::size_t first = static_cast<std::size_t>(index) * orders.kernel * count;
                 if (count == 1) out.value.set(0, out.value[0] + dot(weights, first, out.kernel));
                 else add_products(weights, first, out.kernel, count, out.value);
-                for (int m = 0; m < count; ++m)
-                    out.error[m] += lost.total * largest[m] + lost.measure * noise[static_cast<std::size_t>(index) * count + m];
+                const std::size_t here = static_cast<std::size_t>(index) * count;
+                for (int m = 0; m < count; ++m) out.error[m] += lost.total * top[here + m] + lost.measure * noise[here + m];
                 continue;
             }
         }
@@ -514,9 +526,13 @@ void Layer::set(int m, const Wide& series)
             weight.set(i, inside[from + i]);
         }
         chebyshev_moments(local, weight, orders.kernel, moment);
-        double lost = 0;
-        for (int j = c.first; j <= c.last; ++j) lost += rounding[at(j, m)] * double(panels[j].z1 - panels[j].z0);
+        double lost = 0, most_here = 0;
+        for (int j = c.first; j <= c.last; ++j) {
+            lost += rounding[at(j, m)] * double(panels[j].z1 - panels[j].z0);
+            most_here = max(most_here, size[at(j, m)]);
+        }
         noise[index * count + m] = margin * lost / (2 * double(c.half));
+        top[index * count + m] = most_here;
         for (int q = 0; q < orders.kernel; ++q) {
             Real sum = moment[0];
             for (int k = 1; k < orders.kernel; ++k) sum += 2 * points.T[k * orders.kernel + q] * moment[k];
@@ -553,7 +569,7 @@ struct ProvenLevels::State {
     };
     /// Halves panels of `on` until f, a function of z, is resolved on each of them.
     template <class F>
-    Series resolve(std::vector<Panel> on, const F& f) const;
+    Series resolve(std::vector<Panel> on, const F& f, int m) const;
     /// The coefficients of the polynomials through f at the nodes of the panels.
     template <class F>
     Wide interpolate(const std::vector<Panel>& panels, const F& f) const;
@@ -563,6 +579,30 @@ struct ProvenLevels::State {
     void prove_panel(std::size_t i, const std::vector<double>& overlap_defect, std::vector<char>& by_monotony);
     /// Bounds T D_m on all x from which no ratio above `reach` is met.
     double effect(int m, double reach) const;
+    /// Bounds T^2 D_0.
+    double second_effect() const;
+    /// Bounds T D_0 at the x between low and high.
+    double effect_at(const Real& low, const Real& high) const;
+    /// Bounds what T V_m changes by between x (1 - 4 u) and x (1 + 4 u).
+    double blur(int m, const Real& x) const;
+
+    /// Where |B_m - T V_(m-1)| is not bounded by `defect`. In all else a panel.
+    struct Hole {
+        double from, width, defect;
+    };
+    std::vector<Hole> holes[levels];
+    std::mutex holes_mutex;
+    void add_hole(int m, const Real& low, const Real& high, double defect_)
+    {
+        const std::lock_guard lock(holes_mutex);
+        holes[m].push_back({double(low), double(high - low) * margin + 4 * u * double(high), defect_});
+    }
+    struct Part {
+        double defect, width;
+        Real y0, y1;
+    };
+    /// The panels and holes of level m up to `reach`, the largest defects first.
+    std::vector<Part> parts(int m, double reach) const;
 };
 
 // ---- V_0 ... V_19
@@ -585,7 +625,7 @@ Wide ProvenLevels::State::interpolate(const std::vector<Panel>& panels, const F&
 }
 
 template <class F>
-ProvenLevels::State::Series ProvenLevels::State::resolve(std::vector<Panel> on, const F& f) const
+ProvenLevels::State::Series ProvenLevels::State::resolve(std::vector<Panel> on, const F& f, int m) const
 {
     constexpr std::size_t most = 30'000;
     const std::size_t terms = static_cast<std::size_t>(orders.terms);
@@ -596,8 +636,10 @@ ProvenLevels::State::Series ProvenLevels::State::resolve(std::vector<Panel> on, 
         std::vector<Panel> halves;
         for (std::size_t j = 0; j < on.size(); ++j) {
             const auto c = [&](std::size_t k) { return std::fabs(series.high[j * terms + k]); };
-            const double left = 4 * max({c(terms - 1), c(terms - 2), c(terms - 3)}), share = std::sqrt(double(G) * on[j].width() / 2);
-            if (left <= tolerance * max(c(0), 1e-6) || left * share <= tolerance / 1024) { // the narrow ones are many
+            const double left = 4 * max({c(terms - 1), c(terms - 2), c(terms - 3)}), width = on[j].width();
+            const double share = first->is_share() || m > 0 ? largest_share(double(G), width) : largest_second_share(double(G), width);
+            const bool narrow = !first->is_share() && width <= 8 * narrowest * double(on[j].y1);
+            if (left <= tolerance * max(c(0), 1e-6) || left * share <= tolerance / 1024 || narrow) { // the narrow ones are many
                 done.emplace_back(on[j], std::vector<Real>());
                 for (std::size_t k = 0; k < terms; ++k) done.back().second.push_back(series[j * terms + k]);
                 continue;
@@ -621,16 +663,15 @@ ProvenLevels::State::Series ProvenLevels::State::resolve(std::vector<Panel> on, 
 void ProvenLevels::State::collocate(double highest, const Spoiled& spoiled)
 {
     std::vector<Panel> start;
-    for (Real y = tolerance / 10; y < highest;) {
+    for (Real y = first->is_share() ? tolerance / 10 : lowest_of_densities; y < highest;) {
         const Real next = y * (1 + min(0.6, 0.35 / double(y)));
         start.push_back(panel(y * y, next * next, start.empty()));
         y = next;
     }
     std::vector<Series> found;
     found.push_back(resolve(start, [&](const Real& z) {
-        const WorkingPrecision precision(160);
-        return to_real(first->at(sqrt(to_ball(z))));
-    }));
+        return first->value(sqrt(z)).first;
+    }, 0));
     for (int m = 1; m < levels; ++m) {
         progress("mesh, level", m, levels);
         Layer before(orders, gauss, kernel_points, exact, G, tolerance, found.back().panels, 1);
@@ -639,7 +680,7 @@ void ProvenLevels::State::collocate(double highest, const Spoiled& spoiled)
             thread_local Result result;
             before.apply(sqrt(z), result);
             return result.value[0];
-        }));
+        }, m));
     }
     all = std::make_unique<Layer>(orders, gauss, kernel_points, exact, G, tolerance, found.back().panels, levels);
     for (int m = 0; m < levels; ++m) { // on the last mesh, of which each panel is a part of one of each earlier mesh
@@ -684,33 +725,33 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
         const auto [low, high] = waiting.back();
         waiting.pop_back();
         const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
-        const double x_ = double(x), h = size_of(half), r = h * check.spread, small = max(1e-6 * width, 2 * narrowest * x_);
+        const bool share = first->is_share();
+        const double x_ = double(x), h = size_of(half), r = h * check.spread, small = max(share ? 1e-6 * width : 0, 2 * narrowest * x_);
         if (low < 1 && high > 1) { // what is on either side need not be one analytic function
             waiting.emplace_back(low, Real(1));
             waiting.emplace_back(Real(1), high);
             continue;
         }
         const auto local = [&](const Real& v) { return (v * v - p.centre) / p.half; };
-        const auto value = [&](const Real& v) { // and its error
-            const Ball b = first->at(to_ball(v));
-            return std::pair{to_real(b), b.radius_bound() + 2 * u};
-        };
+        const auto value = [&](const Real& v) { return first->value(v); };
         const auto [of_value, of_complement] = first->on_disc(low, high, x, r);
         const double rho = ellipse_of_distance((2 * x_ * r + r * r) / half_z), from_one = size_of(all->coefficients[all->row(i, 0)] - 1);
         const double bound = margin * min(of_value + all->growth_at(i, 0, rho), of_complement + from_one + all->growth_at(i, 0, rho, 1)) * check.tail;
-        if (!(bound <= tolerance / 16) && h > small) {
-            waiting.emplace_back(low, x);
-            waiting.emplace_back(x, high);
-        }
-        else if (bound < infinite && h >= narrowest * x_) {
-            double most = 0;
-            for (std::size_t n = 0; n < check.points.at.size(); ++n) {
+        double most = infinite;
+        if (bound <= (h > small || !share ? tolerance / 16 : infinite) && bound < infinite && h >= narrowest * x_) {
+            most = 0;
+            for (std::size_t n = 0; n < check.points.at.size() && most < infinite; ++n) {
                 const Real at = x + half * check.points.at[n];
                 const auto [v, error] = value(at);
                 raise(most, size_of(v - all->value(i, 0, local(at))) + error);
             }
-            raise(D, margin * (check.lebesgue * (most + 2 * rounding) + bound));
         }
+        if (most < infinite) raise(D, margin * (check.lebesgue * (most + 2 * rounding) + bound));
+        else if (h > small) {
+            waiting.emplace_back(low, x);
+            waiting.emplace_back(x, high);
+        }
+        else if (!share) add_hole(0, low, high, first->weight_on(double(low), double(high - low), all->size[i * levels]));
         else { // increasing, between its ends
             double change = 0;
             for (int k = 1; k < orders.terms; ++k) change += all->magnitude(i, k, 0) * k * k;
@@ -755,7 +796,12 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
         waiting.pop_back();
         const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
         const double x_ = double(x), h = size_of(half), above_one = double(x - 1);
-        const bool seam = low < 1 && high > 1;
+        const bool seam = low < 1 && high > 1, share = first->is_share();
+        if (seam && !share) {
+            waiting.emplace_back(low, Real(1));
+            waiting.emplace_back(Real(1), high);
+            continue;
+        }
         bool hopeless = false; // halving would not help
         End ends[2];
         double middle = 0;
@@ -800,7 +846,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
             return true;
         };
         double bounds[levels];
-        const double small = max(1e-6 * width, 2 * narrowest * x_);
+        const double small = max(share ? 1e-6 * width : 0, 2 * narrowest * x_);
         const Check* check = nullptr;
         for (const Check& c : checks) { // the fewest points first
             const double r = h * c.spread;
@@ -812,7 +858,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
                 for (const End& e : ends)
                     if (e.panel >= 0) bound += e.factor * all->growth_at(e.panel, m - 1, ellipse_of_distance(e.distance));
                 bounds[m] = margin * bound * c.tail;
-                enough = bounds[m] <= tolerance / 4 || (h <= 100 * small && &c == &checks.back() && bounds[m] < infinite);
+                enough = bounds[m] <= tolerance / 4 || (share && h <= 100 * small && &c == &checks.back() && bounds[m] < infinite);
             }
             if (enough) {
                 check = &c;
@@ -822,6 +868,17 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
         if (!check && h > small && !(hopeless && h < 0.02 * width)) {
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
+            continue;
+        }
+        if (!check && !share) { // T V at the middle, and what two laws mu_x of ratios, a distance h apart, may differ by
+            all->apply(x, here);
+            for (int m = 1; m < levels; ++m) {
+                double slope = 0;
+                for (int k = 1; k < terms; ++k) slope += all->magnitude(i, k, m) * k * k;
+                const double change = min(slope * double(high * high - low * low) / half_z, 2 * all->size[at(i, m)]);
+                const Real v = all->value(i, m, (x * x - p.centre) / p.half);
+                add_hole(m, low, high, margin * (size_of(here.value[m - 1] - v) + here.error[m - 1] + change + 2 * rounding[at(i, m)] + std::sqrt(32 * h) * all->largest[m - 1]));
+            }
             continue;
         }
         if (!check) { // B_m is increasing: between its values at the ends
@@ -899,23 +956,82 @@ void ProvenLevels::State::prove()
     }
 }
 
+std::vector<ProvenLevels::State::Part> ProvenLevels::State::parts(int m, double reach) const
+{
+    const auto& panels = all->panels;
+    std::vector<Part> found;
+    for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
+        found.push_back({defect[i * levels + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1});
+    for (const Hole& h : holes[m])
+        if (h.from <= reach) found.push_back({h.defect, h.width, Real(h.from) * Real{1, -2 * u}, (Real(h.from) + h.width) * Real{1, 2 * u}});
+    std::sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.defect > b.defect; });
+    return found;
+}
+
+/// The least of d + sum over the parts with a defect above d of that times their weight.
+template <class Parts, class Weight>
+static double least_sum(const Parts& parts, const Weight& weight)
+{
+    double best = infinite, above = 0;
+    for (const auto& p : parts) {
+        best = min(best, above + p.defect);
+        above += p.defect * weight(p);
+    }
+    return min(best, above);
+}
+
 double ProvenLevels::State::effect(int m, double reach) const
 {
-    // T D <= d + sum over the panels with D > d of D times the largest share of theta a panel can have, (G width/2)^(1/2)
-    const auto& panels = all->panels;
-    std::vector<std::pair<double, double>> parts;
-    for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
-        parts.emplace_back(defect[i * levels + m], std::sqrt(margin * double(G) * (panels[i].width() + 4 * u * double(panels[i].y1)) / 2));
-    std::sort(parts.rbegin(), parts.rend());
-    double best = infinite, above = 0;
-    for (const auto& [d, share] : parts) {
-        best = min(best, above + d);
-        above += d * share;
+    // T D <= d + sum over the parts with D > d of D times the largest share of theta a part can have
+    const double best = least_sum(parts(m, reach), [&](const Part& p) { return largest_share(margin * double(G), p.width); });
+    const double y = double(all->panels.front().y0); // below it V = 0
+    double below;
+    if (!first->is_share()) below = m == 0 ? 0 : margin * (std::sqrt(y) * all->largest[m - 1] + sum_of_effects[m - 1]); // B_m = T B_{m-1}, T 1 <= x^(1/2)
+    // B_m(x) <= B_m(y) <= B_0(y) <= y^(1/2)
+    else below = m == 0 ? std::sqrt(y) : min(std::sqrt(y), margin * (all->size[m] + defect[m] + sum_of_effects[m - 1]));
+    return margin * (best + below * largest_share(double(G), y));
+}
+
+double ProvenLevels::State::second_effect() const
+{
+    return margin * least_sum(parts(0, infinite), [&](const Part& p) { return largest_second_share(margin * double(G), p.width); });
+}
+
+/// At least mu_x([y0, y1]) for low <= x <= high, on one side of 1.
+static double share_of(const Real& G, const Real& low, const Real& high, const Real& y0, const Real& y1)
+{
+    const bool full = low >= 1;
+    const Kernel a(high, G, full), b(low, G, full); // c falls with x and rises with y
+    const double slack = 64 * u * (1 + double(high)), width = double(y1 - y0) * margin + slack;
+    if (full ? double(G * y0 - 1 - high) > slack || double(low - 1 - G * y1) > slack : double(y0 * y0 / a.end - 1) > slack) return 0;
+    const double g = double(G), any = largest_share(g, width);
+    const double to_end = double(b.one_minus_c(y1 * y1)) - slack, to_begin = double(a.one_plus_c(y0 * y0)) - slack;
+    if (!(to_end > 0 && to_begin > 0)) return any;
+    return min(any, margin * g * width / (pi_below * std::sqrt(min(to_end, 1.0) * min(to_begin, 1.0))));
+}
+
+double ProvenLevels::State::effect_at(const Real& low, const Real& high) const
+{
+    return margin * least_sum(parts(0, infinite), [&](const Part& p) { return share_of(G, low, high, p.y0, p.y1); });
+}
+
+double ProvenLevels::State::blur(int m, const Real& x) const
+{
+    // theta kept, z G^2 = (x + c)^2, resp. (1 + c)(2x - 1 + c), moves by less than 5 u x (1 + x); an edge that moves by dz loses the jump of V on a share
+    const Real low = x * Real{1, -4 * u}, high = x * Real{1, 4 * u};
+    const double x_ = double(x), dz = 40 * u * x_ * (1 + x_) / (double(G) * double(G));
+    double sum = 0;
+    for (std::size_t i = 0; i < all->panels.size(); ++i) {
+        const Panel& p = all->panels[i];
+        const double share = share_of(G, low, high, p.y0, p.y1);
+        if (share == 0) continue;
+        double slope = 0;
+        for (int k = 1; k < orders.terms; ++k) slope += all->magnitude(i, k, m) * k * k;
+        const double dy = min(std::sqrt(dz), dz / double(p.y0));
+        sum += share * min(slope * dz / double(p.half), 2 * all->size[i * levels + m])
+             + all->jump[i * levels + m] * share_of(G, low, high, p.y0 - Real(dy), p.y0 + Real(dy));
     }
-    best = min(best, above);
-    const double first = double(panels.front().y0); // below it V = 0, and B_m(x) <= B_m(first) <= B_0(first) <= first^(1/2)
-    const double below = m == 0 ? std::sqrt(first) : min(std::sqrt(first), margin * (all->size[m] + defect[m] + sum_of_effects[m - 1]));
-    return margin * (best + below * std::sqrt(double(G) * first / 2));
+    return margin * sum;
 }
 
 // ---- values
@@ -944,6 +1060,18 @@ ProvenLevels::ProvenLevels(const Ball& G, const Ball& pressure, double highest, 
         throw BeyondReach("the pressure must be above 0 and known to 101 bits");
     state_ = made(G, std::make_unique<Exceeding>(pressure), highest, tolerance, spoiled);
 }
+ProvenLevels ProvenLevels::densities(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& spoiled)
+{
+    const Ball nearest = to_ball(to_real(pressure));
+    if (!certainly(less(Ball(0), pressure)) || !certainly(less(abs(nearest / pressure - Ball(1)), Ball::exactly(u))))
+        throw BeyondReach("the pressure must be above 0 and known to 101 bits");
+    ProvenLevels result;
+    auto first = std::make_unique<Density>(G, pressure, tolerance / 64);
+    if (!(first->lowest() > 2 * lowest_of_densities)) throw BeyondReach("the pressure is too low for the proven levels");
+    result.state_ = made(G, std::move(first), highest, tolerance, spoiled);
+    return result;
+}
+ProvenLevels::ProvenLevels() = default;
 ProvenLevels::~ProvenLevels() = default;
 ProvenLevels::ProvenLevels(ProvenLevels&&) noexcept = default;
 
@@ -966,9 +1094,10 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
     std::vector<double> reach{top};
     for (int k = 0; k <= levels; ++k)
         reach.push_back((reach.back() < 1 ? 2 * std::sqrt(reach.back()) / g : (reach.back() + 1) / g) * (1 + 0x1p-50));
+    const bool share = s.first->is_share();
     Result below, above;
-    s.all->apply(low, below);
-    s.all->apply(high, above);
+    s.all->apply(share ? low : x, below);
+    s.all->apply(share ? high : x, above);
     // T^k 1 <= c x^a: by Hoelder's inequality T x^a <= (T x)^a (T 1)^(1-a) <= (x/G)^a x^((1-a)/2)
     std::vector<double> at_most{1};
     for (double k = 1, c = 1, a = 0.5; k <= levels; ++k, c /= std::pow(g, a), a = (1 + a) / 2) at_most.push_back(min(at_most.back(), margin * c * std::pow(top, a)));
@@ -977,14 +1106,21 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
         double lost = 0;
         if (budget) budget->clear();
         for (int m = 0; m < scale; ++m) {
-            const double effect = s.effect(m, reach[scale - m]), weight = at_most[scale - m - 1];
+            double effect, weight = at_most[scale - m - 1];
+            if (share || m > 0) effect = s.effect(m, reach[scale - m]);
+            else if (scale == 1) effect = s.effect_at(low, high);
+            else {
+                effect = s.second_effect();
+                weight = at_most[scale - 2];
+            }
             lost += margin * effect * weight;
             if (budget) budget->push_back({m, effect, weight});
         }
+        if (!share) lost += s.blur(scale - 1, x);
         const auto bound = [&](const Result& r) { return Ball::exactly(margin * (r.error[scale - 1] + lost)); };
         const Ball least = to_ball(below.value[scale - 1]) - bound(below), most = to_ball(above.value[scale - 1]) + bound(above);
         if (s.first->is_area() && scale < levels) at_most[scale + 1] = min(at_most[scale + 1], margin * arf_get_d(arb_midref(most.get()), ARF_RND_UP));
-        result = hull(certainly(less(least, Ball(0))) ? Ball(0) : least, certainly(less(Ball(1), most)) ? Ball(1) : most);
+        result = hull(certainly(less(least, Ball(0))) ? Ball(0) : least, share && certainly(less(Ball(1), most)) ? Ball(1) : most);
     }
     return result;
 }

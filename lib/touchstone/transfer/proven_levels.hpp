@@ -38,6 +38,8 @@ public:
     ProvenLevels(const Ball& G, double highest, double tolerance, const Spoiled& = {});
     /// Shares above `pressure` > 0 in units of p*_n, the same at every scale.
     ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& = {});
+    /// Densities instead, -dB_m/dP: share(n, load) is q_{n+1} p*_{n+1} at P = pressure, n <= 19. Level 0 is two waves (two_waves.hpp).
+    static ProvenLevels densities(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& = {});
     ~ProvenLevels();
     ProvenLevels(ProvenLevels&&) noexcept;
 
@@ -50,6 +52,7 @@ public:
     struct State; ///< internal
 
 private:
+    ProvenLevels();
     std::unique_ptr<State> state_;
 };
 

@@ -4,12 +4,6 @@
 
 #include <cstring>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define TOUCHSTONE_CLONES [[gnu::target_clones("default", "arch=x86-64-v3")]] // the same results, faster
-#else
-#define TOUCHSTONE_CLONES
-#endif
-
 namespace touchstone::transfer {
 namespace {
 

@@ -1,0 +1,445 @@
+// SPDX-License-Identifier: MIT
+// Compiled with -O3 -fno-math-errno -ffp-contract=off, as wave_kernel.cpp.
+#include "touchstone/transfer/two_waves.hpp"
+
+#include "touchstone/catalogue/quantity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstring>
+#include <limits>
+
+namespace touchstone::transfer {
+namespace {
+
+using Real = TwoWaves::Real;
+using Four = DoubleDouble<Lanes>;
+using std::max, std::min;
+
+constexpr double u = 0x1p-101;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double margin = 1.001;
+constexpr double pi_below = 3.14159265358979311;
+constexpr double rho = 3;            // of the ellipse on which the integrand of a panel is bounded
+constexpr std::size_t most_cuts = 200; // panels of one half
+constexpr slong end_bits = 256;
+
+/// Where the integrand is not smooth. lower: P^2/4, bottom: P - 1, top: P + 1 (second wave); begin, end: of the first; seam: 1.
+enum class Point { lower, bottom, top, begin, end, seam };
+
+struct Unclear {}; ///< two points cannot be told from one another
+
+/// A disc of complex numbers: centre and radius, in binary64, the radius enlarged for every rounding.
+class Disc {
+public:
+    Disc(double c = 0, double r = 0) : c_(c), r_(r) {}
+    Disc(std::complex<double> c, double r) : c_(c), r_(r + tiny * (std::abs(c) + r)) {}
+    double most() const { return std::abs(c_) + r_; }
+
+    friend Disc operator+(const Disc& a, const Disc& b) { return {a.c_ + b.c_, a.r_ + b.r_}; }
+    friend Disc operator-(const Disc& a, const Disc& b)
+    {
+        return {a.c_ - b.c_, a.r_ + b.r_};
+    }
+    friend Disc operator*(const Disc& a, const Disc& b) { return {product(a.c_, b.c_), std::abs(a.c_) * b.r_ + a.r_ * (std::abs(b.c_) + b.r_)}; }
+    friend Disc operator/(const Disc& a, const Disc& b)
+    {
+        const double d = std::norm(b.c_) - b.r_ * b.r_; // 1/b is the disc about conj(b)/d
+        if (!(d > 0)) return {0, infinite};
+        return a * Disc(std::conj(b.c_) / d, b.r_ / d);
+    }
+    /// Analytic, with a positive real part; infinite if the disc meets the negative axis.
+    friend Disc sqrt(const Disc& a)
+    {
+        const double size = std::abs(a.c_);
+        if (!(a.r_ < (a.c_.real() >= 0 ? size : std::fabs(a.c_.imag())))) return {0, infinite};
+        const std::complex<double> s = std::sqrt(a.c_);
+        return {s, std::abs(s) * (1 - std::sqrt(1 - a.r_ / size) + tiny)}; // |s| times the most of |(1 + t)^(1/2) - 1|, |t| <= r/|c|
+    }
+
+private:
+    static constexpr double tiny = 0x1p-48;
+    static std::complex<double> product(std::complex<double> a, std::complex<double> b)
+    {
+        return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+    }
+    std::complex<double> c_;
+    double r_;
+};
+
+/// One half of a piece of the integral.
+struct Side {
+    bool full, left; ///< y >= 1; seen from its left end
+    Point from;      ///< the end
+    Point near[2];   ///< singular points at it and beyond, the nearest first
+    int nears;
+    bool paired;     ///< near[1] is delta away from near[0]; else a point is made up
+    double delta;
+    Point to;        ///< the other end of the piece
+    Point far[2];    ///< singular points there and beyond
+    int fars;
+};
+
+/// The numbers of a half at one x.
+template <class S>
+struct Half {
+    bool full_first, full, left, made_up, second;
+    int fars;
+    S x, one_minus_x, G, P;
+    S from, to_one, wave_end; ///< the end, 1 - end, and where the first wave ends
+    S quarter, beyond;        ///< delta/4; distance of the made-up point from the end
+    S gap, far[2];            ///< distances from the end
+    S tau0, s0, length;       ///< the variable runs from tau0 to tau0 + length; s = tau - 1/tau
+};
+
+template <class S>
+struct Roots { ///< of a quotient of products
+    S above{1}, below{1};
+    TOUCHSTONE_INLINE void up(const S& v) { above = above * v; }
+    TOUCHSTONE_INLINE void down(const S& v) { below = below * v; }
+    TOUCHSTONE_INLINE S value() const { return sqrt(above / below); }
+};
+template <>
+struct Roots<Disc> {
+    Disc above{1}, below{1};
+    void up(const Disc& v) { above = above * sqrt(v); }
+    void down(const Disc& v) { below = below * sqrt(v); }
+    Disc value() const { return above / below; }
+};
+/// pi^2 times the integrand, at tau0 + eta.
+template <class S>
+TOUCHSTONE_INLINE S integrand(const Half<S>& h, const S& eta)
+{
+    const S tau = h.tau0 + eta, step = eta * (1 + 1 / (tau * h.tau0)), v = h.quarter * (step * (step + h.s0 + h.s0));
+    const S y = h.left ? h.from + v : h.from - v;
+    Roots<S> roots;
+    S factor = 2 / tau;
+    if (h.made_up) roots.up(h.beyond + v);
+    if (h.second) roots.down(h.gap + v);
+    for (int k = 0; k < h.fars; ++k) roots.down(h.far[k] - v);
+    if (!h.full_first) {
+        const S gy = h.G * y, r = sqrt(h.one_minus_x * h.one_minus_x + gy * gy);
+        roots.up(1 + h.x + r);
+        roots.down((h.wave_end + y));
+        roots.down((r + h.one_minus_x));
+        factor = factor * (gy / r);
+    }
+    if (!h.full) {
+        const S rest = h.left ? h.to_one - v : h.to_one + v, r = sqrt(rest * rest + h.P * h.P);
+        roots.up(1 + y + r);
+        roots.down(rest + r);
+        factor = factor * (h.P / (r + r));
+    }
+    return factor * roots.value();
+}
+
+TOUCHSTONE_INLINE Half<Four> spread(const Half<Real>& h)
+{
+    return {h.full_first, h.full,         h.left,    h.made_up,   h.second,        h.fars,
+            Four(h.x),    Four(h.one_minus_x), Four(h.G), Four(h.P), Four(h.from), Four(h.to_one),
+            Four(h.wave_end), Four(h.quarter), Four(h.beyond), Four(h.gap), {Four(h.far[0]), Four(h.far[1])}, Four(h.tau0), Four(h.s0), Four(h.length)};
+}
+
+TOUCHSTONE_CLONES
+Real integral(const Half<Real>& half, const std::vector<double>& cuts, const Gauss& gauss)
+{
+    const Half<Four> h = spread(half);
+    Four sum{};
+    for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
+        const Real width = half.length * (Real(cuts[c + 1]) - Real(cuts[c])) * 0.5;
+        const Four first(half.length * cuts[c]), unit(width);
+        for (std::size_t i = 0; i < gauss.nodes.size(); i += 4) {
+            Four node, weight;
+            std::memcpy(&node.high, gauss.nodes.high.data() + i, sizeof node.high);
+            std::memcpy(&node.low, gauss.nodes.low.data() + i, sizeof node.low);
+            std::memcpy(&weight.high, gauss.weights.high.data() + i, sizeof weight.high);
+            std::memcpy(&weight.low, gauss.weights.low.data() + i, sizeof weight.low);
+            sum += unit * weight * integrand(h, first + unit * (1 + node));
+        }
+    }
+    const Real a{sum.high[0], sum.low[0]}, b{sum.high[1], sum.low[1]}, c{sum.high[2], sum.low[2]}, d{sum.high[3], sum.low[3]};
+    return (a + b) + (c + d);
+}
+
+} // namespace
+
+struct TwoWaves::Ends {
+    Ball G, P;
+    Real G_near, P_near;
+    double tolerance;
+    Gauss gauss;
+    double rule; ///< error of the rule on [-1, 1], per unit of the integrand on the ellipse
+    Ball lower, bottom, top;
+
+    Ends(const Ball& G_, const Ball& P_, double tolerance_)
+        : G(G_), P(P_), G_near(to_real(G_)), P_near(to_real(P_)), tolerance(tolerance_),
+          gauss(4 * static_cast<int>(std::ceil((4 - std::log10(tolerance_)) * std::log(10.0) / (2 * std::log(rho)) / 4)))
+    {
+        const WorkingPrecision precision(end_bits);
+        lower = P * P / 4;
+        bottom = P - 1;
+        top = P + 1;
+        rule = margin * 64 / 15 / (std::pow(rho, 2.0 * static_cast<double>(gauss.nodes.size()) - 2) * (1 - 1 / (rho * rho)));
+    }
+
+    Ball at(Point p, const Ball& x, bool full_first) const
+    {
+        switch (p) {
+        case Point::lower: return lower;
+        case Point::bottom: return bottom;
+        case Point::top: return top;
+        case Point::begin: return (x - 1) / G;
+        case Point::end: return full_first ? (x + 1) / G : 2 * sqrt(x) / G;
+        case Point::seam: break;
+        }
+        return Ball(1);
+    }
+};
+
+namespace {
+
+/// The integral at one x.
+class AtX {
+public:
+    AtX(const TwoWaves::Ends& ends, const Real& x) : ends_(ends), near_(x), x_(to_ball(x)), full_(x >= 1)
+    {
+        // y < 1
+        if (sign(Point::lower, Point::seam) < 0 && sign(Point::bottom, Point::seam) < 0 && sign(Point::end, Point::lower) > 0
+            && !(full_ && sign(Point::begin, Point::seam) >= 0)) {
+            std::vector<Point> left{Point::lower};
+            if (full_) left.insert(sign(Point::begin, Point::lower) > 0 ? left.begin() : left.end(), Point::begin);
+            add(false, left.front(), left, sign(Point::end, Point::seam) >= 0 ? Point::seam : Point::end, {Point::end});
+        }
+        // y >= 1
+        if (sign(Point::end, Point::seam) > 0 && sign(Point::end, Point::bottom) > 0 && !(full_ && sign(Point::begin, Point::top) >= 0)) {
+            std::vector<Point> left{Point::bottom}, right{Point::top};
+            if (full_) left.insert(sign(Point::begin, Point::bottom) > 0 ? left.begin() : left.end(), Point::begin);
+            right.insert(sign(Point::end, Point::top) < 0 ? right.begin() : right.end(), Point::end);
+            add(true, sign(left.front(), Point::seam) >= 0 ? left.front() : Point::seam, left, right.front(), right);
+        }
+    }
+
+    /// The value, and a bound of its error.
+    std::pair<Real, double> value() const
+    {
+        constexpr Real inverse_pi{0x1.45f306dc9c883p-2, -0x1.6b01ec5417056p-56};
+        Real sum = 0;
+        double error = 0;
+        for (const Side& side : sides_) {
+            const Half<Real> h = half(side);
+            const auto [cuts, lost] = panels(h);
+            if (!(lost < infinite)) return {sum, infinite};
+            sum += integral(h, cuts, ends_.gauss);
+            error += lost;
+        }
+        sum = sum * inverse_pi * inverse_pi;
+        return {sum, margin * (error / (pi_below * pi_below) + 2000 * u * std::fabs(sum.high))}; // all terms are positive, distances are sums of positive terms
+    }
+
+private:
+    /// of p - q
+    int sign(Point p, Point q) const
+    {
+        const WorkingPrecision precision(end_bits);
+        const Ball d = ends_.at(p, x_, full_) - ends_.at(q, x_, full_);
+        if (certainly(less(Ball(0), d))) return 1;
+        if (certainly(less(d, Ball(0)))) return -1;
+        if (arb_is_zero(d.get())) return 0;
+        throw Unclear();
+    }
+    Ball difference(Point p, Point q) const
+    {
+        if (p == q) return Ball(0);
+        const WorkingPrecision precision(end_bits);
+        return ends_.at(p, x_, full_) - ends_.at(q, x_, full_);
+    }
+    Real distance(Point p, Point q) const { return abs(to_real(difference(p, q))); }
+
+    void add(bool full, Point a, const std::vector<Point>& left, Point b, const std::vector<Point>& right)
+    {
+        for (const bool from_left : {true, false}) {
+            const auto &near = from_left ? left : right, &far = from_left ? right : left;
+            Side s{};
+            s.full = full;
+            s.left = from_left;
+            s.from = from_left ? a : b;
+            s.to = from_left ? b : a;
+            s.nears = static_cast<int>(near.size());
+            s.fars = static_cast<int>(far.size());
+            std::copy(near.begin(), near.end(), s.near);
+            std::copy(far.begin(), far.end(), s.far);
+            const double first = double(distance(near[0], s.from));
+            if (near.size() == 2) s.paired = near[0] == s.from || double(distance(near[1], s.from)) >= 2 * first;
+            if (!s.paired) {
+                const double P = double(ends_.P_near);
+                s.delta = first > 0 ? first : full ? 1 : from_left ? P * P / 4 : std::hypot(double(distance(Point::seam, s.from)), P);
+            }
+            sides_.push_back(s);
+        }
+    }
+
+    Half<Real> half(const Side& side) const
+    {
+        const WorkingPrecision precision(end_bits);
+        Half<Real> h;
+        h.full_first = full_;
+        h.full = side.full;
+        h.left = side.left;
+        h.made_up = !side.paired;
+        h.second = side.nears == 2 && !side.paired;
+        h.fars = side.fars;
+        const Real first = distance(side.near[0], side.from), length = distance(side.to, side.from) * 0.5;
+        const Real delta = side.paired ? distance(side.near[1], side.near[0]) : Real(side.delta);
+        h.x = near_;
+        h.one_minus_x = 1 - near_;
+        h.G = ends_.G_near;
+        h.P = ends_.P_near;
+        h.from = to_real(ends_.at(side.from, x_, full_));
+        h.to_one = to_real(difference(Point::seam, side.from));
+        h.wave_end = to_real(ends_.at(Point::end, x_, full_));
+        h.beyond = first + delta;
+        h.gap = side.nears == 2 ? distance(side.near[1], side.from) : Real(0);
+        for (int k = 0; k < 2; ++k) h.far[k] = k < side.fars ? distance(side.far[k], side.from) : Real(1);
+        h.quarter = delta / 4;
+        h.s0 = 2 * sqrt(first / delta);
+        const Real ratio = length / delta, s1 = sqrt(h.s0 * h.s0 + 4 * ratio), r0 = sqrt(1 + h.s0 * h.s0 / 4), r1 = sqrt(1 + s1 * s1 / 4);
+        h.tau0 = h.s0 / 2 + r0;
+        h.length = 2 * ratio / (s1 + h.s0) + ratio / (r0 + r1);
+        return h;
+    }
+
+    /// Cuts of the variable, 0 ... 1, on which Gauss's rule will do, and its error.
+    std::pair<std::vector<double>, double> panels(const Half<Real>& half) const
+    {
+        const Half<Disc> h = in_discs(half);
+        const double length = double(half.length), tau0 = double(half.tau0), share = ends_.tolerance / 512;
+        std::vector<double> edges{1}, cuts{0};
+        double t = tau0;
+        while (t < 0.75 * length) t *= 2; // tau = 2 tau0, 4 tau0, ...
+        for (t /= 2; t >= 0.99 * tau0 && length > tau0; t /= 2) edges.push_back(t / length);
+        edges.push_back(0);
+        double lost = 0;
+        while (edges.size() > 1) {
+            const double from = edges.back(), to = edges[edges.size() - 2], width = length * (to - from) / 2;
+            const double most = bound(h, length * (from + to) / 2, width), error = (ends_.rule + 16 * u) * most * width;
+            if (error <= share) {
+                lost += margin * error;
+                cuts.push_back(to);
+                edges.pop_back();
+                continue;
+            }
+            if (cuts.size() + edges.size() > most_cuts || to - from < 1e-12) return {cuts, infinite};
+            edges.insert(edges.end() - 1, (from + to) / 2);
+        }
+        return {cuts, lost};
+    }
+    /// Bounds the integrand on the ellipse about mid +- half; its upper half is covered by squares, conjugates do the rest.
+    static double bound(const Half<Disc>& h, double mid, double half)
+    {
+        constexpr double wide = (rho + 1 / rho) / 2, high = (rho - 1 / rho) / 2;
+        constexpr int columns = 6, rows = 3;
+        constexpr double a = wide / columns, b = high / (2 * rows); // halves of a rectangle's sides
+        const double radius = half * std::hypot(a, b) * margin;
+        double most = 0;
+        for (int i = 0; i < columns; ++i)
+            for (int k = 0; k < rows; ++k) {
+                const double re = (2 * i + 1) * a - wide, im = (2 * k + 1) * b;
+                const double inner_re = max(0.0, std::fabs(re) - a) / wide, inner_im = (im - b) / high;
+                if (inner_re * inner_re + inner_im * inner_im > margin) continue;
+                const double here = integrand(h, Disc({mid + half * re, half * im}, radius)).most();
+                if (!(here < infinite)) return infinite;
+                most = max(most, here);
+            }
+        return margin * most;
+    }
+    static Half<Disc> in_discs(const Half<Real>& h)
+    {
+        const auto d = [](const Real& v) { return Disc(std::complex<double>(v.high), 0); };
+        return {h.full_first, h.full, h.left, h.made_up, h.second, h.fars, d(h.x), d(h.one_minus_x), d(h.G), d(h.P), d(h.from), d(h.to_one),
+                d(h.wave_end), d(h.quarter), d(h.beyond), d(h.gap), {d(h.far[0]), d(h.far[1])}, d(h.tau0), d(h.s0), d(h.length)};
+    }
+
+    const TwoWaves::Ends& ends_;
+    Real near_;
+    Ball x_;
+    bool full_;
+    std::vector<Side> sides_;
+};
+
+} // namespace
+
+TwoWaves::TwoWaves(const Ball& G, const Ball& pressure, double tolerance) : ends_(std::make_unique<const Ends>(G, pressure, tolerance)) {}
+TwoWaves::~TwoWaves() = default;
+TwoWaves::TwoWaves(TwoWaves&&) noexcept = default;
+
+double TwoWaves::lowest() const
+{
+    const double G = double(ends_->G_near), P = double(ends_->P_near), x = G * (P < 2 ? P * P / 4 : P - 1); // the first wave has to reach the second's support
+    return 0.999 * (x < 2 ? x * x / 4 : x - 1);
+}
+
+std::pair<Real, double> TwoWaves::value(const Real& x) const
+{
+    try {
+        return AtX(*ends_, x).value();
+    }
+    catch (const Unclear&) {
+        return {0, infinite};
+    }
+}
+
+double TwoWaves::on_disc(const Real& low, const Real& high, const Real& x, double r) const
+{
+    // the ends of the first wave move by less than 0.3 of their distance from every point that matters
+    constexpr double share = 0.3, most = 75;
+    const bool full_first = low >= 1;
+    const double x_ = double(x), P = double(ends_->P_near), G = double(ends_->G_near);
+    if (!full_first && (high > 1 || !(r < share * double(1 - x)) || !(r < share * x_))) return infinite;
+    const double moved = margin * (full_first ? r / G : 2 * r / (G * std::sqrt(x_)));
+    double nearest = full_first ? 2 / G : infinite;
+    const WorkingPrecision precision(end_bits);
+    const Ball at = to_ball(x);
+    for (const Point end : {Point::begin, Point::end}) {
+        if (end == Point::begin && !full_first) continue;
+        const Ball y = ends_->at(end, at, full_first);
+        const auto consider = [&](const Ball& s) { nearest = min(nearest, std::fabs(double(to_real(y - s)))); };
+        if (P < 2) consider(ends_->lower);
+        if (P < 2.000001) consider(Ball(1));
+        if (P > 1.999999) consider(ends_->bottom);
+        consider(ends_->top);
+    }
+    if (!(moved < share * nearest)) return infinite;
+    const auto [v, error] = value(x);
+    return margin * most * (std::fabs(v.high) + error);
+}
+
+double TwoWaves::weight_on(double x, double width, double largest) const
+{
+    // d(y) <= sum of c |y - s|^(-1/2); within `near` of s also k(x, y) <= c_k |y - e|^(-1/2), e the ends of the first wave
+    const double G = double(ends_->G_near), P = double(ends_->P_near);
+    double sum = largest;
+    const auto singular = [&](double s, double c) {
+        const double near = min({s / 2, 1 / (2 * G)});
+        const double c_k = x >= 1 ? 2 * std::sqrt(G) / pi_below : 2 * std::sqrt(2.0) / (pi_below * std::sqrt(G) * s); // both ends, resp. one
+        // log(1/distance of e from s) counts as if distance were width/(2 G), plus 2: e moves by at least 1/G of x
+        const double logarithm = pi_below + 2 * std::log(4 * (1 + near / width)) + 2 * (max(0.0, std::log(2 * G)) + 2);
+        sum += c * (1 / std::sqrt(near) + c_k * logarithm);
+    };
+    if (P < 0.5) {
+        const double lower = P * P / 4, near = min(lower / 2, 1 / (2 * G));
+        singular(lower, 0.2 * P);              // y <= 3/2 lower < 0.1: 1 - y <= R <= 1.12
+        sum += 0.52 * P / std::sqrt(near);     // y <= 1/2: R >= 1/2
+        sum += 0.66 * std::sqrt(G / 2);        // 1/2 <= y <= 1: 0.434 P R^(-3/2), R >= 1 - y, P; over t as 0.434 P/t = R^(3/2)
+        singular(P + 1, 0.26);                 // y >= 1: y - P + 1 >= 3/2
+    }
+    else {
+        if (P < 2) singular(P * P / 4, 0.36 * std::sqrt((1 + 2 / P) / 5)); // R >= P
+        if (P > 1.25) singular(P - 1, 0.32);   // 1/(u v)^(1/2) <= u^(-1/2) + v^(-1/2), u + v = 2
+        else sum += 0.38;
+        singular(P + 1, 0.32);
+    }
+    return margin * sum;
+}
+
+} // namespace touchstone::transfer
