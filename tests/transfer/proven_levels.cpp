@@ -187,7 +187,7 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
     for (const bool area : {true, false}) {
         const Ball G = Ball(area ? 5 : 3) / 2;
         const auto levels = [&](const ProvenLevels::Spoiled& spoiled) {
-            return area ? ProvenLevels(G, 3, 1e-5, spoiled) : ProvenLevels(G, Ball(1) / 2, 3, 1e-5, spoiled);
+            return area ? ProvenLevels(G, 3, 1e-5, spoiled) : ProvenLevels(G, Ball(1) / 2, 3, 1e-5, ProvenLevels::levels, spoiled);
         };
         const ProvenLevels good = levels({});
         for (const int level : {0, 2}) { // everywhere

@@ -162,7 +162,7 @@ std::string explain_area(const Inputs& in, long n, long digits)
 {
     if (n == 0) return "A_0 = (2/pi) arcsin sqrt(load), (6.6)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
-    if (area_by_proven_levels(in, n)) return transfer::proven_levels_certificate(n, {}, arguments(in));
+    if (area_by_proven_levels(in, n)) return transfer::area_by_proven_levels_certificate(n, arguments(in));
     if (in.real("load") > 1)
         return transfer::heavy_load_certificate(Scheme::force_weighted, n, arguments(in))
              + transfer::heavy_load_certificate(Scheme::area, n, arguments(in));
@@ -305,15 +305,40 @@ bool infinite_first_density(const Rational& p, const Rational& load)
     return load < 1 ? p * p == 4 * load : p == load + 1 || p == load - 1;
 }
 
+/// p*_n/p*_0
+Ball unit_pressure(const Inputs& in, long n)
+{
+    Ball unit;
+    arb_pow_ui(unit.get(), in.G_ball().get(), static_cast<ulong>(n), WorkingPrecision::bits());
+    return unit;
+}
+Ball pressure_ratio(const Inputs& in, long n) { return Ball(in.real("p")) / unit_pressure(in, n); }
+
+/// Scales from 2 on where the forward levels don't serve.
+bool density_by_proven_levels(const Inputs& in, long n) { return n > 1 && !by_forward_levels(in, n); }
+
+void require_proven_level(long n)
+{
+    if (n > transfer::ProvenLevels::levels)
+        throw BeyondReach(fmt::format("with full contact, areas and distributions are certified for n <= {} only", transfer::ProvenLevels::levels));
+}
+
 Ball density(Law law, const Inputs& in, long n, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)
 {
     if (by_scale_one(in, n, p_at())) {
         require_pressure(p_at());
         return transfer::scale_one_density(variable(law), at_scale_one(in, p_at, std::move(exact_p)));
     }
-    if (n > 0) require_distribution(in, n);
+    const bool proven = density_by_proven_levels(in, n);
+    if (proven) require_proven_level(n);
+    else if (n > 0) require_distribution(in, n);
     const Ball p = p_at();
     if (certainly(less(highest_pressure(in, n), p))) return Ball(0);
+    if (proven) {
+        require_pressure(p);
+        if (law == Law::density) return transfer::density_by_proven_levels(n, [&] { return p_at() / unit_pressure(in, n); }, arguments(in)) / unit_pressure(in, n);
+        return with_radius(transfer::estimated_density(transfer::Grid::blind, n, p, Ball(in.real("load")), in.G_ball()));
+    }
     if (n == 0) {
         const Ball load(in.real("load"));
         if (exact_p && infinite_first_density(*exact_p, in.real("load"))) throw BeyondReach("q_0 is infinite at this pressure, an end of its support");
@@ -324,12 +349,9 @@ Ball density(Law law, const Inputs& in, long n, const Pressure& p_at, std::optio
     return transfer::density(law, n, p_at, arguments(in));
 }
 
-/// p/p*_n
-Ball pressure_ratio(const Inputs& in, long n)
+std::vector<std::string> density_route_names(const Inputs& in, long n, const Ball& p)
 {
-    Ball unit;
-    arb_pow_ui(unit.get(), in.G_ball().get(), static_cast<ulong>(n), WorkingPrecision::bits());
-    return Ball(in.real("p")) / unit;
+    return density_by_proven_levels(in, n) ? proven_route_names : law_names(in, n, p);
 }
 
 /// The share above p is by the proven levels.
@@ -361,7 +383,7 @@ Ball exceedance(Law law, const Inputs& in)
     const Pressure p_at = [&in] { return Ball(in.real("p")); };
     if (by_scale_one(in, n, p_at())) return transfer::scale_one_exceedance(variable(law), at_scale_one(in, p_at, in.real("p")));
     if (exceedance_by_proven_levels(in)) {
-        if (n > transfer::ProvenLevels::levels) throw BeyondReach(fmt::format("with full contact shares of length are certified for n <= {} only", transfer::ProvenLevels::levels));
+        require_proven_level(n);
         if (law == Law::density) return transfer::exceedance_by_proven_levels(n, [&] { return pressure_ratio(in, n); }, arguments(in));
         return with_radius(transfer::estimated_exceedance(transfer::Grid::blind, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball()));
     }
@@ -373,8 +395,9 @@ std::string explain_distribution(const Inputs& in, long n, const Pressure& p_at,
 {
     if (by_scale_one(in, n, p_at())) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (transfer/scale_one.hpp)\n";
     if (n == 0) return "n = 0: (2.14) to (2.19)\n";
-    require_distribution(in, n);
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
+    if (density_by_proven_levels(in, n)) return transfer::density_by_proven_levels_certificate(n, [&] { return p_at() / unit_pressure(in, n); }, arguments(in));
+    require_distribution(in, n);
     if (!certainly(less(p_at(), highest_pressure(in, n)))) return "above the support\n";
     return transfer::distribution_certificate(Law::density, n, p_at, arguments(in))
          + transfer::distribution_certificate(Law::exceedance, n, p_at, arguments(in));
@@ -415,7 +438,7 @@ void add_contact(std::vector<Quantity>& all)
         const long n = in.integer("n");
         if (!exceedance_by_proven_levels(in) || in.real("p") == 0) return explain_p(in, digits);
         const WorkingPrecision precision(bits_for_digits(digits) + 48);
-        return transfer::proven_levels_certificate(n, [&] { return pressure_ratio(in, n); }, arguments(in));
+        return transfer::exceedance_by_proven_levels_certificate(n, [&] { return pressure_ratio(in, n); }, arguments(in));
     };
     all.push_back({"contact.exceedance", "6.1", "1", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100, G > 1.003; else estimated for n <= 20",
                    {"n", "p", "load", "G"}, "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)", check_pressure,
@@ -438,7 +461,7 @@ void add_contact(std::vector<Quantity>& all)
                    [](const Inputs& in) { return proven_levels_limits(exceedance_by_proven_levels(in)); }});
 
 
-    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; else estimated for n <= 20",
+    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100, G > 1.003; else estimated for n <= 20",
                    {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        const bool partial = in.real("load") <= 1 && in.compare_G(2) > 0;
@@ -449,9 +472,10 @@ void add_contact(std::vector<Quantity>& all)
                    },
                    by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), [&in] { return Ball(in.real("p")); }, in.real("p")); }), explain_p, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_density(g, in.integer("n"), in, [&in] { return Ball(in.real("p")); }, in.real("p")); }),
-                   [](const Inputs& in) { return law_names(in, in.integer("n"), Ball(in.real("p"))); }});
+                   [](const Inputs& in) { return density_route_names(in, in.integer("n"), Ball(in.real("p"))); },
+                   [](const Inputs& in) { return proven_levels_limits(density_by_proven_levels(in, in.integer("n"))); }});
 
-    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, or n <= 21, load <= 1, G > 2; else estimated for n <= 21",
+    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, or n <= 21, load <= 1, G > 2; to 20 digits for n <= 21, load <= 100, G > 1.003; else estimated for n <= 21",
                    {"n", "a", "load", "G"}, "density of segments by half-width a (in lambda_n), N^_n lambda_n",
                    [](const Inputs& in) {
                        check_contact(in);
@@ -475,7 +499,8 @@ void add_contact(std::vector<Quantity>& all)
                    by_both_grids([](transfer::Grid g, const Inputs& in) {
                        return scaled(estimated_density(g, in.integer("n") - 1, in, [&in] { return of_segments(in).first; }), of_segments(in).second);
                    }),
-                   [](const Inputs& in) { return law_names(in, in.integer("n") - 1, of_segments(in).first); }});
+                   [](const Inputs& in) { return density_route_names(in, in.integer("n") - 1, of_segments(in).first); },
+                   [](const Inputs& in) { return proven_levels_limits(density_by_proven_levels(in, in.integer("n") - 1)); }});
 
     all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified or estimated where contact.area is at n - 1",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",

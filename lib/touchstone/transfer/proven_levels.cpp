@@ -27,7 +27,7 @@ using std::max, std::min;
 constexpr double u = 0x1p-101; // twice the largest relative error of one operation on `Real`
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double pi_below = 3.14159265358979311;
-constexpr int levels = ProvenLevels::levels;
+constexpr int most_levels = ProvenLevels::levels;
 constexpr double margin = 1.001; // on bounds that are themselves computed with roundings
 constexpr double narrowest = 2e6 * u; // half of an interval of x, relative: rounding moves its Chebyshev points by less than 1e-6 of that
 constexpr double overlap = 1.4;  // a panel's polynomial is a good approximation on so much more than the panel
@@ -108,7 +108,7 @@ double largest_second_share(double G, double width)
     const double l = G * width;
     return min(largest_share(G, width), margin * l * (1 + 2 * std::sqrt(G) + std::sqrt(2 * G) / pi_below * max(0.0, std::log(1 / (2 * l)))));
 }
-constexpr double lowest_of_densities = 1e-25; // first panel
+constexpr double lowest_of_densities = 1e-35; // first panel
 
 // ---- B_0: the share of one wave in contact, or under a pressure above P; or the density after two waves
 
@@ -141,14 +141,20 @@ struct Share : First {
     }
 };
 
+/// D_1/unit: D_1 goes with P where P is small.
 struct Density : First {
-    Density(const Ball& G, const Ball& pressure, double tolerance) : waves(G, pressure, tolerance) {}
+    Density(const Ball& G, const Ball& pressure, double unit_, double tolerance) : waves(G, pressure, tolerance * unit_), unit(unit_) {}
     bool is_share() const override { return false; }
-    std::pair<Real, double> value(const Real& x) const override { return waves.value(x); }
-    Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const override { return {waves.on_disc(low, high, x, r), infinite}; }
-    double weight_on(double x, double width, double largest) const override { return waves.weight_on(x, width, largest); }
+    std::pair<Real, double> value(const Real& x) const override
+    {
+        const auto [v, error] = waves.value(x);
+        return {v / unit, error / unit};
+    }
+    Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const override { return {waves.on_disc(low, high, x, r) / unit, infinite}; }
+    double weight_on(double x, double width, double largest) const override { return waves.weight_on(x, width) / unit + largest; }
     double lowest() const override { return waves.lowest(); }
     TwoWaves waves;
+    double unit; ///< a power of two
 };
 
 /// |arccos w| = |int_w^1 (1 - t^2)^(-1/2) dt| <= 2|1 - w|^(1/2) where Re w >= 0, along the straight line; so where |1 - w| <= 1.
@@ -546,6 +552,7 @@ void Layer::set(int m, const Wide& series)
 struct ProvenLevels::State {
     Real G;
     double tolerance;
+    int levels; ///< a multiple of four, for the sums in wave_kernel.hpp
     std::unique_ptr<const First> first;
     Orders orders;
     Gauss gauss, exact;
@@ -555,8 +562,8 @@ struct ProvenLevels::State {
     std::vector<double> defect;          ///< [panel * levels + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|
     std::vector<double> sum_of_effects;  ///< [m]: at least T |B_m - V_m|
 
-    State(Real G_, std::unique_ptr<const First> first_, double highest, double tolerance_, const Spoiled& spoiled)
-        : G(G_), tolerance(tolerance_), first(std::move(first_)), orders(tolerance_), gauss(orders.gauss), exact(orders.terms), own(orders.terms), kernel_points(orders.kernel)
+    State(Real G_, std::unique_ptr<const First> first_, double highest, double tolerance_, const Spoiled& spoiled, int scales)
+        : G(G_), tolerance(tolerance_), levels(min(most_levels, (scales + 3) / 4 * 4)), first(std::move(first_)), orders(tolerance_), gauss(orders.gauss), exact(orders.terms), own(orders.terms), kernel_points(orders.kernel)
     {
         for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {1.0, 4.0}}) checks.emplace_back(static_cast<int>(orders.terms * share) + 7, rho);
         collocate(highest, spoiled);
@@ -579,8 +586,8 @@ struct ProvenLevels::State {
     void prove_panel(std::size_t i, const std::vector<double>& overlap_defect, std::vector<char>& by_monotony);
     /// Bounds T D_m on all x from which no ratio above `reach` is met.
     double effect(int m, double reach) const;
-    /// Bounds T^2 D_0.
-    double second_effect() const;
+    /// Bounds T^2 D_0, where no ratio above `reach` is met.
+    double second_effect(double reach) const;
     /// Bounds T D_0 at the x between low and high.
     double effect_at(const Real& low, const Real& high) const;
     /// Bounds what T V_m changes by between x (1 - 4 u) and x (1 + 4 u).
@@ -590,7 +597,7 @@ struct ProvenLevels::State {
     struct Hole {
         double from, width, defect;
     };
-    std::vector<Hole> holes[levels];
+    std::vector<Hole> holes[most_levels];
     std::mutex holes_mutex;
     void add_hole(int m, const Real& low, const Real& high, double defect_)
     {
@@ -768,7 +775,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
 {
     const auto& panels = all->panels;
     const auto& rounding = all->rounding;
-    const auto at = [](std::size_t panel, int m) { return panel * levels + m; };
+    const auto at = [this](std::size_t panel, int m) { return panel * levels + m; };
     const Panel& p = panels[i];
     const int terms = orders.terms;
     double* D = &defect[at(i, 0)];
@@ -845,7 +852,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
             }
             return true;
         };
-        double bounds[levels];
+        double bounds[most_levels];
         const double small = max(share ? 1e-6 * width : 0, 2 * narrowest * x_);
         const Check* check = nullptr;
         for (const Check& c : checks) { // the fewest points first
@@ -895,7 +902,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
             }
             continue;
         }
-        double most[levels] = {};
+        double most[most_levels] = {};
         for (std::size_t n = 0; n < check->points.at.size(); ++n) {
             const Real at_x = x + half * check->points.at[n], local = (at_x * at_x - p.centre) / p.half;
             all->apply(at_x, here);
@@ -919,7 +926,7 @@ void ProvenLevels::State::prove()
     // how far the polynomial of a panel is from its neighbours' on their side of the edge: polynomials of terms - 1, so nodes suffice
     const auto& panels = all->panels;
     std::vector<double> overlap_defect(panels.size() * levels);
-    const auto at = [](std::size_t panel, int m) { return panel * levels + m; };
+    const auto at = [this](std::size_t panel, int m) { return panel * levels + m; };
     const double lebesgue = 1.01 * (1 + 2 / pi_below * std::log(orders.terms));
     const int count = static_cast<int>(panels.size());
     in_parallel(panels.size(), [&](std::size_t e) {
@@ -992,9 +999,9 @@ double ProvenLevels::State::effect(int m, double reach) const
     return margin * (best + below * largest_share(double(G), y));
 }
 
-double ProvenLevels::State::second_effect() const
+double ProvenLevels::State::second_effect(double reach) const
 {
-    return margin * least_sum(parts(0, infinite), [&](const Part& p) { return largest_second_share(margin * double(G), p.width); });
+    return margin * least_sum(parts(0, reach), [&](const Part& p) { return largest_second_share(margin * double(G), p.width); });
 }
 
 /// At least mu_x([y0, y1]) for low <= x <= high, on one side of 1.
@@ -1036,7 +1043,7 @@ double ProvenLevels::State::blur(int m, const Real& x) const
 
 // ---- values
 
-static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<const First> first, double highest, double tolerance, const ProvenLevels::Spoiled& spoiled)
+static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<const First> first, double highest, double tolerance, const ProvenLevels::Spoiled& spoiled, int scales)
 {
     if (!(tolerance >= 1e-25 && tolerance <= 1e-5)) throw std::invalid_argument("tolerance from 1e-25 to 1e-5");
     const WorkingPrecision precision(256);
@@ -1045,30 +1052,31 @@ static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<
     if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u)))) throw BeyondReach("G must be above 1 and known to 101 bits");
     const double top = max(highest, 1.1 / double(nearest - 1)); // so that (x + 1)/G stays below
     if (!(top <= 400)) throw BeyondReach("G too near 1, or the load too high, for the proven levels");
-    return std::make_unique<ProvenLevels::State>(nearest, std::move(first), top * 1.01, tolerance, spoiled);
+    return std::make_unique<ProvenLevels::State>(nearest, std::move(first), top * 1.01, tolerance, spoiled, scales);
 }
 
 ProvenLevels::ProvenLevels(const Ball& G, double highest, double tolerance, const Spoiled& spoiled)
-    : state_(made(G, std::make_unique<InContact>(), highest, tolerance, spoiled))
+    : state_(made(G, std::make_unique<InContact>(), highest, tolerance, spoiled, most_levels))
 {
 }
-ProvenLevels::ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& spoiled)
+ProvenLevels::ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales, const Spoiled& spoiled)
 {
     const WorkingPrecision precision(256);
     const Real nearest = to_real(pressure);
     if (!certainly(less(Ball(0), pressure)) || !certainly(less(abs(to_ball(nearest) / pressure - Ball(1)), Ball::exactly(u))))
         throw BeyondReach("the pressure must be above 0 and known to 101 bits");
-    state_ = made(G, std::make_unique<Exceeding>(pressure), highest, tolerance, spoiled);
+    state_ = made(G, std::make_unique<Exceeding>(pressure), highest, tolerance, spoiled, scales);
 }
-ProvenLevels ProvenLevels::densities(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& spoiled)
+ProvenLevels ProvenLevels::densities(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales, const Spoiled& spoiled)
 {
     const Ball nearest = to_ball(to_real(pressure));
     if (!certainly(less(Ball(0), pressure)) || !certainly(less(abs(nearest / pressure - Ball(1)), Ball::exactly(u))))
         throw BeyondReach("the pressure must be above 0 and known to 101 bits");
     ProvenLevels result;
-    auto first = std::make_unique<Density>(G, pressure, tolerance / 64);
+    result.unit_ = std::min(1.0, std::exp2(std::floor(std::log2(double(to_real(pressure))))));
+    auto first = std::make_unique<Density>(G, pressure, result.unit_, tolerance / 64);
     if (!(first->lowest() > 2 * lowest_of_densities)) throw BeyondReach("the pressure is too low for the proven levels");
-    result.state_ = made(G, std::move(first), highest, tolerance, spoiled);
+    result.state_ = made(G, std::move(first), highest, tolerance, spoiled, scales);
     return result;
 }
 ProvenLevels::ProvenLevels() = default;
@@ -1086,6 +1094,7 @@ struct Contribution {
 
 static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& load, std::vector<Contribution>* budget)
 {
+    const int levels = s.levels;
     if (n < 1 || n > levels) throw BeyondReach(fmt::format("proven levels: n from 1 to {}", levels));
     const WorkingPrecision precision(256);
     const Real x = to_real(load), low = x * Real{1, -4 * u}, high = x * Real{1, 4 * u};
@@ -1110,7 +1119,7 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
             if (share || m > 0) effect = s.effect(m, reach[scale - m]);
             else if (scale == 1) effect = s.effect_at(low, high);
             else {
-                effect = s.second_effect();
+                effect = s.second_effect(reach[scale]);
                 weight = at_most[scale - 2];
             }
             lost += margin * effect * weight;
@@ -1125,7 +1134,11 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
     return result;
 }
 
-Ball ProvenLevels::share(long n, const Ball& load) const { return share_and_budget(*state_, n, load, nullptr); }
+Ball ProvenLevels::share(long n, const Ball& load) const
+{
+    const WorkingPrecision precision(256);
+    return share_and_budget(*state_, n, load, nullptr) * Ball::exactly(unit_);
+}
 
 std::string ProvenLevels::certificate(long n, const Ball& load) const
 {
@@ -1143,9 +1156,9 @@ namespace {
 
 /// The tolerance of the mesh for the digits that the thread's precision is meant for: evaluate.cpp asks with digits + 48 bits, at most 20
 /// digits, and with twice as many bits where those were not decided.
-double tolerance_wanted()
+double tolerance_wanted(double spare)
 {
-    constexpr double spare = 4.5, finest = 25; // scale 20 loses up to two and a half
+    constexpr double finest = 25; // scale 20 loses up to two and a half
     slong bits = WorkingPrecision::bits();
     double more = 0;
     for (; bits > bits_for_digits(20) + 48; bits /= 2) more += 1.5;
@@ -1153,46 +1166,55 @@ double tolerance_wanted()
     return std::pow(10.0, -min(finest, max(4.0, digits) + spare + more));
 }
 
+enum class Law { area, exceedance, density };
+
 struct Mesh {
+    Law law;
     std::string G, pressure;
     double highest, tolerance;
+    int scales;
     std::mutex making;
     std::shared_ptr<const ProvenLevels> made;
 };
 std::mutex meshes_mutex;
 std::list<std::shared_ptr<Mesh>> meshes; // most recently used first
 
-std::shared_ptr<const ProvenLevels> proven_levels(const Arguments& a, const std::function<Ball()>* pressure)
+/// \param scales at least as many levels as these
+std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Arguments& a, const std::function<Ball()>& pressure = {})
 {
-    const double tolerance = tolerance_wanted();
+    const double tolerance = tolerance_wanted(law == Law::density ? 2.5 : 4.5);
     const WorkingPrecision precision(256);
-    const Ball G = a.G(), P = pressure ? (*pressure)() : Ball(0);
+    const Ball G = a.G(), P = law == Law::area ? Ball(0) : pressure();
     const double load = double(to_real(a.load()));
     if (!(load <= 100)) throw BeyondReach("load above 100");
     const double g = double(to_real(G)); // below: the first panel of the finest mesh begins above all ratios
     if (4 * load < 1e-53 * g * g) throw BeyondReach("load too small for the proven levels");
-    const double highest = pressure ? load * (1 + 0x1p-40) : load <= 10 ? 10 : 100; // one mesh for the loads of figure 3
+    const double highest = law != Law::area ? load * (1 + 0x1p-40) : load <= 10 ? 10 : 100; // one mesh for the loads of figure 3
     std::shared_ptr<Mesh> mine;
     {
         const std::lock_guard lock(meshes_mutex);
         const auto found = std::find_if(meshes.begin(), meshes.end(), [&](const auto& m) {
-            return m->tolerance <= tolerance && m->highest >= highest && m->G == G.dump() && m->pressure == P.dump();
+            return m->law == law && m->tolerance <= tolerance && m->highest >= highest && m->scales >= scales && m->G == G.dump() && m->pressure == P.dump();
         });
         if (found != meshes.end()) meshes.splice(meshes.begin(), meshes, found);
         else {
             meshes.push_front(std::make_shared<Mesh>());
-            meshes.front()->G = G.dump();
-            meshes.front()->pressure = P.dump();
-            meshes.front()->highest = highest;
-            meshes.front()->tolerance = tolerance;
+            Mesh& m = *meshes.front();
+            m.law = law;
+            m.G = G.dump();
+            m.pressure = P.dump();
+            m.highest = highest;
+            m.tolerance = tolerance;
+            m.scales = law == Law::area ? most_levels : static_cast<int>(scales);
         }
         mine = meshes.front();
         if (meshes.size() > 4) meshes.pop_back(); // up to 200 MB each
     }
     const std::lock_guard lock(mine->making);
     if (!mine->made)
-        mine->made = pressure ? std::make_shared<const ProvenLevels>(G, P, mine->highest, mine->tolerance)
-                              : std::make_shared<const ProvenLevels>(G, mine->highest, mine->tolerance);
+        mine->made = law == Law::area       ? std::make_shared<const ProvenLevels>(G, mine->highest, mine->tolerance)
+                   : law == Law::exceedance ? std::make_shared<const ProvenLevels>(G, P, mine->highest, mine->tolerance, mine->scales)
+                                            : std::make_shared<const ProvenLevels>(ProvenLevels::densities(G, P, mine->highest, mine->tolerance, mine->scales));
     return mine->made;
 }
 
@@ -1205,7 +1227,7 @@ Ball share_at(const ProvenLevels& levels, long n, const Arguments& a)
 
 void require_level(long n)
 {
-    if (n > levels) throw BeyondReach(fmt::format("with full contact shares of length are certified for n <= {} only", levels));
+    if (n > most_levels) throw BeyondReach(fmt::format("with full contact, areas and distributions are certified for n <= {} only", most_levels));
 }
 
 } // namespace
@@ -1213,20 +1235,35 @@ void require_level(long n)
 Ball area_by_proven_levels(long n, const Arguments& a)
 {
     require_level(n);
-    return share_at(*proven_levels(a, nullptr), n, a);
+    return share_at(*proven_levels(Law::area, n, a), n, a);
 }
 
 Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments& a)
 {
     require_level(n);
-    return share_at(*proven_levels(a, &pressure), n, a);
+    return share_at(*proven_levels(Law::exceedance, n, a, pressure), n, a);
 }
 
-std::string proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a)
+Ball density_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments& a)
 {
-    const auto levels = proven_levels(a, pressure ? &pressure : nullptr);
+    require_level(n);
+    return share_at(*proven_levels(Law::density, n - 1, a, pressure), n - 1, a);
+}
+
+static std::string certificate(const std::shared_ptr<const ProvenLevels>& levels, long n, const Arguments& a)
+{
     const WorkingPrecision precision(256);
     return levels->certificate(n, a.load());
+}
+
+std::string area_by_proven_levels_certificate(long n, const Arguments& a) { return certificate(proven_levels(Law::area, n, a), n, a); }
+std::string exceedance_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a)
+{
+    return certificate(proven_levels(Law::exceedance, n, a, pressure), n, a);
+}
+std::string density_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a)
+{
+    return certificate(proven_levels(Law::density, n - 1, a, pressure), n - 1, a);
 }
 
 } // namespace touchstone::transfer

@@ -37,9 +37,9 @@ public:
     /// \throws BeyondReach where the mesh would be too large (G too near 1, highest too large)
     ProvenLevels(const Ball& G, double highest, double tolerance, const Spoiled& = {});
     /// Shares above `pressure` > 0 in units of p*_n, the same at every scale.
-    ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& = {});
+    ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = levels, const Spoiled& = {});
     /// Densities instead, -dB_m/dP: share(n, load) is q_{n+1} p*_{n+1} at P = pressure, n <= 19. Level 0 is two waves (two_waves.hpp).
-    static ProvenLevels densities(const Ball& G, const Ball& pressure, double highest, double tolerance, const Spoiled& = {});
+    static ProvenLevels densities(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = levels, const Spoiled& = {});
     ~ProvenLevels();
     ProvenLevels(ProvenLevels&&) noexcept;
 
@@ -54,6 +54,7 @@ public:
 private:
     ProvenLevels();
     std::unique_ptr<State> state_;
+    double unit_ = 1; ///< of the level's values and errors
 };
 
 /// A_n/lambda_0 (6.7), and the share above a pressure given in p*_n, to the digits that the thread's precision asks for; meshes are
@@ -61,7 +62,11 @@ private:
 /// or as far as 106 bits go, about 22. \throws BeyondReach as ProvenLevels
 Ball area_by_proven_levels(long n, const Arguments&);
 Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&);
-/// \param pressure of the exceedance; empty: of the area
-std::string proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments&);
+/// q_n p*_n at a pressure in p*_n, 2 <= n.
+Ball density_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&);
+/// The same, level by level.
+std::string area_by_proven_levels_certificate(long n, const Arguments&);
+std::string exceedance_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments&);
+std::string density_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments&);
 
 } // namespace touchstone::transfer

@@ -34,15 +34,12 @@ struct Unclear {}; ///< two points cannot be told from one another
 class Disc {
 public:
     Disc(double c = 0, double r = 0) : c_(c), r_(r) {}
-    Disc(std::complex<double> c, double r) : c_(c), r_(r + tiny * (std::abs(c) + r)) {}
-    double most() const { return std::abs(c_) + r_; }
+    Disc(std::complex<double> c, double r) : c_(c), r_(r + tiny * (size(c) + r)) {}
+    double most() const { return size(c_) + r_; }
 
     friend Disc operator+(const Disc& a, const Disc& b) { return {a.c_ + b.c_, a.r_ + b.r_}; }
-    friend Disc operator-(const Disc& a, const Disc& b)
-    {
-        return {a.c_ - b.c_, a.r_ + b.r_};
-    }
-    friend Disc operator*(const Disc& a, const Disc& b) { return {product(a.c_, b.c_), std::abs(a.c_) * b.r_ + a.r_ * (std::abs(b.c_) + b.r_)}; }
+    friend Disc operator-(const Disc& a, const Disc& b) { return {a.c_ - b.c_, a.r_ + b.r_}; }
+    friend Disc operator*(const Disc& a, const Disc& b) { return {product(a.c_, b.c_), size(a.c_) * b.r_ + a.r_ * (size(b.c_) + b.r_)}; }
     friend Disc operator/(const Disc& a, const Disc& b)
     {
         const double d = std::norm(b.c_) - b.r_ * b.r_; // 1/b is the disc about conj(b)/d
@@ -52,14 +49,16 @@ public:
     /// Analytic, with a positive real part; infinite if the disc meets the negative axis.
     friend Disc sqrt(const Disc& a)
     {
-        const double size = std::abs(a.c_);
-        if (!(a.r_ < (a.c_.real() >= 0 ? size : std::fabs(a.c_.imag())))) return {0, infinite};
-        const std::complex<double> s = std::sqrt(a.c_);
-        return {s, std::abs(s) * (1 - std::sqrt(1 - a.r_ / size) + tiny)}; // |s| times the most of |(1 + t)^(1/2) - 1|, |t| <= r/|c|
+        const double x = a.c_.real(), y = a.c_.imag(), most = size(a.c_);
+        if (!(a.r_ < (x >= 0 ? most : std::fabs(y)))) return {0, infinite};
+        const double s = std::sqrt((most + std::fabs(x)) / 2), t = y / (2 * s);
+        const std::complex<double> root = x >= 0 ? std::complex(s, t) : std::complex(std::fabs(t), std::copysign(s, y));
+        return {root, std::sqrt(most) * (1 - std::sqrt(1 - a.r_ / most) + tiny)}; // |root| times the most of |(1 + t)^(1/2) - 1|, |t| <= r/|c|
     }
 
 private:
     static constexpr double tiny = 0x1p-48;
+    static double size(std::complex<double> c) { return std::sqrt(std::norm(c)); } // nothing here is near 1e-154
     static std::complex<double> product(std::complex<double> a, std::complex<double> b)
     {
         return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
@@ -414,11 +413,11 @@ double TwoWaves::on_disc(const Real& low, const Real& high, const Real& x, doubl
     return margin * most * (std::fabs(v.high) + error);
 }
 
-double TwoWaves::weight_on(double x, double width, double largest) const
+double TwoWaves::weight_on(double x, double width) const
 {
     // d(y) <= sum of c |y - s|^(-1/2); within `near` of s also k(x, y) <= c_k |y - e|^(-1/2), e the ends of the first wave
     const double G = double(ends_->G_near), P = double(ends_->P_near);
-    double sum = largest;
+    double sum = 0;
     const auto singular = [&](double s, double c) {
         const double near = min({s / 2, 1 / (2 * G)});
         const double c_k = x >= 1 ? 2 * std::sqrt(G) / pi_below : 2 * std::sqrt(2.0) / (pi_below * std::sqrt(G) * s); // both ends, resp. one

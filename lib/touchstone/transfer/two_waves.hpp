@@ -39,10 +39,9 @@ public:
     std::pair<Real, double> value(const Real& x) const;
     /// At least |D_1| on the disc of radius r about x, of the function that is D_1 on low <= .. <= high; infinite where it may not be analytic there.
     double on_disc(const Real& low, const Real& high, const Real& x, double r) const;
-    /// A bound of D_1 + |V| on an interval of the given width, from x on, that may hold singular points, in this sense: the integral of D_1 + |V|
-    /// over the interval against a measure is at most this times s(width), if the measure gives at most s(l) to sets of length l, and
-    /// s(l)/l^(1/2) does not decrease. \param largest |V|
-    double weight_on(double x, double width, double largest) const;
+    /// What D_1 counts for on an interval of the given width, from x on, that may hold singular points: its integral over the interval against a
+    /// measure is at most this times s(width), if the measure gives at most s(l) to sets of length l, and s(l)/l^(1/2) does not decrease.
+    double weight_on(double x, double width) const;
 
     struct Ends;
 
