@@ -109,6 +109,7 @@ double largest_second_share(double G, double width)
     return min(largest_share(G, width), margin * l * (1 + 2 * std::sqrt(G) + std::sqrt(2 * G) / pi_below * max(0.0, std::log(1 / (2 * l)))));
 }
 constexpr double lowest_of_densities = 1e-35; // first panel
+constexpr int most_intervals = 20'000; // of x, on one panel
 
 // ---- B_0: the share of one wave in contact, or under a pressure above P; or the density after two waves
 
@@ -558,12 +559,13 @@ struct ProvenLevels::State {
     Gauss gauss, exact;
     ChebyshevPoints own, kernel_points;
     std::vector<Check> checks;
+    Check first_check; ///< of B_0, whose bound on a disc may be far above its size
     std::unique_ptr<Layer> all;
     std::vector<double> defect;          ///< [panel * levels + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|
     std::vector<double> sum_of_effects;  ///< [m]: at least T |B_m - V_m|
 
     State(Real G_, std::unique_ptr<const First> first_, double highest, double tolerance_, const Spoiled& spoiled, int scales)
-        : G(G_), tolerance(tolerance_), levels(min(most_levels, (scales + 3) / 4 * 4)), first(std::move(first_)), orders(tolerance_), gauss(orders.gauss), exact(orders.terms), own(orders.terms), kernel_points(orders.kernel)
+        : G(G_), tolerance(tolerance_), levels(min(most_levels, (scales + 3) / 4 * 4)), first(std::move(first_)), orders(tolerance_), gauss(orders.gauss), exact(orders.terms), own(orders.terms), kernel_points(orders.kernel), first_check(orders.terms + (first->is_share() ? 7 : 19), 4)
     {
         for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {1.0, 4.0}}) checks.emplace_back(static_cast<int>(orders.terms * share) + 7, rho);
         collocate(highest, spoiled);
@@ -724,11 +726,15 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
 {
     const Panel& p = all->panels[i];
     const double rounding = all->rounding[i * levels], half_z = double(p.half), width = size_of(right - left);
-    const Check& check = checks.back();
+    const Check& check = first_check;
     const WorkingPrecision precision(160);
     double& D = defect[i * levels];
+    const double negligible = first->is_share() ? 0 : tolerance / 1024 / largest_second_share(double(G), width);
+    int intervals = 0;
     std::vector<std::pair<Real, Real>> waiting{{left, right}};
     while (!waiting.empty()) {
+        if (++intervals > most_intervals) D = infinite; // nothing is certified with this, nor runs for ever
+        if (!(D < infinite)) return;
         const auto [low, high] = waiting.back();
         waiting.pop_back();
         const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
@@ -745,7 +751,7 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
         const double rho = ellipse_of_distance((2 * x_ * r + r * r) / half_z), from_one = size_of(all->coefficients[all->row(i, 0)] - 1);
         const double bound = margin * min(of_value + all->growth_at(i, 0, rho), of_complement + from_one + all->growth_at(i, 0, rho, 1)) * check.tail;
         double most = infinite;
-        if (bound <= (h > small || !share ? tolerance / 16 : infinite) && bound < infinite && h >= narrowest * x_) {
+        if (bound <= (h > small || !share ? max(tolerance / 16, negligible) : infinite) && bound < infinite && h >= narrowest * x_) {
             most = 0;
             for (std::size_t n = 0; n < check.points.at.size() && most < infinite; ++n) {
                 const Real at = x + half * check.points.at[n];
@@ -796,9 +802,14 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
     const Real slack = (p.y1 - p.y0) * 1e-3, left = max(sqrt(p.left()), p.y0 - slack), right = p.y1 + slack;
     const double width = size_of(right - left);
     prove_first(i, left, right);
+    int intervals = 0;
     std::vector<std::pair<Real, Real>> waiting{{left, right}};
     Result here, a, b;
     while (!waiting.empty()) {
+        if (!first->is_share() && ++intervals > most_intervals) {
+            std::fill(D, D + levels, infinite);
+            return;
+        }
         const auto [low, high] = waiting.back();
         waiting.pop_back();
         const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;

@@ -272,7 +272,7 @@ private:
             if (near.size() == 2) s.paired = near[0] == s.from || double(distance(near[1], s.from)) >= 2 * first;
             if (!s.paired) {
                 const double P = double(ends_.P_near);
-                s.delta = first > 0 ? first : full ? 1 : from_left ? P * P / 4 : std::hypot(double(distance(Point::seam, s.from)), P);
+                s.delta = near.size() == 2 ? first : full ? 1 : from_left ? P * P / 4 : std::hypot(double(distance(Point::seam, Point::end)), P);
             }
             sides_.push_back(s);
         }
@@ -328,7 +328,7 @@ private:
                 edges.pop_back();
                 continue;
             }
-            if (cuts.size() + edges.size() > most_cuts || to - from < 1e-12) return {cuts, infinite};
+            if (cuts.size() + edges.size() > most_cuts) return {cuts, infinite};
             edges.insert(edges.end() - 1, (from + to) / 2);
         }
         return {cuts, lost};
