@@ -48,14 +48,16 @@ double size_of(const Real& x) { return std::fabs(x.high) * margin; }
 /// The polynomial of a panel holds on z0 <= z <= z1, z = x^2, and is a good approximation on centre +- half.
 struct Panel {
     Real y0, y1, z0, z1, centre, half;
-    Real left() const { return centre - half; }
-    Real right() const { return centre + half; }
+    bool first;
+    // a hundredth less: what jumps between the last node and the end of the interval is not seen
+    Real left() const { return first ? z0 : centre - half * 0.99; }
+    Real right() const { return centre + half * 0.99; }
     double width() const { return size_of(y1 - y0); }
 };
 
 Panel panel(const Real& z0, const Real& z1, bool first)
 {
-    Panel p{sqrt(z0), sqrt(z1), z0, z1, (z0 + z1) * 0.5, (z1 - z0) * (0.5 * overlap)};
+    Panel p{sqrt(z0), sqrt(z1), z0, z1, (z0 + z1) * 0.5, (z1 - z0) * (0.5 * overlap), first};
     if (first) p.half = p.centre - z0; // nothing is known to its left
     return p;
 }
@@ -606,6 +608,12 @@ struct ProvenLevels::State {
         const std::lock_guard lock(holes_mutex);
         holes[m].push_back({double(low), double(high - low) * margin + 4 * u * double(high), defect_});
     }
+    /// What is known on a part of a panel: of densities, what is large is kept apart, for the part may be much narrower.
+    void found(int m, const Real& low, const Real& high, double panel_width, double& of_panel, double defect_)
+    {
+        if (!first->is_share() && defect_ > tolerance / 16 && double(high - low) < 0.3 * panel_width) add_hole(m, low, high, defect_);
+        else raise(of_panel, defect_);
+    }
     struct Part {
         double defect, width;
         Real y0, y1;
@@ -646,11 +654,16 @@ ProvenLevels::State::Series ProvenLevels::State::resolve(std::vector<Panel> on, 
         for (std::size_t j = 0; j < on.size(); ++j) {
             const auto c = [&](std::size_t k) { return std::fabs(series.high[j * terms + k]); };
             const double left = 4 * max({c(terms - 1), c(terms - 2), c(terms - 3)}), width = on[j].width();
-            const double share = first->is_share() || m > 0 ? largest_share(double(G), width) : largest_second_share(double(G), width);
-            const bool narrow = !first->is_share() && width <= 8 * narrowest * double(on[j].y1);
-            if (left <= tolerance * max(c(0), 1e-6) || left * share <= tolerance / 1024 || narrow) { // the narrow ones are many
+            const bool unbounded = !first->is_share() && m == 0, resolved = left <= tolerance * max(c(0), 1e-6);
+            bool negligible = left * largest_share(double(G), width) <= tolerance / 1024; // the narrow ones are many
+            if (unbounded) { // a constant will do there
+                double change = 0;
+                for (std::size_t k = 1; k < terms; ++k) change += c(k);
+                negligible = change * largest_second_share(double(G), width) <= tolerance / 1024;
+            }
+            if (resolved || negligible || (!first->is_share() && width <= 8 * narrowest * double(on[j].y1))) {
                 done.emplace_back(on[j], std::vector<Real>());
-                for (std::size_t k = 0; k < terms; ++k) done.back().second.push_back(series[j * terms + k]);
+                for (std::size_t k = 0; k < terms; ++k) done.back().second.push_back(unbounded && !resolved && k > 0 ? Real(0) : series[j * terms + k]);
                 continue;
             }
             const Real &z0 = on[j].z0, &z1 = on[j].z1, middle = (z0 + z1) * 0.5;
@@ -759,7 +772,7 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
                 raise(most, size_of(v - all->value(i, 0, local(at))) + error);
             }
         }
-        if (most < infinite) raise(D, margin * (check.lebesgue * (most + 2 * rounding) + bound));
+        if (most < infinite) found(0, low, high, width, D, margin * (check.lebesgue * (most + 2 * rounding) + bound));
         else if (h > small) {
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
@@ -927,7 +940,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
             double outside = 0;
             for (const End& e : ends)
                 if (e.panel >= 0) outside += e.outside * overlap_defect[at(e.panel, m - 1)];
-            raise(D[m], margin * (check->lebesgue * (most[m] + outside) + outside + bounds[m]));
+            found(m, low, high, width, D[m], margin * (check->lebesgue * (most[m] + outside) + outside + bounds[m]));
         }
     }
 }
