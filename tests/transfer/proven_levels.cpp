@@ -213,8 +213,58 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
     }
 }
 
+TEST_CASE("densities: partial contact's proof, and an estimate's third route in full contact")
+{
+    const WorkingPrecision precision(256);
+    { // G = 5/2, load 1/2: partial contact at every scale
+        const Ball G = Ball(5) / 2, load = Ball(1) / 2, P = Ball(1) / 4;
+        const ProvenLevels levels = ProvenLevels::densities(G, P, 0.5, 1e-8, 4);
+        for (const long n : {2L, 3L, 5L}) {
+            Ball unit(1);
+            for (long k = 0; k < n; ++k) unit *= G;
+            const Ball share = levels.share(n - 1, load);
+            const Ball known = transfer::density(transfer::Law::density, n, [&] { return P * unit; }, {[&] { return load; }, [&] { return G; }}) * unit;
+            INFO("n ", n, ": ", share.to_string(), " ", known.to_string());
+            CHECK(share.overlaps(known));
+            CHECK(share.radius_bound() < 1e-8);
+        }
+    }
+    // G = 2, load 1: q_2(0.9) by a nested integral cut at singular points
+    const ProvenLevels levels = ProvenLevels::densities(Ball(2), Ball(9) / 40, 1, 1e-9, 1);
+    const Ball share = levels.share(1, Ball(1)) / 4;
+    INFO(share.to_string());
+    CHECK(share.contains(*parse_rational("0.0243928295266353")));
+    CHECK(share.radius_bound() < 1e-9);
+}
+
+TEST_CASE("densities: V may be anything")
+{
+    const WorkingPrecision precision(160);
+    const Ball G = Ball(3) / 2, P = Ball(1) / 2;
+    const auto levels = [&](const ProvenLevels::Spoiled& spoiled) { return ProvenLevels::densities(G, P, 3, 1e-5, 4, spoiled); };
+    const ProvenLevels good = levels({});
+    const auto apart = [&](const ProvenLevels& bad, long n, const char* load) {
+        const Ball x(*parse_rational(load)), truth = good.share(n, x), share = bad.share(n, x), difference = abs(truth - share);
+        INFO("load ", load, " n ", n, ": ", share.to_string(), " ", truth.to_string());
+        CHECK(share.overlaps(truth));
+        return arf_get_d(arb_midref(difference.get()), ARF_RND_NEAR);
+    };
+    for (const int level : {0, 1}) {
+        const ProvenLevels bad = levels([=](int m, double, double) { return m == level ? 1e-2 : 0; });
+        for (const char* load : {"1/10", "1", "3"})
+            for (const long n : {1L, 2L, 3L, 4L}) apart(bad, n, load);
+        CHECK(apart(bad, level + 1, "1/10") > 1e-3);
+    }
+    // next to the logarithm at x = 1 + G P^2/4 only, under loads whose waves end there
+    const ProvenLevels bad = levels([](int m, double y0, double y1) { return m == 0 && y0 < 1.09375 && y1 > 1.09375 ? 1e2 : 0.; });
+    for (const char* load : {"0.640625", "0.640624", "0.6406251", "2.640625"})
+        for (const long n : {1L, 2L, 3L}) apart(bad, n, load);
+}
+
 TEST_CASE("what cannot be had is refused")
 {
+    CHECK_THROWS_AS(ProvenLevels::densities(Ball(2), Ball(1) / 10'000, 1, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels::densities(Ball(2), Ball(0), 1, 1e-9), BeyondReach);
     CHECK_THROWS_AS(ProvenLevels(Ball(*parse_rational("1001/1000")), 1, 1e-9), BeyondReach);
     CHECK_THROWS_AS(ProvenLevels(Ball(1), 1, 1e-9), BeyondReach);
     CHECK_THROWS_AS(ProvenLevels(Ball(2), 1000, 1e-9), BeyondReach);

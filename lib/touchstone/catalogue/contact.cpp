@@ -461,7 +461,7 @@ void add_contact(std::vector<Quantity>& all)
                    [](const Inputs& in) { return proven_levels_limits(exceedance_by_proven_levels(in)); }});
 
 
-    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100, G > 1.003; else estimated for n <= 20",
+    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100, G > 1.003, p >= p*_n/1024; else estimated for n <= 20",
                    {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        const bool partial = in.real("load") <= 1 && in.compare_G(2) > 0;

@@ -599,14 +599,15 @@ struct ProvenLevels::State {
 
     /// Where |B_m - T V_(m-1)| is not bounded by `defect`. In all else a panel.
     struct Hole {
-        double from, width, defect;
+        Real low, high;
+        double width, defect;
     };
     std::vector<Hole> holes[most_levels];
     std::mutex holes_mutex;
     void add_hole(int m, const Real& low, const Real& high, double defect_)
     {
         const std::lock_guard lock(holes_mutex);
-        holes[m].push_back({double(low), double(high - low) * margin + 4 * u * double(high), defect_});
+        holes[m].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_});
     }
     /// What is known on a part of a panel: of densities, what is large is kept apart, for the part may be much narrower.
     void found(int m, const Real& low, const Real& high, double panel_width, double& of_panel, double defect_)
@@ -994,7 +995,7 @@ std::vector<ProvenLevels::State::Part> ProvenLevels::State::parts(int m, double 
     for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
         found.push_back({defect[i * levels + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1});
     for (const Hole& h : holes[m])
-        if (h.from <= reach) found.push_back({h.defect, h.width, Real(h.from) * Real{1, -2 * u}, (Real(h.from) + h.width) * Real{1, 2 * u}});
+        if (double(h.low) <= reach) found.push_back({h.defect, h.width, h.low * Real{1, -2 * u}, h.high * Real{1, 2 * u}});
     std::sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.defect > b.defect; });
     return found;
 }
@@ -1032,6 +1033,7 @@ double ProvenLevels::State::second_effect(double reach) const
 static double share_of(const Real& G, const Real& low, const Real& high, const Real& y0, const Real& y1)
 {
     const bool full = low >= 1;
+    if (!full && high > 1) return infinite; // the two sides of 1 are not compared
     const Kernel a(high, G, full), b(low, G, full); // c falls with x and rises with y
     const double slack = 64 * u * (1 + double(high)), width = double(y1 - y0) * margin + slack;
     if (full ? double(G * y0 - 1 - high) > slack || double(low - 1 - G * y1) > slack : double(y0 * y0 / a.end - 1) > slack) return 0;
@@ -1099,7 +1101,7 @@ ProvenLevels ProvenLevels::densities(const Ball& G, const Ball& pressure, double
     ProvenLevels result;
     result.unit_ = std::min(1.0, std::exp2(std::floor(std::log2(double(to_real(pressure))))));
     auto first = std::make_unique<Density>(G, pressure, result.unit_, tolerance / 64);
-    if (!(first->lowest() > 2 * lowest_of_densities)) throw BeyondReach("the pressure is too low for the proven levels");
+    if (!(first->lowest() > 2 * lowest_of_densities && result.unit_ >= 0x1p-10)) throw BeyondReach("the pressure is too low for the proven levels of densities"); // minutes and more
     result.state_ = made(G, std::move(first), highest, tolerance, spoiled, scales);
     return result;
 }
@@ -1127,7 +1129,7 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
     std::vector<double> reach{top};
     for (int k = 0; k <= levels; ++k)
         reach.push_back((reach.back() < 1 ? 2 * std::sqrt(reach.back()) / g : (reach.back() + 1) / g) * (1 + 0x1p-50));
-    const bool share = s.first->is_share();
+    const bool share = s.first->is_share(), exact = (to_ball(x) - load).is_exact() && (to_ball(x) - load).contains_zero();
     Result below, above;
     s.all->apply(share ? low : x, below);
     s.all->apply(share ? high : x, above);
@@ -1141,7 +1143,7 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
         for (int m = 0; m < scale; ++m) {
             double effect, weight = at_most[scale - m - 1];
             if (share || m > 0) effect = s.effect(m, reach[scale - m]);
-            else if (scale == 1) effect = s.effect_at(low, high);
+            else if (scale == 1) effect = exact ? s.effect_at(x, x) : s.effect_at(low, high);
             else {
                 effect = s.second_effect(reach[scale]);
                 weight = at_most[scale - 2];
@@ -1149,7 +1151,7 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
             lost += margin * effect * weight;
             if (budget) budget->push_back({m, effect, weight});
         }
-        if (!share) lost += s.blur(scale - 1, x);
+        if (!share && !exact) lost += s.blur(scale - 1, x);
         const auto bound = [&](const Result& r) { return Ball::exactly(margin * (r.error[scale - 1] + lost)); };
         const Ball least = to_ball(below.value[scale - 1]) - bound(below), most = to_ball(above.value[scale - 1]) + bound(above);
         if (s.first->is_area() && scale < levels) at_most[scale + 1] = min(at_most[scale + 1], margin * arf_get_d(arb_midref(most.get()), ARF_RND_UP));
@@ -1206,7 +1208,7 @@ std::list<std::shared_ptr<Mesh>> meshes; // most recently used first
 /// \param scales at least as many levels as these
 std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Arguments& a, const std::function<Ball()>& pressure = {})
 {
-    const double tolerance = tolerance_wanted(law == Law::density ? 2.5 : 4.5);
+    const double tolerance = tolerance_wanted(law == Law::density ? 2 : 4.5);
     const WorkingPrecision precision(256);
     const Ball G = a.G(), P = law == Law::area ? Ball(0) : pressure();
     const double load = double(to_real(a.load()));

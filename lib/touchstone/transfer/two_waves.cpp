@@ -253,7 +253,12 @@ private:
         const WorkingPrecision precision(end_bits);
         return ends_.at(p, x_, full_) - ends_.at(q, x_, full_);
     }
-    Real distance(Point p, Point q) const { return abs(to_real(difference(p, q))); }
+    Real distance(Point p, Point q) const
+    {
+        const Ball d = difference(p, q);
+        if (!d.is_exact() && d.relative_bits() < 110) throw Unclear();
+        return abs(to_real(d));
+    }
 
     void add(bool full, Point a, const std::vector<Point>& left, Point b, const std::vector<Point>& right)
     {
@@ -295,7 +300,7 @@ private:
         h.G = ends_.G_near;
         h.P = ends_.P_near;
         h.from = to_real(ends_.at(side.from, x_, full_));
-        h.to_one = to_real(difference(Point::seam, side.from));
+        h.to_one = side.full ? Real(0) : distance(Point::seam, side.from); // y <= 1
         h.wave_end = to_real(ends_.at(Point::end, x_, full_));
         h.beyond = first + delta;
         h.gap = side.nears == 2 ? distance(side.near[1], side.from) : Real(0);

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/two_waves.hpp"
+
+#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/scale_one.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace touchstone;
+using transfer::ScaleOne;
+using transfer::to_ball;
+using transfer::to_real;
+using transfer::TwoWaves;
+using transfer::Variable;
+
+namespace {
+
+/// The certified density at scale 1, in p*_1, of the pressure P p*_1.
+Ball by_scale_one(const Rational& G, const Rational& P, const TwoWaves::Real& x)
+{
+    const ScaleOne q{[&] { return Ball(Rational(P * G)); }, Rational(x.high) + Rational(x.low), [&] { return Ball(G); }, Rational(P * G), G};
+    return transfer::scale_one_density(Variable::angle, q) * Ball(G);
+}
+
+} // namespace
+
+TEST_CASE("the density after two waves against one integral over the angle")
+{
+    const WorkingPrecision precision(200);
+    struct {
+        const char *G, *P;
+    } const cases[] = {{"3/2", "1/2"}, {"2", "1/100"}, {"21/20", "3"}, {"5/2", "19/10"}, {"3/2", "2"}, {"6/5", "1"}};
+    for (const auto& c : cases) {
+        const Rational G = *parse_rational(c.G), P = *parse_rational(c.P);
+        const TwoWaves waves{Ball(G), Ball(P), 1e-22};
+        const Rational top = G * (P + 1), inside = P < 2 ? Rational(G * P * P / 4) : Rational(G * (P - 1));
+        std::vector<Rational> points;
+        for (const char* x : {"1/50", "3/10", "999/1000", "1", "1001/1000", "7/4", "3", "9"}) points.push_back(*parse_rational(x));
+        for (const char* off : {"1/100", "1e-6", "1e-14", "1e-22"}) // next to where upper, and lower, ends of the waves meet
+            for (const int side : {-1, 1}) {
+                points.push_back(top < 2 ? Rational(top * top / 4) : Rational(top - 1));
+                points.back() += side * *parse_rational(off);
+                points.push_back(inside + 1 + side * *parse_rational(off));
+            }
+        for (const Rational& point : points) {
+            const auto x = to_real(Ball(point));
+            const auto [value, error] = waves.value(x);
+            INFO("G ", c.G, " P ", c.P, " x ", x.high, ": ", value.high, " +- ", error);
+            REQUIRE(error < 1e-20);
+            Ball own = to_ball(value);
+            const Ball radius = Ball::exactly(error);
+            arb_add_error(own.get(), radius.get());
+            CHECK(own.overlaps(by_scale_one(G, P, x)));
+        }
+    }
+}
+
+TEST_CASE("a disc holds no singular point, and its bound holds")
+{
+    const WorkingPrecision precision(200);
+    const Rational G(3, 2), P(1, 2);
+    const TwoWaves waves{Ball(G), Ball(P), 1e-18};
+    const auto bound = [&](const Rational& x, double r) {
+        const auto at = to_real(Ball(x));
+        const TwoWaves::Real half(r / 3);
+        return waves.on_disc(at - half, at + half, at, r);
+    };
+    for (const Rational& singular : {Rational(5, 4) /* (x + 1)/G = P + 1 */, Rational(35, 32) /* (x-1)/G = P^2/4 */, Rational(9, 16) /* = 1 */}) {
+        CHECK(std::isinf(bound(singular, 1e-6)));
+        CHECK(std::isinf(bound(singular + Rational(1, 1000), 1.1e-3)));
+        CHECK(bound(singular + Rational(1, 1000), 1e-4) < 1000);
+    }
+    for (const char* x : {"1/20", "1/3", "13/10", "2", "4"}) {
+        double r = 1;
+        while (std::isinf(bound(*parse_rational(x), r))) r /= 2;
+        INFO("x ", x, " r ", r);
+        REQUIRE(r > 1e-3);
+        for (const double t : {-0.99, 0.5, 0.99}) CHECK(waves.value(to_real(Ball(*parse_rational(x)) + Ball::exactly(t * r))).first.high <= bound(*parse_rational(x), r));
+    }
+}
+
+TEST_CASE("what an interval with a logarithm counts for is more than its mean")
+{
+    const WorkingPrecision precision(200);
+    struct {
+        const char *G, *P, *x;
+    } const cases[] = {{"3/2", "1/2", "35/32"}, {"3/2", "1/100", "1.0000375"}, {"3/2", "1/2", "5/4"}, {"3/2", "3", "4"}, {"3/2", "3", "5"}};
+    for (const auto& c : cases) {
+        const Rational G = *parse_rational(c.G), P = *parse_rational(c.P);
+        const TwoWaves waves{Ball(G), Ball(P), 1e-12};
+        const Rational x = *parse_rational(c.x);
+        for (const char* width : {"1e-3", "1e-12", "1e-20"}) {
+            const Rational w = *parse_rational(width);
+            double mean = 0;
+            for (int k = 0; k < 100; ++k) mean += waves.value(to_real(Ball(Rational(x + w * (2 * k - 99) / 200)))).first.high / 100;
+            INFO("P ", c.P, " x ", x.get_d(), " width ", width, " mean ", mean);
+            CHECK(mean < waves.weight_on(x.get_d() - w.get_d(), w.get_d()));
+        }
+    }
+}
