@@ -332,6 +332,14 @@ Rows contact_distribution_full_grid()
     return distinct(rows);
 }
 
+/// Scale 2, and one of scale 4.
+Rows contact_density_full_grid()
+{
+    Rows rows = contact_distribution_full_grid();
+    std::erase_if(rows, [](const std::vector<double>& row) { return row[0] > 2 && row[2] != 1; });
+    return rows;
+}
+
 /// Shares of the highest pressure (or of the widest segment), the edge from both sides included.
 const std::vector<double> shares{0x1p-20, 0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 1 - 0x1p-12, 1 - 0x1p-20, 1.25};
 
@@ -443,6 +451,7 @@ const std::vector<TableSpec>& table_specs()
         {"contact_exceedance_scale_1", "contact.exceedance", 30, contact_scale_1_grid},
         {"contact_density_scale_1", "contact.density", 30, contact_scale_1_grid},
         {"contact_exceedance_full", "contact.exceedance", 10, contact_distribution_full_grid, true},
+        {"contact_density_full", "contact.density", 10, contact_density_full_grid, true},
         {"segments_count", "segments.count", digits, segments_count_grid},
         {"segments_density", "segments.density", 30, segments_density_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},

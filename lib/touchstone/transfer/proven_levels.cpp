@@ -104,7 +104,7 @@ double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
 
 /// mu_x(J) = (T 1_J)(x) for any x and |J| = width: proven_levels.md (2)
 double largest_share(double G, double width) { return std::sqrt(G * width / 2); }
-/// T^2 1_J: proven_levels.md, 6
+/// T^2 1_J: proven_levels.md, 5
 double largest_second_share(double G, double width)
 {
     const double l = G * width;
@@ -607,7 +607,7 @@ struct ProvenLevels::State {
     void add_hole(int m, const Real& low, const Real& high, double defect_)
     {
         const std::lock_guard lock(holes_mutex);
-        holes[m].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_});
+        holes[m].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_ <= infinite ? defect_ : infinite});
     }
     /// What is known on a part of a panel: of densities, what is large is kept apart, for the part may be much narrower.
     void found(int m, const Real& low, const Real& high, double panel_width, double& of_panel, double defect_)

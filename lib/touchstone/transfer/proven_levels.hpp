@@ -61,7 +61,7 @@ private:
 
 /// A_n/lambda_0 (6.7), and the share above a pressure given in p*_n, to the digits that the thread's precision asks for; meshes are
 /// kept for later calls. 1 <= n <= 20, load <= 100.
-/// or as far as 106 bits go, about 22. \throws BeyondReach as ProvenLevels
+/// Or as far as 106 bits go, about 22. \throws BeyondReach as ProvenLevels
 Ball area_by_proven_levels(long n, const Arguments&);
 Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&);
 /// q_n p*_n at a pressure in p*_n, 2 <= n.

@@ -398,7 +398,7 @@ double TwoWaves::on_disc(const Real& low, const Real& high, const Real& x, doubl
     // the ends of the first wave move by less than 0.3 of their distance from every point that matters
     constexpr double share = 0.3, most = 75;
     const bool full_first = low >= 1;
-    const double x_ = double(x), P = double(ends_->P_near), G = double(ends_->G_near);
+    const double x_ = double(x), G = double(ends_->G_near);
     if (!full_first && (high > 1 || !(r < share * double(1 - x)) || !(r < share * x_))) return infinite;
     const double moved = margin * (full_first ? r / G : 2 * r / (G * std::sqrt(x_)));
     double nearest = full_first ? 2 / G : infinite;
@@ -408,9 +408,11 @@ double TwoWaves::on_disc(const Real& low, const Real& high, const Real& x, doubl
         if (end == Point::begin && !full_first) continue;
         const Ball y = ends_->at(end, at, full_first);
         const auto consider = [&](const Ball& s) { nearest = min(nearest, std::fabs(double(to_real(y - s)))); };
-        if (P < 2) consider(ends_->lower);
-        if (P < 2.000001) consider(Ball(1));
-        if (P > 1.999999) consider(ends_->bottom);
+        if (ends_->P_near <= 2) {
+            consider(ends_->lower);
+            consider(Ball(1));
+        }
+        if (ends_->P_near >= 2) consider(ends_->bottom);
         consider(ends_->top);
     }
     if (!(moved < share * nearest)) return infinite;
@@ -438,7 +440,7 @@ double TwoWaves::weight_on(double x, double width) const
         singular(P + 1, 0.26);                 // y >= 1: y - P + 1 >= 3/2
     }
     else {
-        if (P < 2) singular(P * P / 4, 0.36 * std::sqrt((1 + 2 / P) / 5)); // R >= P
+        if (ends_->P_near <= 2) singular(P * P / 4, 0.36 * std::sqrt((1 + 2 / P) / 5)); // R >= P
         if (P > 1.25) singular(P - 1, 0.32);   // 1/(u v)^(1/2) <= u^(-1/2) + v^(-1/2), u + v = 2
         else sum += 0.38;
         singular(P + 1, 0.32);

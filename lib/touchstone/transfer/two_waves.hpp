@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The density of pressure after two waves, as a function of the load ratio of the first: the level from which the proof of densities with
-/// full contact starts (proven_levels.md, section 6).
+/// full contact starts (proven_levels.md, section 5).
 ///
 ///     D_1(x) = int k(x, y) d(y) dy,   k dy = dtheta/pi of the first wave (T),   d = -dF/dP of the second, (2.19):
 ///     d(y) = (1/pi) ((y - P + 1)(P + 1 - y))^(-1/2)                                          y >= 1
