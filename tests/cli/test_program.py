@@ -59,8 +59,8 @@ class Program(unittest.TestCase):
         self.assertEqual(json.loads(r.stdout)["status"], "undecided")
 
     def test_only_what_is_proven_is_explained(self):
-        for n, status in (("0", "certified"), ("1", "certified"), ("2", "estimated")):  # with full contact
-            words = ["eval", "contact.density", f"n={n}", "p=0.9", "load=1", "G=2", "--digits", "3", "--explain"]
+        for n, p, status in (("0", "0.9", "certified"), ("1", "0.9", "certified"), ("2", "0.9", "certified"), ("2", "0.002", "estimated")):  # with full contact
+            words = ["eval", "contact.density", f"n={n}", f"p={p}", "load=1", "G=2", "--digits", "3", "--explain"]
             plain = run(*words)
             self.assertEqual((plain.returncode, plain.stderr), (0, ""))
             self.assertEqual("proves the digits" in plain.stdout, status == "certified")

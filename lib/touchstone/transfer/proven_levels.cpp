@@ -1170,9 +1170,12 @@ std::string ProvenLevels::certificate(long n, const Ball& load) const
 {
     std::vector<Contribution> budget;
     const Ball value = share_and_budget(*state_, n, load, &budget);
-    std::string text = fmt::format("proven levels: {} panels of {} terms, G to 101 bits; T B_{} within {:.2e}\n", state_->all->panels.size(), state_->orders.terms, n - 1, value.radius_bound());
+    const bool share = state_->first->is_share();
+    const long shift = share ? 0 : 1; // level 0 of densities is D_1
+    std::string text = fmt::format("proven levels: {} panels of {} terms, G to 101 bits; T {}_{} within {:.2e}{}\n", state_->all->panels.size(), state_->orders.terms,
+                                   share ? 'B' : 'D', n - 1 + shift, value.radius_bound() * unit_, share ? "" : ", in 1/p*_n");
     for (const auto& b : budget)
-        text += fmt::format("  level {:2}: T of its defect <= {:.2e}, share of it that reaches the value: {:.2e}\n", b.level, b.effect, b.weight);
+        text += fmt::format("  level {:2}: T of its defect <= {:.2e}, share of it that reaches the value: {:.2e}\n", b.level + shift, b.effect * unit_, b.weight);
     return text;
 }
 

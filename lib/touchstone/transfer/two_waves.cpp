@@ -106,6 +106,7 @@ struct Roots<Disc> {
     void down(const Disc& v) { below = below * sqrt(v); }
     Disc value() const { return above / below; }
 };
+
 /// pi^2 times the integrand, at tau0 + eta.
 template <class S>
 TOUCHSTONE_INLINE S integrand(const Half<S>& h, const S& eta)
@@ -120,8 +121,8 @@ TOUCHSTONE_INLINE S integrand(const Half<S>& h, const S& eta)
     if (!h.full_first) {
         const S gy = h.G * y, r = sqrt(h.one_minus_x * h.one_minus_x + gy * gy);
         roots.up(1 + h.x + r);
-        roots.down((h.wave_end + y));
-        roots.down((r + h.one_minus_x));
+        roots.down(h.wave_end + y);
+        roots.down(r + h.one_minus_x);
         factor = factor * (gy / r);
     }
     if (!h.full) {
@@ -135,8 +136,7 @@ TOUCHSTONE_INLINE S integrand(const Half<S>& h, const S& eta)
 
 TOUCHSTONE_INLINE Half<Four> spread(const Half<Real>& h)
 {
-    return {h.full_first, h.full,         h.left,    h.made_up,   h.second,        h.fars,
-            Four(h.x),    Four(h.one_minus_x), Four(h.G), Four(h.P), Four(h.from), Four(h.to_one),
+    return {h.full_first, h.full, h.left, h.made_up, h.second, h.fars, Four(h.x), Four(h.one_minus_x), Four(h.G), Four(h.P), Four(h.from), Four(h.to_one),
             Four(h.wave_end), Four(h.quarter), Four(h.beyond), Four(h.gap), {Four(h.far[0]), Four(h.far[1])}, Four(h.tau0), Four(h.s0), Four(h.length)};
 }
 
