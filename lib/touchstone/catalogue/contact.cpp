@@ -354,6 +354,9 @@ std::vector<std::string> density_route_names(const Inputs& in, long n, const Bal
     return density_by_proven_levels(in, n) ? proven_route_names : law_names(in, n, p);
 }
 
+/// Beyond 15 digits the meshes of densities grow without end (proven_levels.md).
+Quantity::Limits density_limits(const Inputs& in, long n) { return density_by_proven_levels(in, n) ? Quantity::Limits{15, true} : Quantity::Limits{}; }
+
 /// The share above p is by the proven levels.
 bool exceedance_by_proven_levels(const Inputs& in)
 {
@@ -461,7 +464,7 @@ void add_contact(std::vector<Quantity>& all)
                    [](const Inputs& in) { return proven_levels_limits(exceedance_by_proven_levels(in)); }});
 
 
-    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 20 digits for n <= 20, load <= 100, G > 1.003, p >= p*_n/1024; else estimated for n <= 20",
+    all.push_back({"contact.density", "6.1", "1/p*_0", "n from 0 to 10^4, p >= 0, load > 0, G > 1; certified for n <= 1, or n <= 20, load <= 1, G > 2; to 15 digits for n <= 20, load <= 100, G > 1.003, p >= p*_n/1024; else estimated for n <= 20",
                    {"n", "p", "load", "G"}, "density q_n of the pressure at scale n, at p (in p*_0)", check_pressure,
                    [](const Inputs& in) -> Exact {
                        const bool partial = in.real("load") <= 1 && in.compare_G(2) > 0;
@@ -473,9 +476,9 @@ void add_contact(std::vector<Quantity>& all)
                    by_both_laws([](Law law, const Inputs& in) { return density(law, in, in.integer("n"), [&in] { return Ball(in.real("p")); }, in.real("p")); }), explain_p, true,
                    by_both_grids([](transfer::Grid g, const Inputs& in) { return estimated_density(g, in.integer("n"), in, [&in] { return Ball(in.real("p")); }, in.real("p")); }),
                    [](const Inputs& in) { return density_route_names(in, in.integer("n"), Ball(in.real("p"))); },
-                   [](const Inputs& in) { return proven_levels_limits(density_by_proven_levels(in, in.integer("n"))); }});
+                   [](const Inputs& in) { return density_limits(in, in.integer("n")); }});
 
-    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, or n <= 21, load <= 1, G > 2; to 20 digits for n <= 21, load <= 100, G > 1.003; else estimated for n <= 21",
+    all.push_back({"segments.density", "9.3", "1", "n from 1 to 10^4, 0 <= a <= 1/2, load > 0, G > 1; certified for n <= 2, or n <= 21, load <= 1, G > 2; to 15 digits for n <= 21, load <= 100, G > 1.003; else estimated for n <= 21",
                    {"n", "a", "load", "G"}, "density of segments by half-width a (in lambda_n), N^_n lambda_n",
                    [](const Inputs& in) {
                        check_contact(in);
@@ -500,7 +503,7 @@ void add_contact(std::vector<Quantity>& all)
                        return scaled(estimated_density(g, in.integer("n") - 1, in, [&in] { return of_segments(in).first; }), of_segments(in).second);
                    }),
                    [](const Inputs& in) { return density_route_names(in, in.integer("n") - 1, of_segments(in).first); },
-                   [](const Inputs& in) { return proven_levels_limits(density_by_proven_levels(in, in.integer("n") - 1)); }});
+                   [](const Inputs& in) { return density_limits(in, in.integer("n") - 1); }});
 
     all.push_back({"segments.count", "8.1", "1", "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified or estimated where contact.area is at n - 1",
                    {"n", "load", "D", "gamma"}, "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
