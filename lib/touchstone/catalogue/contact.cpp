@@ -317,12 +317,6 @@ Ball pressure_ratio(const Inputs& in, long n) { return Ball(in.real("p")) / unit
 /// Scales from 2 on where the forward levels don't serve.
 bool density_by_proven_levels(const Inputs& in, long n) { return n > 1 && !by_forward_levels(in, n); }
 
-void require_proven_level(long n)
-{
-    if (n > transfer::ProvenLevels::levels)
-        throw BeyondReach(fmt::format("with full contact, areas and distributions are certified for n <= {} only", transfer::ProvenLevels::levels));
-}
-
 Ball density(Law law, const Inputs& in, long n, const Pressure& p_at, std::optional<Rational> exact_p = std::nullopt)
 {
     if (by_scale_one(in, n, p_at())) {
@@ -330,8 +324,7 @@ Ball density(Law law, const Inputs& in, long n, const Pressure& p_at, std::optio
         return transfer::scale_one_density(variable(law), at_scale_one(in, p_at, std::move(exact_p)));
     }
     const bool proven = density_by_proven_levels(in, n);
-    if (proven) require_proven_level(n);
-    else if (n > 0) require_distribution(in, n);
+    if (n > 0 && !proven) require_distribution(in, n);
     const Ball p = p_at();
     if (certainly(less(highest_pressure(in, n), p))) return Ball(0);
     if (proven) {
@@ -386,7 +379,6 @@ Ball exceedance(Law law, const Inputs& in)
     const Pressure p_at = [&in] { return Ball(in.real("p")); };
     if (by_scale_one(in, n, p_at())) return transfer::scale_one_exceedance(variable(law), at_scale_one(in, p_at, in.real("p")));
     if (exceedance_by_proven_levels(in)) {
-        require_proven_level(n);
         if (law == Law::density) return transfer::exceedance_by_proven_levels(n, [&] { return pressure_ratio(in, n); }, arguments(in));
         return with_radius(transfer::estimated_exceedance(transfer::Grid::blind, n, Ball(in.real("p")), Ball(in.real("load")), in.G_ball()));
     }

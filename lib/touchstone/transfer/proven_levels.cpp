@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <list>
 #include <mutex>
 
@@ -24,11 +23,8 @@ using Real = DoubleDouble<double>; // values and positions; bounds of errors are
 using Kernel = WaveKernel<Real>;
 using std::max, std::min;
 
-constexpr double u = 0x1p-101; // twice the largest relative error of one operation on `Real`
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double pi_below = 3.14159265358979311;
+using namespace bounds;
 constexpr int most_levels = ProvenLevels::levels;
-constexpr double margin = 1.001; // on bounds that are themselves computed with roundings
 constexpr double narrowest = 2e6 * u; // half of an interval of x, relative: rounding moves its Chebyshev points by less than 1e-6 of that
 constexpr double overlap = 1.4;  // a panel's polynomial is a good approximation on so much more than the panel
 
@@ -129,8 +125,6 @@ struct First {
     virtual Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const = 0;
     /// What |B_0| + largest counts for on an interval of that width from x on, singular points and all (two_waves.hpp). Only if it is no share.
     virtual double weight_on(double, double, double) const { return infinite; }
-    /// B_0 is 0 below this.
-    virtual double lowest() const { return 0; }
 };
 
 /// A function known in balls.
@@ -155,7 +149,6 @@ struct Density : First {
     }
     Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const override { return {waves.on_disc(low, high, x, r) / unit, infinite}; }
     double weight_on(double x, double width, double largest) const override { return waves.weight_on(x, width) / unit + largest; }
-    double lowest() const override { return waves.lowest(); }
     TwoWaves waves;
     double unit; ///< a power of two
 };
@@ -1101,7 +1094,7 @@ ProvenLevels ProvenLevels::densities(const Ball& G, const Ball& pressure, double
     ProvenLevels result;
     result.unit_ = std::min(1.0, std::exp2(std::floor(std::log2(double(to_real(pressure))))));
     auto first = std::make_unique<Density>(G, pressure, result.unit_, tolerance / 64);
-    if (!(first->lowest() > 2 * lowest_of_densities && result.unit_ >= 0x1p-10)) throw BeyondReach("the pressure is too low for the proven levels of densities"); // minutes and more
+    if (!(first->waves.lowest() > 2 * lowest_of_densities && result.unit_ >= 0x1p-10)) throw BeyondReach("the pressure is too low for the proven levels of densities"); // minutes and more
     result.state_ = made(G, std::move(first), highest, tolerance, spoiled, scales);
     return result;
 }

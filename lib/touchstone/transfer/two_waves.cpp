@@ -7,21 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstring>
-#include <limits>
 
 namespace touchstone::transfer {
 namespace {
 
 using Real = TwoWaves::Real;
-using Four = DoubleDouble<Lanes>;
 using std::max, std::min;
 
-constexpr double u = 0x1p-101;
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double margin = 1.001;
-constexpr double pi_below = 3.14159265358979311;
-constexpr double rho = 3;            // of the ellipse on which the integrand of a panel is bounded
+using namespace bounds;
+constexpr double rho = 3;              // of the ellipse on which the integrand of a panel is bounded
 constexpr std::size_t most_cuts = 200; // panels of one half
 constexpr slong end_bits = 256;
 
@@ -144,21 +138,15 @@ TOUCHSTONE_CLONES
 Real integral(const Half<Real>& half, const std::vector<double>& cuts, const Gauss& gauss)
 {
     const Half<Four> h = spread(half);
-    Four sum{};
+    Four total{};
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
         const Real width = half.length * (Real(cuts[c + 1]) - Real(cuts[c])) * 0.5;
         const Four first(half.length * cuts[c]), unit(width);
         for (std::size_t i = 0; i < gauss.nodes.size(); i += 4) {
-            Four node, weight;
-            std::memcpy(&node.high, gauss.nodes.high.data() + i, sizeof node.high);
-            std::memcpy(&node.low, gauss.nodes.low.data() + i, sizeof node.low);
-            std::memcpy(&weight.high, gauss.weights.high.data() + i, sizeof weight.high);
-            std::memcpy(&weight.low, gauss.weights.low.data() + i, sizeof weight.low);
-            sum += unit * weight * integrand(h, first + unit * (1 + node));
+            total += unit * load(gauss.weights, i) * integrand(h, first + unit * (1 + load(gauss.nodes, i)));
         }
     }
-    const Real a{sum.high[0], sum.low[0]}, b{sum.high[1], sum.low[1]}, c{sum.high[2], sum.low[2]}, d{sum.high[3], sum.low[3]};
-    return (a + b) + (c + d);
+    return sum(total);
 }
 
 } // namespace
@@ -222,7 +210,6 @@ public:
     /// The value, and a bound of its error.
     std::pair<Real, double> value() const
     {
-        constexpr Real inverse_pi{0x1.45f306dc9c883p-2, -0x1.6b01ec5417056p-56};
         Real sum = 0;
         double error = 0;
         for (const Side& side : sides_) {

@@ -2,32 +2,10 @@
 // Compiled with -O3 -fno-math-errno -ffp-contract=off: lanes become vector instructions, and nothing else changes.
 #include "touchstone/transfer/wave_kernel.hpp"
 
-#include <cstring>
-
 namespace touchstone::transfer {
 namespace {
 
 using Real = DoubleDouble<double>;
-using Four = DoubleDouble<Lanes>;
-
-TOUCHSTONE_INLINE Four load(const Wide& w, std::size_t i)
-{
-    Four r;
-    std::memcpy(&r.high, w.high.data() + i, sizeof r.high);
-    std::memcpy(&r.low, w.low.data() + i, sizeof r.low);
-    return r;
-}
-TOUCHSTONE_INLINE void store(const Four& r, Wide& w, std::size_t i)
-{
-    std::memcpy(w.high.data() + i, &r.high, sizeof r.high);
-    std::memcpy(w.low.data() + i, &r.low, sizeof r.low);
-}
-TOUCHSTONE_INLINE Real sum(const Four& f)
-{
-    const Real a{f.high[0], f.low[0]}, b{f.high[1], f.low[1]}, c{f.high[2], f.low[2]}, d{f.high[3], f.low[3]};
-    return (a + b) + (c + d);
-}
-
 /// A sum of n products or numbers with the low parts in one binary64: off by at most (n^2/2 + 5 n + 10) 2^-106 of the sum of moduli.
 struct Sum {
     Lanes high{}, low{};
@@ -46,8 +24,6 @@ struct Sum {
     }
     TOUCHSTONE_INLINE Four total() const { return Four::two_sum(high, low); }
 };
-
-constexpr Real inverse_pi{0x1.45f306dc9c883p-2, -0x1.6b01ec5417056p-56};
 
 TOUCHSTONE_INLINE Four wide_kernel_density(const Four& x, const Four& G, const Four& G2, bool full, const Four& z)
 {

@@ -8,6 +8,7 @@
 #include "touchstone/transfer/double_double.hpp"
 
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace touchstone::transfer {
@@ -21,6 +22,27 @@ struct Wide {
     DoubleDouble<double> operator[](std::size_t i) const { return {high[i], low[i]}; }
     void set(std::size_t i, const DoubleDouble<double>& v) { high[i] = v.high, low[i] = v.low; }
 };
+
+/// Four numbers side by side, from and to four places of an array.
+using Four = DoubleDouble<Lanes>;
+TOUCHSTONE_INLINE Four load(const Wide& w, std::size_t i)
+{
+    Four r;
+    std::memcpy(&r.high, w.high.data() + i, sizeof r.high);
+    std::memcpy(&r.low, w.low.data() + i, sizeof r.low);
+    return r;
+}
+TOUCHSTONE_INLINE void store(const Four& r, Wide& w, std::size_t i)
+{
+    std::memcpy(w.high.data() + i, &r.high, sizeof r.high);
+    std::memcpy(w.low.data() + i, &r.low, sizeof r.low);
+}
+TOUCHSTONE_INLINE DoubleDouble<double> sum(const Four& f)
+{
+    const DoubleDouble<double> a{f.high[0], f.low[0]}, b{f.high[1], f.low[1]}, c{f.high[2], f.low[2]}, d{f.high[3], f.low[3]};
+    return (a + b) + (c + d);
+}
+constexpr DoubleDouble<double> inverse_pi{0x1.45f306dc9c883p-2, -0x1.6b01ec5417056p-56};
 
 /// One wave at load ratio x: z = y^2 of the next ratio y, where it begins and ends, and 1 -+ c, c = cos theta, as functions of z.
 template <class R>

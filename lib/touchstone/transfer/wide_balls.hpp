@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Between balls and numbers of 106 bits. Internal to transfer/.
+/// Between balls and numbers of 106 bits, and what bounds in binary64 are made with. Internal to transfer/.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
 #include "touchstone/transfer/wave_kernel.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace touchstone::transfer {
+
+namespace bounds {
+constexpr double u = 0x1p-101; // twice the largest relative error of one operation on 106 bits
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double pi_below = 3.14159265358979311;
+constexpr double margin = 1.001; // on bounds that are themselves computed with roundings
+} // namespace bounds
 
 inline Ball to_ball(const DoubleDouble<double>& x)
 {
