@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "touchstone/oracle/baseline.hpp"
 #include "touchstone/table/format.hpp"
+#include "touchstone/table/rows.hpp"
 #include "touchstone/transfer/progress.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
@@ -42,6 +43,9 @@ int guarded(const Run& run)
         return complain(bad_input, e.what());
     }
     catch (const CorruptTable& e) {
+        return complain(bad_input, e.what());
+    }
+    catch (const BadRows& e) {
         return complain(bad_input, e.what());
     }
     catch (const oracle::BadBaseline& e) {
