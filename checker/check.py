@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""check.py [--limit N] TABLE...: recomputes every row of closed form in canonical tables and says how many it confirms.
+
+A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and
+an error of 0 only if the value is found to be exactly what is printed. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
+"""
+import argparse
+import hashlib
+import json
+import sys
+from fractions import Fraction
+
+import closed_forms
+from intervals import Interval
+
+MOST_BITS = 16384
+sys.set_int_max_str_digits(0) if hasattr(sys, "set_int_max_str_digits") else None
+
+
+class Unreadable(Exception):
+    pass
+
+
+def read(path):
+    """header, rows of a canonical table, its sha256 verified"""
+    try:
+        with open(path, encoding="ascii", newline="") as file:
+            text = file.read()
+    except (OSError, UnicodeDecodeError) as reason:
+        raise Unreadable(f"{path}: {reason}") from None
+    if "\r" in text:
+        raise Unreadable(f"{path}: has carriage returns; its line ends were changed")
+    lines = text.split("\n")
+    headers = [line for line in lines if line.startswith("# {")]
+    if len(headers) != 1:
+        raise Unreadable(f"{path}: not a canonical table: {len(headers)} lines of JSON")
+    try:
+        header = json.loads(headers[0][2:])
+        inputs, rows_promised, digest = header["inputs"], header["rows"], header["sha256"]
+    except (ValueError, KeyError, TypeError) as reason:
+        raise Unreadable(f"{path}: header: {reason}") from None
+    rows = [line for line in lines if line and not line.startswith("#")]
+    if len(rows) != rows_promised:
+        raise Unreadable(f"{path}: {len(rows)} rows, {rows_promised} promised")
+    if hashlib.sha256("".join(row + "\n" for row in rows).encode()).hexdigest() != digest:
+        raise Unreadable(f"{path}: sha256 of the rows is not the header's")
+    for number, row in enumerate(rows, 1):
+        if len(row.split()) < len(inputs) + 2:
+            raise Unreadable(f"{path}: row {number}: too few columns")
+    return header, rows
+
+
+def verdict(form, row, names, binary64):
+    """'right', 'wrong', 'not a closed form' or 'undecided' for one row"""
+    cells = row.split()
+    try:
+        inputs = [Fraction(float(c)) if binary64 else Fraction(c) for c in cells[: len(names)]]
+        value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])
+    except (ValueError, OverflowError, ZeroDivisionError):
+        return "unreadable"
+    Interval.bits = 64 + int(3.33 * len(cells[len(names)].split("e")[0]))
+    while Interval.bits <= MOST_BITS:
+        try:
+            true = form(*inputs)
+        except (closed_forms.Undecided, ZeroDivisionError):
+            Interval.bits *= 2
+            continue
+        if true is None:
+            return "not a closed form"
+        if isinstance(true, Fraction):
+            return "right" if abs(true - value) <= error else "wrong"
+        low, high = true.ends()
+        if value - error <= low and high <= value + error:
+            return "right"
+        if high < value - error or low > value + error:
+            return "wrong"
+        Interval.bits *= 2
+    return "undecided"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--limit", type=int, help="check at most N rows of a table, evenly spread")
+    parser.add_argument("tables", nargs="+")
+    arguments = parser.parse_args()
+    worst = 0
+    print(f"{'table':30} {'rows':>6} {'right':>6} {'open':>6} {'wrong':>6}")
+    for path in arguments.tables:
+        try:
+            header, rows = read(path)
+            form = closed_forms.FORMS.get(header["quantity"])
+            if form is None:
+                raise Unreadable(f"{path}: no closed form is known for '{header['quantity']}'")
+        except Unreadable as reason:
+            print(f"check.py: {reason}", file=sys.stderr)
+            worst = max(worst, 65)
+            continue
+        step = max(1, -(-len(rows) // arguments.limit)) if arguments.limit else 1
+        count = {}
+        for number, row in enumerate(rows[::step]):
+            said = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
+            count[said] = count.get(said, 0) + 1
+            if said in ("wrong", "undecided", "unreadable"):
+                print(f"{path}: row {number * step + 1}: {said}: {row}", file=sys.stderr)
+        wrong = count.get("wrong", 0) + count.get("unreadable", 0)
+        right = count.get("right", 0)
+        asked = len(rows[::step])
+        print(f"{header['name']:30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6}", flush=True)
+        if wrong:
+            worst = max(worst, 1)
+    return worst
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,393 @@
+# SPDX-License-Identifier: MIT
+"""The closed forms of the paper as it prints them (corrected where the ledger refutes the print), for exact inputs.
+
+Each function takes fractions and returns a Fraction where the value is rational and found to be so, else an Interval.
+Units: lengths in wavelengths, pressures in p*, load = mean pressure / p*, G = gamma^(D-1). A difference of inputs is formed
+exactly; where an interval is still too wide (Undecided, or digits left open) the caller doubles Interval.bits and asks again.
+Written from the paper and the definitions in docs, not from the library: no form here is one of its rearranged ones.
+"""
+from fractions import Fraction
+from functools import lru_cache
+from math import isqrt
+
+import intervals as iv
+from intervals import Interval
+
+
+class Undecided(Exception):
+    """More bits may tell on which side of a branch an input lies."""
+
+
+def root(x):
+    """sqrt, exact for squares of fractions"""
+    if isinstance(x, Fraction):
+        n, d = isqrt(x.numerator), isqrt(x.denominator)
+        if n * n == x.numerator and d * d == x.denominator:
+            return Fraction(n, d)
+    return iv.sqrt(x)
+
+
+def below(a, b):
+    """Whether a < b, decided."""
+    if isinstance(a, Fraction) and isinstance(b, Fraction):
+        return a < b
+    d = Interval.of(b) - a
+    if d.low <= 0 < d.high:
+        raise Undecided
+    return d.low > 0
+
+
+def arc(y, x):
+    """angle of (x, y) over pi; exact on the axes and the diagonal"""
+    if isinstance(y, Fraction) and isinstance(x, Fraction):
+        if y == 0 or x == 0 or x == y:
+            return Fraction(0) if y == 0 else Fraction(1, 2) if x == 0 else Fraction(1, 4)
+    return iv.angle(y, x) / iv.pi()
+
+
+def arcsin_root(s, rest):
+    """arcsin(sqrt s)/pi where rest = 1 - s is known exactly or better than by subtraction"""
+    if isinstance(s, Fraction) and s == rest:
+        return Fraction(1, 4)
+    s = s if isinstance(s, Fraction) else s.positive()
+    return arc(root(s), root(rest if isinstance(rest, Fraction) else rest.positive()))
+
+
+def sine_square(x):
+    """sin^2(pi x); 0, 1/2 and 1 where they are exact"""
+    quarters = 4 * x
+    if quarters.denominator == 1:
+        return Fraction((0, 1, 2, 1)[quarters.numerator % 4], 2)
+    return iv.sin_pi(x).square()
+
+
+# ---- section 2
+
+def half_width(load):
+    return arcsin_root(load, 1 - load)  # (2.5)
+
+
+def pressure(x, load):
+    s2 = sine_square(x)
+    if load >= 1:
+        return load + 1 - 2 * s2  # (2.2)
+    inside = load - s2
+    if not below(Fraction(0), inside):
+        return Fraction(0)
+    return 2 * (root(1 - s2) * root(inside))  # (2.4)
+
+
+def partial_ratio(p, load):
+    """(2.17): s with Q = (2/pi) arcsin sqrt s, and 1 - s, from R = sqrt((1 - load)^2 + p^2)"""
+    R = root((1 - load) ** 2 + p * p)
+    rest = (2 * (1 - load) + 2 * R + p * p) / (2 * (1 + load + R)) if load < 1 or p else Fraction(0)
+    return (4 * load - p * p) / (2 * (1 + load + R)), rest, R
+
+
+def exceedance(p, load):
+    if load >= 1:
+        if p <= load - 1 or p >= load + 1:
+            return Fraction(p <= load - 1)
+        return 2 * arcsin_root((load + 1 - p) / 2, (p - load + 1) / 2)  # (2.14), half angles
+    if p * p >= 4 * load:
+        return Fraction(0)
+    s, rest, _ = partial_ratio(p, load)
+    return 2 * arcsin_root(s, rest)
+
+
+def density(p, load):
+    """p may be an interval"""
+    if load >= 1:
+        if not (below(load - 1, p) and below(p, load + 1)):
+            return Fraction(0)
+        return 1 / (iv.pi() * root((p - load + 1) * (load + 1 - p)))  # (2.15)
+    if p == 0 or not below(p * p, 4 * load):
+        return Fraction(0)
+    R = root((1 - load) ** 2 + p * p)
+    inside = Interval.of((1 + load + R) / ((1 - load + R) * (4 * load - p * p)))  # (2.19)
+    return p / (iv.pi() * R) * iv.sqrt(inside)
+
+
+def hertz_half_width(load):
+    return root(load) / iv.pi()
+
+
+def hertz_pressure(x, load):
+    inside = load - (iv.pi() * x).square() if x else load
+    return 2 * root(inside) if below(Fraction(0), inside) else Fraction(0)
+
+
+def gap_beyond(v2, load):
+    """4 times the integral of sqrt(t^2 - load) from sqrt(load) to v"""
+    inside = v2 - load
+    if not below(Fraction(0), inside):
+        return Fraction(0)
+    v, w = root(v2), root(inside)
+    return 2 * (v * w - load * iv.log((v + w) / root(load)))
+
+
+def gap(x, load):
+    return Fraction(0) if load >= 1 else gap_beyond(sine_square(x), load)
+
+
+def hertz_gap(x, load):
+    return gap_beyond((iv.pi() * x).square() if x else Fraction(0), load)
+
+
+def mean_gap(load):
+    return Fraction(0) if load >= 1 else 1 - load + load * iv.log(load)
+
+
+def energy(load):
+    return Fraction(1, 4) if load >= 1 else load * load * (1 - 2 * iv.log(load)) / 4
+
+
+# ---- section 3
+
+def surface_ratio(D, gamma):
+    return iv.power(gamma, D - 1)
+
+
+def weierstrass_bound(D, gamma):
+    return 1 / (1 - iv.power(gamma, D - 2))
+
+
+def exact_power(x, exponent):
+    """x**exponent as a fraction, for exponents with a power of two below; None if it is none"""
+    y = x ** abs(exponent.numerator)
+    for _ in range(exponent.denominator.bit_length() - 1):
+        y = root(y)
+        if not isinstance(y, Fraction):
+            return None
+    return y if exponent > 0 else 1 / y
+
+
+def cosine_of_turns(phase):
+    """cos(2 pi phase); -1, 0 and 1 where they are exact"""
+    quarters = 4 * phase
+    if quarters.denominator == 1:
+        return Fraction((1, 0, -1, 0)[quarters.numerator % 4])
+    return iv.cos_pi(2 * phase % 2)
+
+
+def weierstrass_profile(x, D, gamma):
+    """(3.1), each phase exact. What follows the last term is a geometric series; so is all that follows a phase of whole turns."""
+    few = (D - 2).denominator <= 8 and abs((D - 2).numerator) <= 8
+    ratio = exact_power(gamma, D - 2) if few else None
+    if ratio is None:
+        ratio = iv.power(gamma, D - 2)
+    amplitude, phase, total = Fraction(1), x, Fraction(0)
+    while iv._magnitude(Interval.of(amplitude)) > -Interval.bits:
+        if phase.denominator == 1 and gamma.denominator == 1:
+            return total + amplitude / (1 - ratio)
+        total = total + amplitude * cosine_of_turns(phase)
+        amplitude, phase = amplitude * ratio, phase * gamma
+        if gamma.denominator == 1:
+            phase %= 1
+    return total + iv.error_term(Interval.of(amplitude / (1 - ratio)))
+
+
+# ---- section 5
+
+def f(x):
+    return 1 + x if not below(x, Fraction(1)) else 2 * root(x)
+
+
+def seam(x):
+    """f, continuous at 1: there the hull of both branches"""
+    try:
+        return f(x)
+    except Undecided:
+        low, high = Interval(x.low, x.low, x.exponent), Interval(x.high, x.high, x.exponent)
+        a, b = 2 * iv.sqrt(low), 1 + high
+        e = min(a.exponent, b.exponent)
+        return Interval(a.low << (a.exponent - e), b.high << (b.exponent - e), e)
+
+
+def iterate(n, load, G):
+    """(5.6) from x_(-1) = load; two more values once rounding has taken over would change nothing, so none are skipped"""
+    x = load
+    for _ in range(int(n) + 1):
+        x = seam(x) / G
+        if isinstance(x, Fraction) and x.denominator.bit_length() > 4096:
+            x = Interval.of(x)
+    return x
+
+
+def fixed_point(G):
+    return 4 / (G * G) if G >= 2 else 1 / (G - 1)  # (5.8), (5.9)
+
+
+# ---- section 7
+
+@lru_cache(maxsize=None)
+def bernoulli(count):
+    """B_2, B_4, ... as fractions, by tangent numbers"""
+    tangent = [0] * (count + 1)
+    tangent[1] = 1
+    for k in range(2, count + 1):
+        tangent[k] = (k - 1) * tangent[k - 1]
+    for k in range(2, count + 1):
+        for j in range(k, count + 1):
+            tangent[j] = (j - k) * tangent[j - 1] + (j - k + 2) * tangent[j]
+    return [Fraction((-1) ** (k - 1) * 2 * k * tangent[k], 4**k * (4**k - 1)) for k in range(1, count + 1)]
+
+
+@lru_cache(maxsize=None)
+def stirling(bits):
+    """the coefficients of Stirling's series"""
+    return [Interval.of(b / (2 * k * (2 * k - 1))) for k, b in enumerate(bernoulli(bits // 6), 1)]
+
+
+@lru_cache(maxsize=None)
+def half_log_two_pi(bits):
+    return iv.log(2 * iv.pi()).scaled(-1)
+
+
+def log_gamma(x):
+    """log Gamma(x), x > 0, by Stirling's series at z = x + shift; its error is at most the first term left out (real z),
+    and terms fall until the pi z-th, beyond the last at hand."""
+    coefficients = stirling(Interval.bits)
+    shift = Interval.bits // 6
+    product = Interval.of(1)
+    for j in range(shift):
+        product = product * (x + j)
+    z = Interval.of(x + shift)
+    total = (z - Fraction(1, 2)) * iv.log(z) - z + half_log_two_pi(Interval.bits) - iv.log(product)
+    inverse, square = 1 / z, 1 / z.square()
+    for c in coefficients:
+        term = c * inverse
+        if iv._magnitude(term) < -Interval.bits:
+            break
+        total = total + term
+        inverse = inverse * square
+    return total + iv.error_term(term)
+
+
+@lru_cache(maxsize=None)
+def half_log_pi(bits):
+    return iv.log(iv.pi()).scaled(-1)
+
+
+def log_step(delta):
+    """(7.13)  log K_(n+1)/K_n at delta = delta_n"""
+    return iv.log(2) * delta + log_gamma(1 + delta / 2) - log_gamma(Fraction(3, 2) + delta / 2) - half_log_pi(Interval.bits)
+
+
+_log_K = {}
+
+
+def log_K(n):
+    """log K_n at the present precision, by the recursion (7.13) from K_0 = 2/pi"""
+    known = _log_K.setdefault(Interval.bits, [iv.log(2 / iv.pi())])
+    while len(known) <= n:
+        known.append(known[-1] + log_step(1 - Fraction(1, 2 ** len(known))))
+    return known[n]
+
+
+def K(n):
+    """K_n; for large n from K_inf <= K_n <= K_inf e^(2^-(n+1)), see K_inf."""
+    n = int(n)
+    if n <= Interval.bits:
+        return iv.exp(log_K(n))
+    limit = K_inf()
+    return limit + iv.error_term(limit * Fraction(1, 2**Interval.bits))
+
+
+def K_inf():
+    """K_N e^(-2^-(N+1)) <= K_inf <= K_(N+1)^2/K_N, N >= 0. Proof: the step (7.13) at delta is phi(delta) = (1/pi) int (2 cos t)^delta cos t dt
+    over |t| < pi/2, which is log-convex (Hoelder), with phi(0) = 2/pi, phi(1) = 1, phi'(1) = 1/2. So L(h) = log phi(1 - h) is convex
+    with L(0) = 0 and slope -1/2 there: -h/2 <= L(h) <= 0, 0 <= h <= 1, and L(h/2) <= L(h)/2. Summed over the steps
+    h = 2^-(N+1), 2^-(N+2), ... the first gives the lower bound (and K_inf <= K_N), the second log K_inf/K_N <= 2 L(2^-(N+1))."""
+    N = Interval.bits // 2 + 8
+    low = iv.exp(log_K(N) - Fraction(1, 2 ** (N + 1)))
+    high = iv.exp(log_K(N + 1).scaled(1) - log_K(N))
+    e = min(low.exponent, high.exponent)
+    return Interval(low.low << (low.exponent - e), high.high << (high.exponent - e), e)
+
+
+def delta(n):
+    return 1 - Fraction(1, 2 ** (int(n) + 1))
+
+
+def alpha(n, D):
+    return (1 - D) * (n - 1 + Fraction(1, 2 ** int(n)))
+
+
+def archard_area(n, load, G):
+    return K(n) * iv.exp(iv.log(G) * -(n - 1 + Fraction(1, 2 ** int(n))) + iv.log(load) * delta(n))
+
+
+def archard_segments(n, load, D, gamma):
+    exponent = (2 - D) * n + 2 * (D - 1) * (1 - Fraction(1, 2 ** int(n)))
+    return K(n - 1) * iv.exp(iv.log(gamma) * exponent + iv.log(load) * (1 - Fraction(1, 2 ** int(n))))
+
+
+def archard_segments_limit(n, load, D, gamma):
+    return K_inf() * iv.exp(iv.log(gamma) * ((2 - D) * n + 2 * (D - 1))) * load
+
+
+# ---- section 9
+
+def max_half_width(n, load, G):
+    x = load if n == 0 else iterate(n - 1, load, G)
+    if not below(x, Fraction(1)):
+        return Fraction(1, 2)
+    return arcsin_root(x, 1 - x)
+
+
+# ---- scale 0 of the recursion, and what is exact at every scale
+
+def everywhere_in_contact(n, load, p, G):
+    """load - (1 + G + ... + G^n) >= p"""
+    total, power = Fraction(0), Fraction(1)
+    for _ in range(int(n) + 1):
+        total += power
+        if total > load - p:
+            return False
+        power *= G
+    return True
+
+
+def contact_area(n, load, G):
+    if everywhere_in_contact(n, load, 0, G):
+        return Fraction(1)
+    return 2 * half_width(min(load, Fraction(1))) if n == 0 else None
+
+
+def contact_exceedance(n, p, load, G):
+    if everywhere_in_contact(n, load, p, G):
+        return Fraction(1)
+    return exceedance(p, load) if n == 0 else None
+
+
+def contact_density(n, p, load, G):
+    return density(p, load) if n == 0 else None
+
+
+def segments_count(n, load, D, gamma):
+    return 2 * half_width(min(load, Fraction(1))) * gamma if n == 1 else None
+
+
+def segments_density(n, a, load, G):
+    """(9.3) at n = 1: the pressure G sin^2(pi a) of scale 0 makes segments of half-width a in lambda_1; full contact makes none"""
+    if n != 1:
+        return None
+    if a in (0, Fraction(1, 2)):
+        return Fraction(0)
+    q = density(sine_square(a) * G, load)
+    return q * (iv.pi() * iv.sin_pi(2 * a) * G) if q else Fraction(0)
+
+
+FORMS = {
+    "westergaard.half_width": half_width, "westergaard.pressure": pressure, "westergaard.exceedance": exceedance,
+    "westergaard.density": density, "westergaard.gap": gap, "westergaard.mean_gap": mean_gap, "westergaard.energy": energy,
+    "hertz.half_width": hertz_half_width, "hertz.pressure": hertz_pressure, "hertz.gap": hertz_gap,
+    "weierstrass.bound": weierstrass_bound, "weierstrass.profile": weierstrass_profile,
+    "peaks.f": f, "peaks.iterate": iterate, "peaks.fixed_point": fixed_point,
+    "archard.K": K, "archard.K_inf": K_inf, "archard.delta": delta, "archard.alpha": alpha, "archard.area": archard_area,
+    "archard.segments": archard_segments, "archard.segments_limit": archard_segments_limit,
+    "segments.max_half_width": max_half_width,
+    "contact.area": contact_area, "contact.exceedance": contact_exceedance, "contact.density": contact_density,
+    "segments.count": segments_count, "segments.density": segments_density,
+}

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""The checker on the committed tables, on mutants of their rows, and on files that are no tables."""
+import argparse
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--checker", required=True, type=pathlib.Path)
+parser.add_argument("--tables", required=True, type=pathlib.Path)
+parser.add_argument("--every-row", action="store_true", help="all rows of all tables, K_inf to 1000 digits too: some minutes")
+known, rest = parser.parse_known_args()
+sys.path.insert(0, str(known.checker))
+import check  # noqa: E402
+import closed_forms  # noqa: E402
+
+CLOSED = ["archard_K", "archard_alpha", "archard_area", "archard_delta", "archard_segments", "archard_segments_limit", "hertz_gap",
+          "hertz_half_width", "hertz_pressure", "peaks_f", "peaks_fixed_point", "peaks_iterate", "segments_max_half_width",
+          "weierstrass_bound", "weierstrass_profile", "westergaard_density", "westergaard_energy", "westergaard_exceedance",
+          "westergaard_gap", "westergaard_half_width", "westergaard_mean_gap", "westergaard_pressure"]
+RECURSION = ["contact_area", "contact_area_full", "contact_area_heavy", "contact_density", "contact_exceedance", "segments_count", "segments_density"]
+
+
+def run(*arguments):
+    return subprocess.run([sys.executable, known.checker / "check.py", *map(str, arguments)], capture_output=True, text=True)
+
+
+class Checker(unittest.TestCase):
+    def tables(self, names):
+        return [known.tables / f"{name}.txt" for name in names]
+
+    def test_no_row_is_wrong(self):
+        limit = [] if known.every_row else ["--limit", 5]
+        closed = self.tables(CLOSED + (["archard_K_inf"] if known.every_row else []))
+        result = run(*limit, *closed, *self.tables(RECURSION))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        lines = [line.split() for line in result.stdout.splitlines()[1:]]
+        self.assertEqual(len(lines), len(closed) + len(RECURSION))
+        for name, rows, right, still_open, wrong in lines:
+            self.assertGreater(int(right), 0, name)
+            if name not in RECURSION:
+                self.assertEqual((right, still_open, wrong), (rows, "0", "0"), name)
+
+    def test_mutants_are_found(self):
+        """One digit of one value changed by one, or an error bound halved twice: never confirmed."""
+        seed = 20261122
+        chosen = random.Random(seed)
+        for name in CLOSED:
+            header, rows = check.read(known.tables / f"{name}.txt")
+            form, inputs = closed_forms.FORMS[header["quantity"]], header["inputs"]
+            for row in chosen.sample(rows, 3):
+                cells = row.split()
+                value = cells[len(inputs)]
+                mantissa, e, exponent = value.partition("e")
+                places = [i for i, c in enumerate(mantissa) if c.isdigit()]
+                place = chosen.choice(places)
+                digit = str((int(mantissa[place]) + chosen.choice([1, 9])) % 10)
+                cells[len(inputs)] = mantissa[:place] + digit + mantissa[place + 1:] + e + exponent
+                with self.subTest(seed=seed, table=name, row=row, mutant=cells[len(inputs)]):
+                    self.assertIn(check.verdict(form, " ".join(cells), inputs, True), ("wrong", "undecided"))
+
+    def test_what_is_no_table_is_refused(self):
+        table = (known.tables / "westergaard_half_width.txt").read_text()
+        lines = table.splitlines(keepends=True)
+        first_row = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+        bad = {
+            "empty": "", "no header": "1 2 3\n", "short": "".join(lines[:-1]), "crlf": table.replace("\n", "\r\n"),
+            "digit": table.replace(lines[first_row], lines[first_row].replace("7", "8", 1)),
+            "json": table.replace('"rows":', '"rows":}'), "binary": "\x00\xff" * 100,
+            "unknown": table.replace("westergaard.half_width", "westergaard.nonsense"),
+        }
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in bad.items():
+                path = pathlib.Path(folder) / "t.txt"
+                path.write_bytes(text.encode("latin-1"))
+                result = run(path)
+                with self.subTest(name):
+                    self.assertEqual(result.returncode, 65)
+                    self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                    self.assertNotIn("Traceback", result.stderr)
+            self.assertEqual(run(pathlib.Path(folder) / "none").returncode, 65)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *rest])
