@@ -2,7 +2,7 @@
 /// Full contact at every load and scale of figures 3 and 4, and where the chain stays long in full contact.
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/transfer/full_contact.hpp"
-#include "touchstone/transfer/scale_one.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
 #include "touchstone/transfer/singular_points.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>

@@ -4,7 +4,7 @@
 #include "touchstone/transfer/forward.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
-#include "touchstone/transfer/scale_one.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>
 

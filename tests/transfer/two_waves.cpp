@@ -2,7 +2,7 @@
 #include "touchstone/transfer/two_waves.hpp"
 
 #include "touchstone/catalogue/quantity.hpp"
-#include "touchstone/transfer/scale_one.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>
 

@@ -8,7 +8,7 @@
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
-#include "touchstone/transfer/scale_one.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <fmt/format.h>
 
@@ -52,15 +52,36 @@ std::vector<Route> by_both_schemes(F f)
     return {route("force-weighted-chebyshev", Scheme::force_weighted), route("area-gauss-panels", Scheme::area)};
 }
 
+using Pressure = std::function<Ball()>;
+
+transfer::ScaleOne at_scale_one(const Inputs& in, const Pressure& p_at, std::optional<Rational> p = std::nullopt)
+{
+    transfer::ScaleOne q{p_at, in.real("load"), [&in] { return in.G_ball(); }, std::move(p), std::nullopt};
+    try {
+        if (const Exact G = in.G_exact(); G.is_rational()) q.exact_G = G.rational();
+    }
+    catch (const NotExact&) {
+    }
+    return q;
+}
+
 /// Where some regions may be in full contact: the proven levels, and a grid of full_contact.hpp, which they do not share anything with. The
 /// latter's radius is an estimate; the proof is the former's alone, and so are the digits.
 bool full_contact(const Inputs& in)
 {
     return in.compare_G(2) <= 0 || in.real("load") > 1;
 }
+/// A_1 is one integral between known points, whatever the load and G.
+bool area_by_first_steps(long n) { return n == 1; }
+Ball area_at_scale_one(Scheme scheme, const Inputs& in)
+{
+    const auto variable = scheme == Scheme::force_weighted ? transfer::Variable::ratio : transfer::Variable::angle;
+    return transfer::scale_one_exceedance(variable, at_scale_one(in, [] { return Ball(0); }, Rational(0)));
+}
 /// A_n, n >= 1. Above load 1 heavy_load.hpp has two proofs, but is slow, or does not apply, towards G = 2.
 bool area_by_proven_levels(const Inputs& in, long n)
 {
+    if (area_by_first_steps(n)) return false;
     if (in.compare_G(Rational(2'000'001, 1'000'000)) < 0) return true;
     if (in.real("load") <= 1) return false;
     return in.compare_G(n <= transfer::ProvenLevels::levels && in.real("load") <= 100 ? Rational(16, 5) : Rational(101, 50)) <= 0;
@@ -83,6 +104,7 @@ Ball area_with_full_contact(Scheme scheme, long n, const Inputs& in)
 /// A_n, certified: both schemes; n = 0 is (6.6) for any G.
 Ball certified_area(Scheme scheme, long n, const Inputs& in)
 {
+    if (area_by_first_steps(n)) return area_at_scale_one(scheme, in);
     if (n > 0 || in.real("load") > 1) {
         if (area_by_proven_levels(in, n)) return area_with_full_contact(scheme, n, in);
         return in.real("load") > 1 ? transfer::area_at_heavy_load(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
@@ -154,6 +176,7 @@ const std::vector<std::string> proven_route_names{"proven-levels", "blind-halvin
 
 std::vector<std::string> area_route_names(const Inputs& in, long n)
 {
+    if (area_by_first_steps(n)) return {"scale-one-by-ratio", "scale-one-by-angle"};
     if (n > 0 && area_by_proven_levels(in, n)) return proven_route_names;
     return {"force-weighted-chebyshev", "area-gauss-panels"};
 }
@@ -161,6 +184,7 @@ std::vector<std::string> area_route_names(const Inputs& in, long n)
 std::string explain_area(const Inputs& in, long n, long digits)
 {
     if (n == 0) return "A_0 = (2/pi) arcsin sqrt(load), (6.6)\n";
+    if (area_by_first_steps(n)) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (recursion/first_steps/scale_one.hpp)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
     if (area_by_proven_levels(in, n)) return transfer::area_by_proven_levels_certificate(n, arguments(in));
     if (in.real("load") > 1)
@@ -254,8 +278,6 @@ void check_pressure(const Inputs& in)
     require(in.real("p") >= 0, in, "p", ">= 0");
 }
 
-using Pressure = std::function<Ball()>;
-
 /// Whether the forward levels serve: partial contact at every scale, and no highest ratio e_k, (5.6), k <= n, so near 1 that what is left of
 /// their sector is too narrow (measured: from 0.999 on they refuse). Only a choice between proofs, hence in binary64.
 bool by_forward_levels(const Inputs& in, long n)
@@ -276,17 +298,6 @@ bool by_scale_one(const Inputs& in, long n, const Ball& p)
 }
 
 transfer::Variable variable(Law law) { return law == Law::density ? transfer::Variable::ratio : transfer::Variable::angle; }
-
-transfer::ScaleOne at_scale_one(const Inputs& in, const Pressure& p_at, std::optional<Rational> p = std::nullopt)
-{
-    transfer::ScaleOne q{p_at, in.real("load"), [&in] { return in.G_ball(); }, std::move(p), std::nullopt};
-    try {
-        if (const Exact G = in.G_exact(); G.is_rational()) q.exact_G = G.rational();
-    }
-    catch (const NotExact&) {
-    }
-    return q;
-}
 
 std::vector<std::string> law_names(const Inputs& in, long n, const Ball& p)
 {
@@ -388,7 +399,7 @@ Ball exceedance(Law law, const Inputs& in)
 
 std::string explain_distribution(const Inputs& in, long n, const Pressure& p_at, long digits)
 {
-    if (by_scale_one(in, n, p_at())) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (transfer/scale_one.hpp)\n";
+    if (by_scale_one(in, n, p_at())) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (recursion/first_steps/scale_one.hpp)\n";
     if (n == 0) return "n = 0: (2.14) to (2.19)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
     if (density_by_proven_levels(in, n)) return transfer::density_by_proven_levels_certificate(n, [&] { return p_at() / unit_pressure(in, n); }, arguments(in));

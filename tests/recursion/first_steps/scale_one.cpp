@@ -2,9 +2,10 @@
 /// The distribution at scale 1 for any G and load: two variables of integration, the certified chains of partial contact, the
 /// estimates, and the local forms at singular points.
 #include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/transfer/contact.hpp"
 #include "touchstone/transfer/forward.hpp"
 #include "touchstone/transfer/full_contact.hpp"
-#include "touchstone/transfer/scale_one.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>
 
@@ -148,4 +149,42 @@ TEST_CASE("scale 1 through the catalogue: certified, or one line that says why n
     }
     const auto near = eval("contact.density", {{"n", 1}, {"load", 3}, {"G", exactly("1.5")}, {"p", exactly("2.5") + small(30)}});
     CHECK(near.status == Status::certified);
+}
+
+namespace {
+
+Ball area(Variable v, const char* load, const char* G) { return scale_one_exceedance(v, scale_one("0", load, G)); }
+
+} // namespace
+
+TEST_CASE("the area at scale 1: both variables, to 40 digits, also where singular points meet or nearly do")
+{
+    const WorkingPrecision precision(200);
+    for (const auto& [load, G] : {std::pair{"0.35", "1.0838"}, {"1", "2"}, {"1", "1.5"}, {"1", "2.5"}, {"0.5625", "1.5"}, {"0.5625000000000000000000000000001", "1.5"},
+                                  {"0.999999999999999999999999999999", "1.5"}, {"1.000000000000000000000000000001", "2"}, {"0.5", "1.5"}, {"0.5000000000000000000001", "1.5"},
+                                  {"2.4999999999999999999999999", "1.5"}, {"3", "3.5"}, {"1e-300", "2"}, {"0.3", "1.000000000000000000000001"}, {"1000.5", "1000"}}) {
+        CAPTURE(load); CAPTURE(G);
+        const Ball A[2] = {area(Variable::ratio, load, G), area(Variable::angle, load, G)};
+        CHECK(A[0].overlaps(A[1]));
+        for (const Ball& a : A) CHECK(sharp(a, 40));
+    }
+    for (const char* load : {"1", "4"}) { // irrational G: what is exact without it is still told
+        const auto root_5 = [] { return sqrt(Ball(5)); };
+        const ScaleOne q{[] { return Ball(0); }, exactly(load), root_5, Rational(0), std::nullopt};
+        CHECK(scale_one_exceedance(Variable::ratio, q).overlaps(scale_one_exceedance(Variable::angle, q)));
+    }
+    for (const auto& [load, G] : {std::pair{"0.35", "1.0838"}, {"3", "2.5"}}) // Q_1 goes to A_1, with p log p at worst
+        CHECK(apart(scale_one_exceedance(Variable::ratio, scale_one("1e-40", load, G)), area(Variable::angle, load, G)) < 1e-28);
+}
+
+TEST_CASE("the area at scale 1 is what the operator discretised gives, and for small loads what Archard's recursion gives")
+{
+    const WorkingPrecision precision(128);
+    for (const auto& [load, G] : {std::pair{"0.3", "3.16"}, {"1", "2.5"}, {"0.001", "4"}}) {
+        CAPTURE(load); CAPTURE(G);
+        const Ball x(exactly(load)), g(exactly(G));
+        CHECK(area(Variable::angle, load, G).overlaps(transfer::area(Scheme::force_weighted, 1, {[&] { return x; }, [&] { return g; }})));
+    }
+    const auto archard = evaluate(*find_quantity("archard.area"), Inputs({{"n", 1}, {"load", exactly("1e-100")}, {"G", exactly("1.5")}}), {.digits = 30});
+    CHECK(apart(area(Variable::ratio, "1e-100", "1.5"), archard.ball) < 1e-28);
 }

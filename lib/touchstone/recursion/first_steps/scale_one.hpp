@@ -11,12 +11,11 @@
 /// | angle    | (1/pi) int E(x(u)) du/sqrt(u(2-u)), 0 < u < 2          | (1/pi) int -E'(x(u)) (dx/dP) du/sqrt(u(2-u))              |
 ///
 /// u = 1 + cos(theta) of the second wave: x = P + 1 - u, dx/dP = 1 for u < P (full contact), 1 - x = (u-P)(u+P)/(2u), dx/dP = P/u beyond.
+/// At p = 0, Q_1 is the area A_1, F(x; 0) that of one wave, (6.6), and u = 2(1 - x).
 /// In both, q_1 has its singular points where two ends meet: logarithms inside the support, p = load +- 1 +- G, and so on.
 ///
-/// **Evaluation.** Pieces [a, b] between the ends and the seam x = 1, cut in the middle; next to either end the variable is the angle t,
-/// x = a + (b-a) sin^2 t, so that a square root at an end is sin t. All factors are products of roots of distances from ends, each
-/// distance being that of the piece's end (a difference of ends, taken at 4096 bits more) plus (b-a) sin^2 t: p may be as near to a singular
-/// point as one likes. Integrals by acb_calc_integrate, whose bisections approach a near singular point at a cost of log(1/distance); rigorous.
+/// **Evaluation** as in pieces.hpp, with the singular points ordered exactly. Reach: every load > 0 and G > 1, p >= 0 for Q_1, p > 0 for q_1, any digits;
+/// about 0.03 s for 15 digits and 0.2 s for 100, a little more for each decade by which two singular points are nearer than the rest.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
@@ -30,7 +29,7 @@ enum class Variable { ratio, angle };
 
 /// What is asked for; balls at the thread's precision, any precision.
 struct ScaleOne {
-    std::function<Ball()> p;      ///< > 0, in p*_0
+    std::function<Ball()> p;      ///< >= 0, in p*_0
     Rational load;                ///< > 0
     std::function<Ball()> G;      ///< > 1
     std::optional<Rational> exact_p, exact_G; ///< if they are rational: two ends that coincide can be told then

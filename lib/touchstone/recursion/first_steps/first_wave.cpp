@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/recursion/first_steps/first_wave.hpp"
+
+namespace touchstone::transfer::first_steps {
+
+using C = ComplexBall;
+
+End over_G(const Rational& r, const Ball& G, const std::optional<Rational>& exact_G)
+{
+    if (r == 0) return End::rational(r);
+    return {Ball(r) / G, exact_G ? std::optional(Rational(r / *exact_G)) : std::nullopt};
+}
+
+FirstWave::FirstWave(const Rational& load, const Ball& G, const std::optional<Rational>& exact_G) : full_(load >= 1)
+{
+    const WorkingPrecision w = wide();
+    load_ = Ball(load);
+    G_ = G;
+    if (full_) {
+        low_ = over_G(load - 1, G, exact_G);
+        high_ = over_G(load + 1, G, exact_G);
+        return;
+    }
+    low_ = End::rational(0);
+    high_ = {2 * sqrt(load_) / G_, std::nullopt};
+    if (mpz_perfect_square_p(load.get_num_mpz_t()) && mpz_perfect_square_p(load.get_den_mpz_t()))
+        high_ = over_G(2 * Rational(mpz_class(sqrt(load.get_num())), mpz_class(sqrt(load.get_den()))), G, exact_G);
+}
+
+std::vector<Piece::Beyond> FirstWave::roots(const Piece& piece) const
+{
+    std::vector<Piece::Beyond> roots{piece.right(high_)};
+    if (full_) roots.push_back(piece.left(low_));
+    return roots;
+}
+
+C FirstWave::density(const C& x, const Piece::Point& at) const
+{
+    if (full_) return C(1 / pi<Ball>());
+    const C Gx = C(narrow(G_)) * x, out = C(1 - narrow(load_)), R = at.root_of(out * out + Gx * Gx);
+    return Gx * at.root_of((2 - out + R) / ((out + R) * (C(narrow(high_.at())) + x))) / (C(pi<Ball>()) * R);
+}
+
+C FirstWave::share(const C& to_none, const C& to_all, const Piece::Point& at)
+{
+    return at.near_left() ? two_angles(to_none, to_all, at.analytic) : 1 - two_angles(to_all, to_none, at.analytic);
+}
+
+C FirstWave::partial_share(const C& x, const C& to_high, const Piece::Point& at) const
+{
+    const C Gx = C(narrow(G_)) * x, out = C(1 - narrow(load_)), R = at.root_of(out * out + Gx * Gx);
+    return two_angles(to_high * at.root_of((C(narrow(high_.at())) + x) / 2) * C(narrow(G_)), at.root_of(out + R + Gx * Gx / 2), at.analytic);
+}
+
+} // namespace touchstone::transfer::first_steps
