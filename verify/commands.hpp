@@ -8,11 +8,15 @@
 
 namespace CLI {
 class App;
+class Validator;
 }
 
 namespace touchstone::program {
 
 using Run = std::function<int()>;
+
+/// Refuses '': a variable that a script forgot to set is no path.
+CLI::Validator not_empty();
 
 void add_list(CLI::App&, Run&);
 void add_eval(CLI::App&, Run&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone eval`: one value, correctly rounded.
 #include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/scalar/rational_text.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 
@@ -51,7 +52,7 @@ Inputs read_inputs(const Quantity& q, const std::vector<std::string>& words)
         }
         if (values.contains(key)) throw Failure(usage_error, fmt::format("key '{}' is given twice", key));
         const auto value = parse_rational(text);
-        if (!value) throw Failure(bad_input, fmt::format("{} = '{}' is not a number such as 12, 0.1, 1e-300, 1/3 or 0x1.8p-3", key, text));
+        if (!value) throw Failure(bad_input, fmt::format("{} = '{}' {}", key, text, why_not_rational(text)));
         values[key] = *value;
     }
     const bool pair = values.contains("D") && values.contains("gamma");

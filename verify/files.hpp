@@ -3,16 +3,22 @@
 /// Files read and written whole.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
 namespace touchstone::program {
 
-/// The old file or the new one, never half: a temporary file in the same folder, then a rename.
-/// \throws Failure (cannot_write)
+/// What is read whole is no longer than this: an endless file is refused, not read until the memory is full.
+inline constexpr std::size_t longest_file = std::size_t{256} << 20;
+
+/// A plain file is the old one or the new one, never half (a temporary file beside it, then a rename), and keeps its mode and
+/// owner. Devices, pipes and files with several names are written through; a symbolic link stays one, and what it leads to is
+/// written; /dev/stdout and /dev/fd/N continue where they are.
+/// \throws Failure (cannot_write) with the system's reason
 void write_file(const std::filesystem::path&, const std::string& bytes);
 
-/// \throws Failure (no_input_file)
+/// \throws Failure: no_input_file if there is none, bad_input with the system's reason if it cannot be read or has no end
 std::string read_file(const std::filesystem::path&);
 
 } // namespace touchstone::program

@@ -13,16 +13,23 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <numeric>
 #include <random>
+#include <system_error>
 #include <thread>
 
 namespace touchstone::program {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr unsigned long default_seed = 1; ///< the same run gives the same verdict
 
 struct JudgeOptions {
     std::string table;
@@ -32,7 +39,7 @@ struct JudgeOptions {
     bool strict = false, json = false, update = false;
     std::string junit, svg, baseline;
     std::size_t held_out = 32, recheck = 16;
-    unsigned long seed = 0;
+    std::string seed_text = std::to_string(default_seed);
     double start_limit = 60, silence_limit = 10, total_limit = 600;
 };
 
@@ -47,6 +54,7 @@ Reference find_reference(const std::string& name)
     if (name.find('/') != std::string::npos || name.ends_with(".txt") || fs::is_regular_file(name))
         return {parse_table(read_file(name), name), name};
     const TableSpec* spec = find_table(name);
+    if (spec == nullptr && fs::is_directory(name)) throw Failure(bad_input, fmt::format("{} is a directory; give the name of a table, or the path of one in it", name));
     if (spec == nullptr)
         throw Failure(usage_error, fmt::format("unknown table '{}'; nearest is '{}' (or give the path of a canonical table)", name,
                                                nearest_name(name, table_names())));
@@ -66,12 +74,35 @@ Reference find_reference(const std::string& name)
 
 std::chrono::milliseconds limit(double seconds) { return std::chrono::milliseconds(std::max(1L, std::lround(seconds * 1000))); }
 
+oracle::Answers read_answers(const std::string& file, std::size_t rows)
+{
+    std::ifstream in(file);
+    if (!in) read_file(file); // says why not
+    try {
+        return oracle::read_answers(in, rows);
+    }
+    catch (const std::system_error& e) {
+        throw Failure(bad_input, fmt::format("cannot read {}: {}", file, std::strerror(e.code().category() == std::generic_category() ? e.code().value() : EIO)));
+    }
+}
+
+/// `random`, or a natural number.
+unsigned long seed_of(const std::string& text)
+{
+    if (text == "random") return std::random_device{}();
+    unsigned long seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw Failure(usage_error, fmt::format("--seed '{}': must be random, or an integer from 0 to {}", text, std::numeric_limits<unsigned long>::max()));
+    return seed;
+}
+
 oracle::Answers ask(const JudgeOptions& o, const std::vector<oracle::Question>& questions)
 {
     oracle::InputRows rows;
     for (const auto& q : questions) rows.push_back(q.inputs);
     const oracle::Limits limits{limit(o.start_limit), limit(o.silence_limit), limit(o.total_limit)};
-    if (!o.answers.empty()) return oracle::read_answers(read_file(o.answers), rows.size());
+    if (!o.answers.empty()) return read_answers(o.answers, rows.size());
     if (!o.library.empty()) return oracle::ask_library(o.library, o.symbol, rows, limits);
     return oracle::ask_command(o.command, rows, limits);
 }
@@ -154,7 +185,7 @@ int judge_subject(JudgeOptions o)
     c.subject = !o.library.empty() ? o.library + ":" + o.symbol : !o.answers.empty() ? o.answers : fmt::format("{}", fmt::join(o.command, " "));
     c.bound = o.bound;
     c.bound.forgive_inputs = !o.strict;
-    c.seed = o.seed != 0 ? o.seed : std::random_device{}();
+    c.seed = seed_of(o.seed_text);
     if (!reference.file.empty()) oracle::recheck(*c.quantity, table, sample(table.rows.size(), o.recheck, c.seed), reference.file);
     const oracle::Baseline baseline = o.baseline.empty() ? oracle::Baseline{} : stored_baseline(o, table);
     if (!o.baseline.empty() && !o.update) c.bound.baseline = &baseline;
@@ -185,9 +216,9 @@ int judge_subject(JudgeOptions o)
             oracle::recheck(*c.quantity, table, decisive, reference.file);
         }
     }
+    fmt::print("{}", o.json ? as_json(c).dump() + "\n" : as_text(c)); // first: a report is not lost with a file that cannot be written
     if (!o.junit.empty()) write_file(o.junit, as_junit(c));
     if (!o.svg.empty() && !c.answers.fault) write_file(o.svg, as_svg(c));
-    fmt::print("{}", o.json ? as_json(c).dump() + "\n" : as_text(c));
     if (c.answers.fault) throw Failure(protocol_error, fmt::format("'{}' {}", c.subject, c.answers.fault->detail));
     if (o.update) update_baseline(o, c, table, baseline);
     switch (c.judgement.verdict) {
@@ -206,24 +237,24 @@ void add_judge(CLI::App& app, Run& run)
     auto o = std::make_shared<JudgeOptions>();
     command->add_option("table", o->table, "Name of a table, or the path of a canonical table")->required();
     command->add_option("command", o->command, "After --: the program and its arguments; it reads rows of hexadecimal numbers and writes one number a line");
-    command->add_option("--library", o->library, "Shared library whose function is called, in a process of its own");
+    command->add_option("--library", o->library, "Shared library whose function is called, in a process of its own")->check(not_empty());
     command->add_option("--symbol", o->symbol, "double SYMBOL(double, ...) in --library");
-    command->add_option("--answers", o->answers, "File with one answer a line, in the table's order");
+    command->add_option("--answers", o->answers, "File with one answer a line, in the table's order")->check(not_empty());
     command->add_option("--ulps", o->bound.ulps, "Allowed error in ulps, beyond what the rounding of inputs forces")->capture_default_str();
     command->add_flag("--strict", o->strict, "The inputs are exact: forgive nothing for their rounding");
     command->add_option("--absolute", o->bound.absolute, "Allowed error where the true value is zero")->capture_default_str();
     command->add_flag("--keep-order", o->bound.keep_order, "Answers out of order or not symmetric fail too");
-    command->add_option("--baseline", o->baseline, "Bounds row by row, as the code reached them before; they replace --ulps");
+    command->add_option("--baseline", o->baseline, "Bounds row by row, as the code reached them before; they replace --ulps")->check(not_empty());
     command->add_flag("--update-baseline", o->update, "Write --baseline from this run and say what changed");
     command->add_option("--held-out", o->held_out, "Rows that are not in the table, certified now")->check(CLI::Range(0, 10000))->capture_default_str();
-    command->add_option("--recheck", o->recheck, "Rows of a stored table certified anew before it is trusted (those that decide always are)")->capture_default_str();
-    command->add_option("--seed", o->seed, "Which rows are held out and rechecked (default: random, and printed)");
+    command->add_option("--recheck", o->recheck, "Rows of a stored table certified anew before it is trusted (those that decide always are)")->check(CLI::Range(0, 1000000000))->capture_default_str();
+    command->add_option("--seed", o->seed_text, "Which rows are held out and rechecked: a number, or random (then printed)")->capture_default_str();
     command->add_option("--start-limit", o->start_limit, "Seconds until the first answer")->capture_default_str();
     command->add_option("--row-limit", o->silence_limit, "Seconds of silence between answers")->capture_default_str();
     command->add_option("--time-limit", o->total_limit, "Seconds in all")->capture_default_str();
     command->add_flag("--json", o->json, "One JSON object");
-    command->add_option("--junit", o->junit, "Write JUnit XML, one test case a row");
-    command->add_option("--svg", o->svg, "Write a plot of error against input");
+    command->add_option("--junit", o->junit, "Write JUnit XML, one test case a row")->check(not_empty());
+    command->add_option("--svg", o->svg, "Write a plot of error against input")->check(not_empty());
     command->callback([&run, o] { run = [o] { return judge_subject(*o); }; });
 }
 

@@ -2,6 +2,7 @@
 #include "verify/judge_report.hpp"
 
 #include "touchstone/rounding/decimal.hpp"
+#include "touchstone/rounding/shown.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -75,6 +76,28 @@ std::string escaped(std::string_view text)
     return out;
 }
 
+/// What a program wrote, for a terminal or a log: control characters and bytes beyond ASCII become visible, lines stay lines.
+std::string printable(std::string_view text)
+{
+    std::string out;
+    for (const char ch : text) {
+        const auto u = static_cast<unsigned char>(ch);
+        out += (u < 0x20 && ch != '\n' && ch != '\t') || u >= 0x7f ? fmt::format("\\x{:02x}", u) : std::string(1, ch);
+    }
+    return out;
+}
+
+/// The end of a subject's stderr, if it wrote there.
+std::string last_words(const Case& c)
+{
+    constexpr std::size_t most = 300;
+    std::string_view words = c.answers.chatter;
+    while (!words.empty() && (words.back() == '\n' || words.back() == '\r')) words.remove_suffix(1);
+    if (words.empty()) return "";
+    if (words.size() > most) words.remove_prefix(words.size() - most);
+    return fmt::format("  the end of what it wrote to stderr: {}\n", printable(words));
+}
+
 std::string headline(const Case& c)
 {
     const auto& j = c.judgement;
@@ -118,8 +141,8 @@ private:
 std::string as_text(const Case& c)
 {
     if (c.answers.fault)
-        return fmt::format("PROTOCOL: {}\n  '{}' {}\n{}", c.table, c.subject, c.answers.fault->detail,
-                           c.answers.chatter.empty() ? "" : fmt::format("  the end of what it wrote to stderr: {}\n", escaped(c.answers.chatter.substr(0, 300))));
+        return fmt::format("PROTOCOL: {}: {}, {} rows answered\n{}", c.table, to_string(c.answers.fault->kind), c.answers.fault->answered,
+                           last_words(c)); // what happened is the one line on stderr
     const auto& j = c.judgement;
     std::string text = headline(c) + "\n";
     text += fmt::format("  {} of {} ({})\n", c.quantity->name, c.subject, c.quantity->description);
@@ -134,6 +157,8 @@ std::string as_text(const Case& c)
         const auto& v = j.order.front();
         text += fmt::format("  {} pairs of answers {}: first {} and {}\n", j.order.size(), v.what, named_inputs(c, v.first), named_inputs(c, v.second));
     }
+    if (j.held_out_failed > 0)
+        text += fmt::format("  {} of the {} rows held out are beyond {:g} ulps: beside a baseline they do not count\n", j.held_out_failed, c.held_out, c.bound.ulps);
     if (j.looked_up) text += "  right on the table's rows, wrong on most rows held out: the answers look looked up, not computed\n";
     if (j.mixup) text += fmt::format("  likely mistake: {} (explains {:.0f} % of the rows that tell)\n", j.mixup->name, 100 * j.mixup->explains);
     else if (j.failed > 0) text += "  no known mix-up explains the answers\n";
@@ -143,7 +168,7 @@ std::string as_text(const Case& c)
         if (++lines > 5) break;
         const auto& row = j.rows[i];
         text += fmt::format("    {}  [{}]{}\n", named_inputs(c, i), fmt::join(hex_inputs(c, i), " "), c.questions[i].held_out ? " held out" : "");
-        text += fmt::format("      answer {} = {}, true {:.20}\n", hexfloat(row.answer), shortest(row.answer), c.questions[i].value);
+        text += fmt::format("      answer {} = {}, true {}\n", hexfloat(row.answer), shortest(row.answer), shown_decimal(c.questions[i].value));
         if (row.special) text += "      " + row.why + "\n";
         else
             text += fmt::format("      error {} {}, rounded inputs force {} to {}{}\n", brief(row.error), c.questions[i].truth.is_zero() ? "(absolute)" : "ulps",
@@ -167,7 +192,7 @@ Json as_json(const Case& c)
         out["worst"] = Json::array();
         out["mixup"] = nullptr;
         out["fault"] = {{"kind", std::string(to_string(c.answers.fault->kind))}, {"detail", c.answers.fault->detail},
-                        {"answered", c.answers.fault->answered}, {"stderr", escaped(c.answers.chatter)}};
+                        {"answered", c.answers.fault->answered}, {"stderr", printable(c.answers.chatter)}};
         return out;
     }
     const auto& j = c.judgement;
@@ -193,12 +218,13 @@ Json as_json(const Case& c)
     out["bound"] = c.bound.baseline != nullptr ? Json("baseline") : Json(c.bound.ulps);
     out["failed"] = j.failed;
     out["undecided"] = j.undecided;
+    if (c.bound.baseline != nullptr) out["held_out_failed"] = j.held_out_failed;
     out["special"] = j.special;
     out["zeros"] = {{"rows", j.zeros}, {"largest_answer", j.worst_at_zero}, {"negative", j.negative_zeros}};
     out["order_violations"] = j.order.size();
     out["looked_up"] = j.looked_up;
     out["held_out"] = {{"rows", c.held_out}, {"seed", c.seed}};
-    out["stderr"] = escaped(c.answers.chatter);
+    out["stderr"] = printable(c.answers.chatter);
     return out;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/oracle/baseline.hpp"
 #include "touchstone/table/format.hpp"
 #include "touchstone/table/rows.hpp"
@@ -10,10 +11,18 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <system_error>
 #include <new>
+
+CLI::Validator touchstone::program::not_empty()
+{
+    return CLI::Validator([](const std::string& text) { return text.empty() ? std::string("is empty") : std::string(); }, "");
+}
 
 namespace {
 
@@ -33,7 +42,7 @@ int guarded(const Run& run)
 {
     try {
         const int code = run();
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return complain(cannot_write, "standard output cannot be written");
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return complain(cannot_write, fmt::format("standard output cannot be written: {}", std::strerror(errno)));
         return code;
     }
     catch (const Failure& f) {
@@ -53,7 +62,7 @@ int guarded(const Run& run)
     }
     catch (const std::system_error& e) { // what fmt throws when a full disk refuses its buffer
         if (e.code() == std::errc::resource_unavailable_try_again) return complain(internal_error, "no thread could be started; try --jobs 1");
-        return complain(cannot_write, "standard output cannot be written");
+        return complain(cannot_write, fmt::format("standard output cannot be written: {}", e.code().message()));
     }
     catch (const std::bad_alloc&) {
         return complain(internal_error, "out of memory");
@@ -84,6 +93,12 @@ int main(int argc, char** argv)
             fmt::print(stderr, "\r{:<50}", fmt::format("{} {} of {}", what, done, total));
             if (done == total) fmt::print(stderr, "\r{:50}\r", "");
         });
+    if (const std::string_view first = argc > 1 ? argv[1] : ""; !first.empty() && first.front() != '-') { // before a --help after it is obeyed
+        std::vector<std::string> names;
+        for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+        if (std::find(names.begin(), names.end(), first) == names.end())
+            return complain(usage_error, fmt::format("no subcommand '{}'; nearest is '{}' (try: touchstone --help)", first, nearest_name(first, names)));
+    }
     try {
         app.parse(argc, argv);
     }

@@ -230,7 +230,10 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("entry", options->id, "One entry in full: 7.17, table1.n07, text.limit-0.39139, ...");
     command->add_flag("--json", options->json, "An array of objects");
     command->add_flag("--controls", options->controls, "The perturbed prints, each of which must be refuted");
-    command->callback([&run, options] { run = [options] { return run_paper(*options); }; });
+    command->callback([&run, options, command] {
+        if (command->count("entry") > 0 && options->id.empty()) throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
+        run = [options] { return run_paper(*options); };
+    });
 }
 
 } // namespace touchstone::program

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -33,6 +34,19 @@ struct TableOptions {
     bool skip_slow = false;
 };
 
+/// Some characters of a line from about a place on; what cannot be seen is named.
+std::string shown_from(const std::string& line, std::size_t place)
+{
+    constexpr std::size_t before = 60, most = 120;
+    const std::size_t begin = place > before ? place - before : 0;
+    std::string shown = begin > 0 ? "..." : "";
+    for (const char c : line.substr(begin, most)) {
+        const auto u = static_cast<unsigned char>(c);
+        shown += c == '\r' ? "<CR>" : u < 0x20 || u >= 0x7f ? fmt::format("\\x{:02x}", u) : std::string(1, c);
+    }
+    return shown + (begin + most < line.size() ? "..." : "");
+}
+
 /// Where two texts part: the line number and the two lines.
 std::string first_difference(const std::string& expected, const std::string& found)
 {
@@ -42,8 +56,12 @@ std::string first_difference(const std::string& expected, const std::string& fou
         const bool more_a = static_cast<bool>(std::getline(a, x));
         const bool more_b = static_cast<bool>(std::getline(b, y));
         if (!more_a && !more_b) return "line ends";
-        if (more_a != more_b || x != y)
-            return fmt::format("line {}: regenerated '{:.200}', stored '{:.200}'", line, more_a ? x : "", more_b ? y : "");
+        if (more_a != more_b || x != y) {
+            const auto place = static_cast<std::size_t>(std::mismatch(x.begin(), x.end(), y.begin(), y.end()).first - x.begin());
+            const bool returns = y == x + "\r";
+            return fmt::format("line {}: regenerated '{}', stored '{}'{}", line, more_a ? shown_from(x, place) : "", more_b ? shown_from(y, place) : "",
+                               returns ? "; lines end in CR LF where LF is right (git's core.autocrlf?)" : "");
+        }
     }
 }
 
@@ -91,7 +109,8 @@ int make_tables(const TableOptions& o)
     if (!o.out.empty() && !o.check) {
         std::error_code error;
         fs::create_directories(o.out, error);
-        if (error || ::access(o.out.c_str(), W_OK) != 0) throw Failure(cannot_write, fmt::format("cannot write into {}", o.out));
+        if (!error && ::access(o.out.c_str(), W_OK) != 0) error = std::error_code(errno, std::generic_category());
+        if (error) throw Failure(cannot_write, fmt::format("cannot write into {}: {}", o.out, error.message()));
     }
     const bool terminal = ::isatty(2) != 0;
     const bool whole_set = specs.size() == table_specs().size();
@@ -149,7 +168,7 @@ void add_table(CLI::App& app, Run& run)
     command->add_option("names", o->names, "Table names, or all: " + fmt::format("{}", fmt::join(table_names(), " ")))->required();
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000 (default: each table's own)");
     command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")->check(CLI::IsMember(table_formats()))->capture_default_str();
-    command->add_option("--out", o->out, "Folder for the files; without it one table goes to standard output");
+    command->add_option("--out", o->out, "Folder for the files; without it one table goes to standard output")->check(not_empty());
     command->add_option("--jobs", o->jobs, "Threads")->check(CLI::Range(1u, 1024u));
     command->add_flag("--skip-slow", o->skip_slow, "Leave out the tables that take minutes (full contact, distributions at all scales)");
     command->add_flag("--check", o->check, "Write nothing: regenerate and compare with the files in --out, byte for byte");

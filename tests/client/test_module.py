@@ -81,11 +81,27 @@ class Client(unittest.TestCase):
         out = subprocess.run([options.read_table, str(self.table)], check=True, capture_output=True, text=True).stdout
         self.assertTrue(0.5 < float(out) <= 4, out)
 
+    def test_examples_without_a_table_say_so_in_a_line(self):
+        if options.read_table:
+            for words, expected in (([], "which table?"), (["/no/such/table"], "No such file"), ([options.client], "")):
+                r = subprocess.run([options.read_table, *words], capture_output=True, text=True)
+                self.assertEqual((r.returncode, r.stderr.count("\n")), (1, 1), r.stderr)
+                self.assertIn(expected, r.stderr)
+
+    def test_the_matlab_example_is_matlab(self):
+        text = pathlib.Path(options.client, "read_table.m").read_text()
+        code = "\n".join(line for line in text.splitlines() if not line.startswith("%"))
+        for octave_only in ('"', "!", "printf(", "argv", "endfunction", "endif", "#{"):
+            if octave_only == "printf(":
+                code = code.replace("fprintf(", "").replace("sprintf(", "")
+            self.assertNotIn(octave_only, code)
+        self.assertIn("function", code)
+
     def test_octave_example(self):
         octave = shutil.which("octave-cli")
         if octave is None:
             self.skipTest("octave-cli is not installed")
-        out = subprocess.run([octave, options.client + "/read_table.m", str(self.table)], check=True, capture_output=True, text=True).stdout
+        out = subprocess.run([octave, "--path", options.client, "--eval", f"read_table('{self.table}')"], check=True, capture_output=True, text=True).stdout
         self.assertTrue(0.5 < float(out) <= 4, out)
 
 

@@ -3,6 +3,8 @@
 
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/oracle/mixup.hpp"
+#include "touchstone/rounding/decimal.hpp"
+#include "touchstone/rounding/shown.hpp"
 
 #include <fmt/format.h>
 
@@ -42,14 +44,14 @@ JudgedRow judge_row(const Quantity& q, const Question& question, double answer, 
     if (row.special) {
         row.error = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
         row.verdict = Verdict::fail;
-        row.why = fmt::format("{} where the true value is {:.20}", std::isnan(answer) ? "nan" : answer > 0 ? "inf" : "-inf", question.value);
+        row.why = fmt::format("{} where the true value is {}", std::isnan(answer) ? "nan" : answer > 0 ? "inf" : "-inf", shown_decimal(question.value));
         return row;
     }
     row.error = error_of(answer, question.truth);
     if (bound.baseline != nullptr && !question.held_out) {
         const double before = bound.baseline->bounds.at(row_key(question.inputs));
         row.verdict = compare(row, {before, before});
-        if (row.verdict != Verdict::pass) row.why = fmt::format("{:.4g} ulps, and {:.4g} in the baseline", row.error.most, before);
+        if (row.verdict != Verdict::pass) row.why = fmt::format("{} ulps, and {} in the baseline", shortest(row.error.most), shortest(before));
         return row;
     }
     const double own = question.truth.is_zero() ? bound.absolute : bound.ulps;
@@ -165,7 +167,7 @@ void recheck(const Quantity& q, const StoredTable& table, const std::vector<std:
             throw CorruptTable(fmt::format("{}: row {} ({}): {}", file, i + 1, row_key(row.inputs), error.what()));
         }
         if (e.value != row.value || e.error_bound != row.error)
-            throw CorruptTable(fmt::format("{}: row {} ({}) holds {:.50} +- {}, certified is {:.50} +- {}", file, i + 1, row_key(row.inputs),
+            throw CorruptTable(fmt::format("{}: row {} ({}) holds {} +- {}, certified is {} +- {}", file, i + 1, row_key(row.inputs),
                                            row.value, row.error, e.value, e.error_bound));
     }
 }
@@ -178,9 +180,11 @@ Judgement judge(const Quantity& q, const std::vector<Question>& questions, const
     for (std::size_t i = 0; i < questions.size(); ++i) {
         const Question& question = questions[i];
         JudgedRow row = judge_row(q, question, answers[i], bound);
-        result.failed += row.verdict == Verdict::fail;
-        result.undecided += row.verdict == Verdict::undecided;
-        result.special += row.special;
+        const bool counts = bound.baseline == nullptr || !question.held_out;
+        result.failed += counts && row.verdict == Verdict::fail;
+        result.undecided += counts && row.verdict == Verdict::undecided;
+        result.special += counts && row.special;
+        result.held_out_failed += !counts && row.verdict == Verdict::fail;
         out += question.held_out;
         (question.held_out ? wrong_out : wrong_in) += row.special || row.verdict == Verdict::fail;
         if (question.truth.is_zero()) {

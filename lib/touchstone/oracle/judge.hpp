@@ -38,7 +38,9 @@ struct Bound {
     bool forgive_inputs = true; ///< false: the bound is for the whole error
     double absolute = 0;        ///< allowed where the true value is zero
     bool keep_order = false;    ///< order and symmetry violations fail too
-    const Baseline* baseline = nullptr; ///< replaces `ulps` for the table's rows by what the code reached before
+    /// Replaces `ulps` for the table's rows by what the code reached before. Rows held out have no such figure: beside a baseline
+    /// they are judged by `ulps`, and never decide.
+    const Baseline* baseline = nullptr;
 };
 
 struct JudgedRow {
@@ -61,6 +63,7 @@ struct Judgement {
     std::vector<JudgedRow> rows;
     Interval ulps;                       ///< worst row: largest least, largest most
     std::size_t failed = 0, undecided = 0, special = 0, negative_zeros = 0, zeros = 0;
+    std::size_t held_out_failed = 0;     ///< rows held out beside a baseline that are beyond `ulps`: said, never counted
     double worst_at_zero = 0;            ///< largest |answer| where the truth is zero
     std::vector<std::size_t> worst;      ///< rows, the worst first
     std::vector<OrderViolation> order;

@@ -46,11 +46,11 @@ struct Factor {
     Rational value;
 };
 
-/// Factors that conventions differ by. nu = 0.3 is steel's; other ratios are found by fitting.
-std::vector<Factor> convention_factors(const Quantity& q)
+/// Factors that conventions differ by, of a length measured across the contact or of anything else. nu = 0.3 is steel's;
+/// other ratios are found by fitting.
+std::vector<Factor> convention_factors(bool width)
 {
     const Rational pi = rational_pi();
-    const bool width = q.name.ends_with("half_width");
     const std::string two = width ? "full width for half width" : "2: peak-to-valley for amplitude, or 2E* for E*";
     const std::string half = width ? "quarter width for half width" : "1/2: amplitude for peak-to-valley, or E* for 2E*";
     return {{two, 2}, {half, Rational(1, 2)}, {"pi", pi}, {"1/pi", 1 / pi}, {"2 pi", 2 * pi}, {"1/(2 pi)", 1 / (2 * pi)},
@@ -70,13 +70,14 @@ std::vector<InputMistake> input_mistakes(const Quantity& q)
                            return true;
                        }});
     };
-    for (const Factor& f : convention_factors(q)) {
+    for (const Factor& f : convention_factors(false)) {
         if (takes(q, "load") && takes(q, "p")) scaled("load and p (that is, p*)", {"load", "p"}, f, 2);
         if (takes(q, "load")) scaled("load", {"load"}, f, 2);
         if (takes(q, "p")) scaled("p", {"p"}, f, 2);
-        for (const std::string key : {"x", "a"})
-            if (takes(q, key)) scaled(key + " (that is, lambda)", {key}, f, 2);
+        if (takes(q, "x")) scaled("x (that is, lambda)", {"x"}, f, 2);
     }
+    if (takes(q, "a")) // the half-width of a contact
+        for (const Factor& f : convention_factors(true)) scaled("a (that is, lambda)", {"a"}, f, 2);
     if (takes(q, "p") && takes(q, "load")) {
         all.push_back({"p taken in units of the mean pressure, not of p*", 1, [](Values& v) { v["p"] *= v["load"]; return true; }});
         all.push_back({"p divided by the mean pressure", 1, [](Values& v) { v["p"] /= v["load"]; return true; }});
@@ -93,7 +94,7 @@ std::vector<InputMistake> input_mistakes(const Quantity& q)
 std::vector<OutputMistake> output_mistakes(const Quantity& q)
 {
     std::vector<OutputMistake> all{{"", 0, [](const Ball& v, const Inputs&) { return v; }}};
-    for (const Factor& f : convention_factors(q))
+    for (const Factor& f : convention_factors(q.name.ends_with("half_width")))
         all.push_back({"factor " + f.name, 1, [c = f.value](const Ball& v, const Inputs&) { return v * Ball(c); }});
     all.push_back({"opposite sign", 1, [](const Ball& v, const Inputs&) { return -v; }});
     if (takes(q, "load")) {

@@ -14,8 +14,10 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <filesystem>
+#include <istream>
 #include <poll.h>
 #include <spawn.h>
+#include <system_error>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -412,16 +414,31 @@ Answers ask_library(const std::string& library, const std::string& symbol, const
     return answers;
 }
 
-Answers read_answers(std::string_view text, std::size_t rows)
+Answers read_answers(std::istream& in, std::size_t rows)
 {
     Answers answers;
     Collector collector(answers, rows);
-    while (!text.empty() && !answers.fault) {
-        const auto end = std::min(text.find('\n'), text.size() - 1);
-        const std::string_view line = trimmed(text.substr(0, end + (text[end] == '\n' ? 0 : 1)));
-        text.remove_prefix(end + 1);
-        if (line.empty() || line.front() == '#' || line.front() == '%') continue;
-        collector.take(std::string(line) + "\n");
+    std::string line;
+    std::size_t unused = 0;
+    const auto fault = [&](const std::string& what) {
+        answers.fault = Fault{FaultKind::endless_line, fmt::format("{} after {} of {} rows", what, answers.values.size(), rows), answers.values.size()};
+    };
+    for (bool more = true; more && !answers.fault;) {
+        errno = 0;
+        const int c = in.rdbuf()->sbumpc(); // throws if a file cannot be read
+        more = c != std::char_traits<char>::eof();
+        if (!more && (errno == EIO || errno == EISDIR)) throw std::system_error(errno, std::generic_category());
+        if (more && c != '\n') {
+            line += static_cast<char>(c);
+            if (line.size() > longest_line) fault(fmt::format("has {} bytes without a line end", line.size()));
+            continue;
+        }
+        const std::string_view text = trimmed(line);
+        const bool comment = text.empty() || text.front() == '#' || text.front() == '%';
+        unused = comment ? unused + line.size() + 1 : 0;
+        if (!comment) collector.take(std::string(text) + "\n");
+        else if (unused > most_unused) fault(fmt::format("has {} bytes without an answer", unused));
+        line.clear();
     }
     if (!answers.fault && answers.values.size() < rows)
         answers.fault = Fault{FaultKind::too_few, fmt::format("holds {} answers where {} rows were asked", answers.values.size(), rows), answers.values.size()};

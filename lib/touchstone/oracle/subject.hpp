@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ enum class FaultKind {
     too_few,       ///< ended with rows unanswered
     too_many,      ///< more answers than rows
     garbage,       ///< a line that is not one number
-    endless_line,  ///< no line end within what a number can need
+    endless_line,  ///< no line end, or no answer, within what a number can need
     closed_input,  ///< stopped reading before all rows were sent
 };
 std::string_view to_string(FaultKind);
@@ -58,8 +59,10 @@ Answers ask_command(const std::vector<std::string>& command, const InputRows&, c
 Answers ask_library(const std::string& library, const std::string& symbol, const InputRows&, const Limits& = {});
 
 /// Answers given as text, one number a line; blank lines and lines starting with # or % are passed
-/// over (Octave's save writes such).
-Answers read_answers(std::string_view text, std::size_t rows);
+/// over (Octave's save writes such). Reading ends at the first fault, and at `most_unused` bytes without an answer among them.
+/// \throws std::system_error if the stream cannot be read
+Answers read_answers(std::istream&, std::size_t rows);
+inline constexpr std::size_t most_unused = std::size_t{1} << 20;
 
 /// One number as C, Fortran, Python or Octave print it: decimal (D or E exponent), C99 hexadecimal, inf, nan.
 std::optional<double> parse_answer(std::string_view line);

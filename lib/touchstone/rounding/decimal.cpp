@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/rounding/decimal.hpp"
 
+#include "touchstone/rounding/shown.hpp"
+
 #include <fmt/format.h>
 #include <mpfr.h>
 
@@ -142,6 +144,14 @@ std::string hexfloat(double x)
     if (std::isnan(x)) return "nan";
     if (std::isinf(x)) return x < 0 ? "-inf" : "inf";
     return fmt::format("{:a}", x);
+}
+
+std::string shown_decimal(const std::string& number, long digits)
+{
+    const std::size_t mantissa = std::min(number.find_first_of("eE"), number.size());
+    const auto value = parse_rational(number);
+    if (static_cast<long>(mantissa) <= digits || !value) return number;
+    return round_to_digits(*value, digits).text();
 }
 
 std::string shortest(double x) { return fmt::format("{}", x); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/scalar/rational.hpp"
 
+#include "touchstone/scalar/rational_text.hpp"
+
 #include <mpfr.h>
 
 #include <cctype>
@@ -66,6 +68,27 @@ std::optional<Rational> parse_number(std::string_view s)
 }
 
 } // namespace
+
+std::string why_not_rational(std::string_view text)
+{
+    const std::string other = "is not a number such as 12, 0.1, 1e-300, 1/3 or 0x1.8p-3";
+    if (text.empty()) return "is empty; right is a number such as 12, 0.1, 1e-300, 1/3 or 0x1.8p-3";
+    if (const auto slash = text.find('/'); slash != std::string_view::npos) {
+        const auto numerator = text.substr(0, slash), denominator = text.substr(slash + 1);
+        if (!parse_number(numerator)) return numerator.empty() ? other : why_not_rational(numerator);
+        const auto q = parse_number(denominator);
+        if (!q) return denominator.empty() || denominator.find('/') != std::string_view::npos ? other : why_not_rational(denominator);
+        return *q == 0 ? "has 0 as its denominator" : "has a negative denominator; the sign goes in front";
+    }
+    // a number but for the size of its exponent?
+    const bool hexadecimal = text.find_first_of("xX") != std::string_view::npos;
+    const auto mark = text.find_first_of(hexadecimal ? "pP" : "eE");
+    if (mark == std::string_view::npos || !parse_number(text.substr(0, mark))) return other;
+    std::string_view exponent = text.substr(mark + 1);
+    if (!exponent.empty() && (exponent.front() == '-' || exponent.front() == '+')) exponent.remove_prefix(1);
+    const bool digits = !exponent.empty() && exponent.find_first_not_of("0123456789") == std::string_view::npos;
+    return digits ? "has an exponent beyond " + std::to_string(exponent_limit) : other;
+}
 
 std::optional<Rational> parse_rational(std::string_view text)
 {

@@ -214,6 +214,7 @@ StoredTable parse_table(std::string_view text, std::string_view file)
         const std::size_t end = text.find('\n', position);
         const std::string line(text.substr(position, end - position));
         ++line_number;
+        if (line.ends_with('\r')) throw fail("the line ends in CR LF where LF is right (git's core.autocrlf?)");
         if (line.starts_with("#") && !in_rows) {
             if (line.starts_with("# {")) {
                 head = Json::parse(line.substr(2), nullptr, false);

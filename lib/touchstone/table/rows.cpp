@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/table/rows.hpp"
 
+#include "touchstone/scalar/rational_text.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -189,7 +191,7 @@ Rational RowsReader::exact(const Row& row, std::size_t column) const
 {
     const auto value = number(row.words.at(column));
     if (!value)
-        throw fault(row, fmt::format("{} = {} is not a number such as 12, 0.1, 1e-300, 1/3 or 0x1.8p-3", columns_.at(column), quoted(row.words[column])));
+        throw fault(row, fmt::format("{} = {} {}", columns_.at(column), quoted(row.words[column]), why_not_rational(row.words[column])));
     return *value;
 }
 
