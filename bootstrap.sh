@@ -16,8 +16,8 @@ say() { printf '\n== %s\n' "$*"; }
 # ---- what Debian 12 and Ubuntu 24.04 call what we need
 packages=(g++ cmake ninja-build ccache pkg-config
   libgmp-dev libmpfr-dev libflint-dev libboost-dev libginac-dev libcln-dev libgsl-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev doctest-dev gnuplot-nox)
-if [ "$mode" = test ]; then packages+=(python3 gfortran); fi
+  libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev doctest-dev gnuplot-nox fonts-dejavu-core blahtexml)
+if [ "$mode" = test ]; then packages+=(python3 gfortran tidy); fi
 # Arb is a package of its own until FLINT 3 took it in
 if apt-cache show libflint-arb-dev >/dev/null 2>&1; then packages+=(libflint-arb-dev); fi
 
@@ -74,9 +74,12 @@ mkdir -p out
 "$build/touchstone" paper | tee out/paper.txt
 say "reference tables (out/tables)"
 "$build/touchstone" table all --skip-slow --out out/tables
+say "report (out/report/index.html)"
+"$build/touchstone" report --out out/report
 cat <<EOF
 
 Done.
+  out/report/index.html  the paper's figures from certified values, Table 1, the erratum and the ledger, in one file
   out/paper.txt    one verdict for each checked statement of the paper
   out/tables/      certified tables, $(find out/tables -name '*.txt' | wc -l) files, every printed digit proven
 Next:

@@ -23,5 +23,6 @@ void add_eval(CLI::App&, Run&);
 void add_table(CLI::App&, Run&);
 void add_paper(CLI::App&, Run&);
 void add_judge(CLI::App&, Run&);
+void add_report(CLI::App&, Run&);
 
 } // namespace touchstone::program

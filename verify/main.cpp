@@ -3,13 +3,12 @@
 #include "touchstone/oracle/baseline.hpp"
 #include "touchstone/table/format.hpp"
 #include "touchstone/table/rows.hpp"
-#include "touchstone/transfer/progress.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -82,17 +81,15 @@ int main(int argc, char** argv)
                  "69 judged program broke the protocol, 70 internal error, 73 cannot write."};
     app.set_version_flag("--version", "touchstone " + std::string(version()));
     app.require_subcommand(1);
+    app.fallthrough();
+    app.add_flag_callback("--progress", [] { progress_in_logs(true); }, "Long work says how far it is once a minute, in logs too");
     Run run;
     add_list(app, run);
     add_eval(app, run);
     add_table(app, run);
     add_paper(app, run);
     add_judge(app, run);
-    if (::isatty(2) != 0)
-        transfer::report_progress_to([](std::string_view what, long done, long total) {
-            fmt::print(stderr, "\r{:<50}", fmt::format("{} {} of {}", what, done, total));
-            if (done == total) fmt::print(stderr, "\r{:50}\r", "");
-        });
+    add_report(app, run);
     if (const std::string_view first = argc > 1 ? argv[1] : ""; !first.empty() && first.front() != '-') { // before a --help after it is obeyed
         std::vector<std::string> names;
         for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -108,5 +105,6 @@ int main(int argc, char** argv)
     catch (const CLI::ParseError& e) {
         return complain(usage_error, fmt::format("{} (try: touchstone --help)", e.what()));
     }
+    show_steps_of_engines();
     return guarded(run);
 }

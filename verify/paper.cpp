@@ -3,12 +3,14 @@
 #include "proofs/ledger.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/paper.hpp"
+#include "verify/progress.hpp"
+#include "verify/report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -22,6 +24,7 @@ struct PaperOptions {
     std::string id;
     bool json = false;
     bool controls = false;
+    std::string svg, pdf, csv;
 };
 
 std::string corrected_form(const Entry& e)
@@ -42,13 +45,12 @@ std::vector<std::string> failures(const Entry& e)
 
 std::vector<Entry> judge_all()
 {
-    const bool terminal = ::isatty(STDERR_FILENO) != 0;
+    Progress progress("judging entries", claims().size());
     std::vector<Entry> entries;
     for (const Claim& c : claims()) {
-        if (terminal) fmt::print(stderr, "\r{:<40}", c.id);
         entries.push_back(run(c, prints().at(c.id)));
+        progress.done(entries.size());
     }
-    if (terminal) fmt::print(stderr, "\r{:<40}\r", "");
     return entries;
 }
 
@@ -198,6 +200,7 @@ int explain(const Entry& e)
 
 int run_paper(const PaperOptions& options)
 {
+    if (!options.svg.empty() || !options.pdf.empty() || !options.csv.empty()) return write_figure(options.id, options.svg, options.pdf, options.csv);
     if (!options.id.empty()) {
         const auto claim = std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == options.id; });
         if (claim == claims().end())
@@ -223,6 +226,13 @@ int run_paper(const PaperOptions& options)
 
 } // namespace
 
+nlohmann::ordered_json ledger_json()
+{
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Entry& e : judge_all()) all.push_back(json_of(e));
+    return all;
+}
+
 void add_paper(CLI::App& app, Run& run)
 {
     auto* command = app.add_subcommand("paper", "Every equation, table entry and checkable sentence of the paper: one verdict each");
@@ -230,6 +240,9 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("entry", options->id, "One entry in full: 7.17, table1.n07, text.limit-0.39139, ...");
     command->add_flag("--json", options->json, "An array of objects");
     command->add_flag("--controls", options->controls, "The perturbed prints, each of which must be refuted");
+    command->add_option("--svg", options->svg, "Draw a figure: touchstone paper figure5 --svg FILE");
+    command->add_option("--pdf", options->pdf, "Draw a figure");
+    command->add_option("--csv", options->csv, "The points of a figure, each with its error and status");
     command->callback([&run, options, command] {
         if (command->count("entry") > 0 && options->id.empty()) throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
         run = [options] { return run_paper(*options); };
