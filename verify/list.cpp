@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// `touchstone list`: all quantities, a line each.
+/// `touchstone list`: all quantities, a line each; one quantity with an adapter to copy; or all as a page of the documentation.
 #include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/table/table.hpp"
+#include "verify/adapters.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 
@@ -33,27 +35,85 @@ std::string wrapped(const std::string& text, std::size_t indent)
     return out;
 }
 
+struct ListOptions {
+    std::string quantity;
+    bool json = false, markdown = false;
+};
+
+nlohmann::ordered_json as_json(const Quantity& q)
+{
+    return {{"name", q.name}, {"equation", q.equation}, {"unit", q.unit}, {"domain", q.domain}, {"inputs", q.inputs}, {"description", q.description}};
+}
+
+std::vector<std::string> tables_of(const Quantity& q)
+{
+    std::vector<std::string> names;
+    for (const TableSpec& t : table_specs())
+        if (t.quantity == q.name) names.push_back(t.name);
+    return names;
+}
+
+std::string cost(const Quantity& q) { return q.costly ? "seconds to minutes, the first value of a scale most" : "milliseconds"; }
+
+std::string section(const Quantity& q)
+{
+    std::vector<std::string> routes;
+    for (const Route& r : q.routes) routes.push_back(r.name);
+    return fmt::format("## {}\n\n{}. Equation {}.\n\n| | |\n|---|---|\n| inputs | {} |\n| unit | {} |\n| domain, status | {} |\n| routes | {} |\n| cost | {} |\n| tables | {} |\n\n", q.name, q.description, q.equation,
+                       q.inputs.empty() ? "none" : fmt::format("{}", fmt::join(q.inputs, ", ")), q.unit, q.domain, fmt::join(routes, ", "), cost(q), fmt::join(tables_of(q), ", "));
+}
+
+int print_markdown()
+{
+    fmt::print("# Quantities\n\nMade by `touchstone list --markdown`. [Units](units.md) says what the inputs are; `touchstone list QUANTITY` adds an adapter to copy.\n"
+               "Unless the domain says otherwise a value is certified to as many digits as asked, up to 10000.\n\n");
+    for (const Quantity& q : catalogue()) fmt::print("{}", section(q));
+    return holds;
+}
+
+int print_one(const std::string& name, bool json)
+{
+    const Quantity* q = find_quantity(name);
+    if (q == nullptr) throw Failure(usage_error, fmt::format("unknown quantity '{}'; nearest is '{}' (all: touchstone list)", name, nearest_name(name, quantity_names())));
+    if (json) {
+        fmt::print("{}\n", as_json(*q).dump());
+        return holds;
+    }
+    const auto tables = tables_of(*q);
+    std::vector<std::string> routes;
+    for (const Route& r : q->routes) routes.push_back(r.name);
+    fmt::print("{}  {}\n\n  equation  {}\n  inputs    {}\n  unit      {}\n  domain    {}\n  routes    {}\n  cost      {}\n  tables    {}\n\n", q->name, q->description, q->equation,
+               q->inputs.empty() ? "none" : fmt::format("{}", fmt::join(q->inputs, " ")), q->unit, q->domain, fmt::join(routes, ", "), cost(*q), fmt::join(tables, " "));
+    fmt::print("To judge your own code, put it where the adapter says `your function`:\n  touchstone judge {} -- COMMAND\n\n", tables.empty() ? "TABLE" : tables.front());
+    fmt::print("-- Python --\n{}\n-- C++ --\n{}\n-- Fortran --\n{}", python_adapter(*q), cpp_adapter(*q), fortran_adapter(*q));
+    return holds;
+}
+
+int list(const ListOptions& o)
+{
+    if (o.markdown) return print_markdown();
+    if (!o.quantity.empty()) return print_one(o.quantity, o.json);
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Quantity& q : catalogue()) {
+        all.push_back(as_json(q));
+        if (!o.json)
+            fmt::print("{}{}{}{}", wrapped(fmt::format("{} {}", q.name, fmt::join(q.inputs, " ")), 0),
+                       wrapped(fmt::format("{}; equation {}", q.description, q.equation), 4), wrapped("unit: " + q.unit, 4), wrapped("domain: " + q.domain, 4));
+    }
+    if (o.json) fmt::print("{}\n", all.dump());
+    return holds;
+}
+
 } // namespace
 
 void add_list(CLI::App& app, Run& run)
 {
-    auto* command = app.add_subcommand("list", "All quantities: inputs, equation, unit, domain");
-    auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "An array of objects");
-    command->callback([&run, json] {
-        run = [json] {
-            nlohmann::ordered_json all = nlohmann::ordered_json::array();
-            for (const auto& q : catalogue()) {
-                all.push_back({{"name", q.name}, {"equation", q.equation}, {"unit", q.unit}, {"domain", q.domain},
-                               {"inputs", q.inputs}, {"description", q.description}});
-                if (!*json)
-                    fmt::print("{}{}{}{}", wrapped(fmt::format("{} {}", q.name, fmt::join(q.inputs, " ")), 0),
-                               wrapped(fmt::format("{}; equation {}", q.description, q.equation), 4), wrapped("unit: " + q.unit, 4), wrapped("domain: " + q.domain, 4));
-            }
-            if (*json) fmt::print("{}\n", all.dump());
-            return static_cast<int>(holds);
-        };
-    });
+    auto* command = app.add_subcommand("list", "All quantities, or one with an adapter to copy: touchstone list westergaard.pressure");
+    auto o = std::make_shared<ListOptions>();
+    command->add_option("quantity", o->quantity, "One quantity: its definition, and adapters in Python, C++ and Fortran for judge");
+    command->add_flag("--json", o->json, "An array of objects, or one object");
+    command->add_flag("--markdown", o->markdown, "docs/quantities.md");
+    command->callback([&run, o] { run = [o] { return list(*o); }; });
 }
 
 } // namespace touchstone::program
