@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/ledger.hpp"
 
+#include "proofs/reading/reading.hpp"
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -80,14 +83,47 @@ std::vector<std::string> Entry::surviving() const
     return bad;
 }
 
+Finding judge_whole(const Claim& claim, const Print& print, Order order)
+{
+    const auto refuted = [](const Check& reading) {
+        Finding f;
+        f.verdict = Verdict::refuted;
+        f.method = "the whole print read in balls";
+        f.reason = reading.detail;
+        return f;
+    };
+    std::optional<Check> reading;
+    if (order == Order::reading_first) {
+        reading = read_whole(print);
+        if (reading && reading->verdict == Verdict::refuted) return refuted(*reading);
+    }
+    Finding f;
+    try {
+        f = claim.judge(print);
+    } catch (const std::exception& e) { // a print that its judge cannot take: never silently, and never proved
+        f.verdict = Verdict::undecided;
+        f.reason = std::string("the judge cannot read it: ") + e.what();
+    }
+    if (f.verdict == Verdict::refuted) return f;
+    if (order == Order::judge_first) reading = read_whole(print);
+    if (!reading) return f;
+    if (reading->verdict == Verdict::refuted) {
+        const Finding r = refuted(*reading);
+        f.verdict = r.verdict;
+        f.reason = r.reason;
+    }
+    f.steps.push_back("the whole print, each field [" + std::string(name(reading->verdict)) + ": " + reading->detail + "]");
+    return f;
+}
+
 Entry run(const Claim& claim, const Print& print)
 {
     Entry e;
     e.claim = &claim;
     e.print = print;
-    e.finding = claim.judge(print);
-    if (claim.correction) e.corrected = claim.judge(print.edited(claim.correction->edits));
-    for (const Control& c : claim.controls) e.controls.push_back({c.what, claim.judge(print.edited(c.edits))});
+    e.finding = judge_whole(claim, print);
+    if (claim.correction) e.corrected = judge_whole(claim, print.edited(claim.correction->edits));
+    for (const Control& c : claim.controls) e.controls.push_back({c.what, judge_whole(claim, print.edited(c.edits))});
     return e;
 }
 
@@ -98,6 +134,31 @@ Verdict expected_verdict(const std::string& id)
     for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::refuted, Verdict::definition, Verdict::qualitative, Verdict::undecided})
         if (name(v) == wanted) return v;
     throw std::out_of_range("not a verdict: " + wanted);
+}
+
+std::vector<std::string> cycle(const std::vector<Claim>& all)
+{
+    std::map<std::string, const Claim*> by_id;
+    for (const Claim& c : all) by_id[c.id] = &c;
+    std::map<std::string, int> state; // 1: on the way, 2: leads to no cycle
+    std::vector<std::string> path;
+    const std::function<bool(const std::string&)> leads_to_one = [&](const std::string& id) {
+        if (state[id] == 2 || !by_id.count(id)) return false;
+        path.push_back(id);
+        if (state[id] == 1) return true;
+        state[id] = 1;
+        for (const std::string& other : by_id[id]->rests_on)
+            if (leads_to_one(other)) return true;
+        state[id] = 2;
+        path.pop_back();
+        return false;
+    };
+    for (const Claim& c : all)
+        if (leads_to_one(c.id)) {
+            path.erase(path.begin(), std::find(path.begin(), path.end(), path.back()));
+            return path;
+        }
+    return {};
 }
 
 const std::vector<Claim>& claims()
@@ -115,6 +176,11 @@ const std::vector<Claim>& claims()
             by_id.erase(found);
         }
         if (!by_id.empty()) throw std::logic_error("no print for " + by_id.begin()->first);
+        if (const auto c = cycle(ordered); !c.empty()) {
+            std::string path;
+            for (const std::string& id : c) path += (path.empty() ? "" : " -> ") + id;
+            throw std::logic_error("the ledger rests on itself: " + path);
+        }
         return ordered;
     }();
     return all;

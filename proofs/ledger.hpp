@@ -100,10 +100,18 @@ struct Entry {
     std::vector<std::string> surviving() const;
 };
 
+/// The judge's finding, and what the whole print says against it (reading/reading.hpp): a lemma looks at what it is about, the
+/// reader at every field. Where one refutes, it is refuted.
+enum class Order { judge_first, reading_first };
+Finding judge_whole(const Claim&, const Print&, Order = Order::judge_first);
+
 /// Judge a claim against its print, and run its controls and its correction.
 Entry run(const Claim&, const Print&);
 
-/// All claims, in the order of the paper.
+/// The ids of a cycle in rests_on, the first repeated at the end; empty if there is none: a proof that rests on itself proves nothing.
+std::vector<std::string> cycle(const std::vector<Claim>&);
+
+/// All claims, in the order of the paper. \throws std::logic_error if they rest on one another in a cycle.
 const std::vector<Claim>& claims();
 
 /// The verdict recorded for a claim in data/paper/verdicts.json; a changed one is a failure.

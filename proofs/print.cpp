@@ -61,6 +61,13 @@ const std::string& Print::text(const std::string& field) const
     return found->second;
 }
 
+Rational Print::rational(const std::string& field) const
+{
+    const auto value = parse_rational(text(field));
+    if (!value) throw std::invalid_argument(id + ": not a number: " + text(field));
+    return *value;
+}
+
 std::size_t Print::parts() const
 {
     std::size_t n = 0;

@@ -6,6 +6,8 @@
 /// Nothing there is repaired; a corrected form exists only as an edit of the print.
 #pragma once
 
+#include "touchstone/scalar/rational.hpp"
+
 #include <ginac/ginac.h>
 
 #include <map>
@@ -38,6 +40,8 @@ public:
     /// \throws std::out_of_range if the print has no such field.
     const std::string& text(const std::string& field) const;
     ex operator()(const std::string& field) const { return read(text(field)); }
+    /// A number printed as such. \throws std::invalid_argument if it is none.
+    Rational rational(const std::string& field) const;
     std::size_t parts() const;
     /// The sides of a chain of inequalities such as "0 < p < 2*sqrt(pstar*pbar)".
     std::vector<ex> sides(const std::string& field) const;

@@ -20,7 +20,14 @@ ex in_G(const ex& e) { return e.subs(sym("gamma") == pow(sym("G"), 1 / (sym("D")
 
 Finding substitution(const Print& p)
 {
-    return Argument("dimensions").add("dimensions", units(p)).conclude("the model: the pressure at scale n - 1 is the mean pressure of Westergaard's problem at scale n; good where gamma is large, exact in the limit", Verdict::definition);
+    lst printed;
+    for (std::size_t i = 0; i < p.parts(); ++i) printed.append(p(std::to_string(i) + ".lhs") == p(std::to_string(i) + ".rhs"));
+    const ex at_scale_n = prints().at("2.15")("1.rhs").subs(printed);
+    const Points at{"p_n=7/4 p_nm1=3/2 pstar_n=1 q_nm1=2 p=7/5 pbar=4/3 pstar=6/5"};
+    return Argument("normal form")
+        .add("dimensions", units(p))
+        .add("with it the density (2.15) is the one under the integral (6.4)", identity(at_scale_n, prints().at("6.4")("J.integrand") / sym("q_nm1") / GiNaC::Pi, at))
+        .conclude("the model: the pressure at scale n - 1 is the mean pressure of Westergaard's problem at scale n; good where gamma is large, exact in the limit", Verdict::definition);
 }
 
 Finding peak(const Print& p)

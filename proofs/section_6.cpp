@@ -57,10 +57,13 @@ Finding partial_integral(const Print& p)
 
 Finding no_partial_above(const Print& p)
 {
-    return Argument("normal form")
+    const ex highest = at_scale_n(prints().at("2.10")("rhs"));
+    return Argument("normal form; positive coefficients")
         .add("dimensions", units(p))
-        .add("the highest pressure in partial contact, at p_{n-1} = p*_n, is 2 p*_n", identity(p.sides("condition").back(), at_scale_n(prints().at("2.10")("rhs")).subs(sym("p_nm1") == sym("pstar_n")), any))
-        .add("so there is nothing to sum", identity(p("rhs"), 0, any))
+        .add("the highest pressure in partial contact, 2 sqrt(p*_n p_{n-1}), is below 2 p*_n: the difference of the squares is 4 p*_n u at p*_n = p_{n-1} + u",
+             positive((pow(2 * sym("pstar_n"), 2) - pow(highest, 2)).subs(sym("pstar_n") == sym("p_nm1") + sym("u")), Points{"p_nm1=1 u=1"}))
+        .add("the condition says: above 2 p*_n", condition_says(p, "condition", sym("p_n"), ">", 2 * sym("pstar_n"), any))
+        .add("so the conditional density (2.20) is 0 throughout the range of I_1, and there is nothing to sum", identity(p("rhs"), prints().at("2.20")("rhs"), any))
         .conclude();
 }
 
@@ -121,7 +124,7 @@ std::vector<Claim> section_6()
         {"6.1", "The density at scale n sums the conditional densities over the pressures at scale n - 1.", decoupled, recursion, {{"a gap between the ranges", {{"J2.from", "pstar_n", "2*pstar_n"}}}}, {}, {"5.1"}},
         {"6.2", "The partial-contact integral written out.", decoupled + "; p_n < 2 p*_n", partial_integral, {{"another lower limit, the rest corrected", {{"J.integrand", "sqrt((pstar_n-p_nm1)+", "sqrt((pstar_n-p_nm1)^2+"}, {"J.from", "4*", "2*"}}}},
          Correction{"misprint", "the inner square root: (p*_n - p_{n-1}) lacks its square", "sqrt((p*_n - p_{n-1})^2 + p_n^2) inside the second brace", {{"J.integrand", "sqrt((pstar_n-p_nm1)+", "sqrt((pstar_n-p_nm1)^2+"}}, "(6.1) with (2.19) has the right form; a code written from (6.2) adds a pressure to a squared pressure, and with p*_n = 1 its integrand is low by 5 to 25 percent over most of the range, and by half near the lower limit for p_n = 1.5"}, {"2.19", "5.1"}},
-        {"6.3", "No partial contact gives a pressure above 2 p*_n.", decoupled, no_partial_above, {{"p*_n for 2 p*_n", {{"condition", "2*", ""}}}, {"one for zero", {{"rhs", "0", "1"}}}}, {}, {"2.10", "5.1"}},
+        {"6.3", "No partial contact gives a pressure above 2 p*_n.", decoupled, no_partial_above, {{"p*_n for 2 p*_n", {{"condition", "2*", ""}}}, {"one for zero", {{"rhs", "0", "1"}}}}, {}, {"2.10", "2.20", "5.1"}},
         {"6.4", "The full-contact integral written out, p_n < 2 p*_n.", decoupled, [](const Print& p) { return full_integral(p, false); }, {{"another upper limit", {{"J.to", "p_n+pstar_n", "p_n"}}}, {"the lower limit of (6.5)", {{"J.from", "pstar_n", "p_n-pstar_n"}}}, {"plus under the root", {{"J.integrand", "-(p_n", "+(p_n"}}}}, {}, {"2.15", "5.1"}},
         {"6.5", "The full-contact integral written out, p_n > 2 p*_n.", decoupled, [](const Print& p) { return full_integral(p, true); }, {{"the lower limit of (6.4)", {{"J.from", "p_n-pstar_n", "pstar_n"}}}, {"without 1/pi", {{"rhs", "1/Pi*", ""}}}}, {}, {"2.15", "5.1"}},
         {"6.6", "The share of a wave in contact, in partial contact.", decoupled + "; p_{n-1} < p*_n", share_partial, {{"1/pi for 2/pi", {{"rhs", "2/Pi", "1/Pi"}}}, {"the square root of the arcsine", {{"rhs", "asin((p_nm1/pstar_n)^(1/2))", "asin(p_nm1/pstar_n)^(1/2)"}}}}, {}, {"2.5", "5.1"}},

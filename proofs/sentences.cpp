@@ -88,7 +88,7 @@ Finding fractal_domain(const Print& p)
 
 Finding series_diverges(const Print& p)
 {
-    const Rational b = *parse_rational(p.text("1.rhs"));
+    const Rational b = p.rational("1.rhs");
     Argument a("ratio of successive terms");
     a.add("p*_{n+1}/p*_n = gamma^(D-1)", power_identity(prints().at("3.10")("S2.term").subs(n() == n() + 1) / prints().at("3.10")("S2.term"), pow(sym("gamma"), sym("D") - 1), Points{"gamma=5 D=3/2 n=2"}));
     if (b >= 1) {
@@ -138,7 +138,7 @@ Rational riesz_mean(int N)
 
 Finding divergence_at_D_1(const Print& p)
 {
-    const Rational D = *parse_rational(p.text("rhs"));
+    const Rational D = p.rational("rhs");
     Argument a("Riesz product, exact arithmetic");
     if (D < 1) {
         a.add("the series diverges at D = " + D.get_str(), opposite(less_than(pow(Ball(3), Ball(Rational(D - 1))), Ball(1), "the ratio of its terms at gamma = 3 is below one: a finite pbar gives full contact")));
@@ -315,7 +315,7 @@ Finding constant_decreases(const Print& p)
 
 Finding limit_rounds(const Print& p)
 {
-    const Rational shown = *parse_rational(p.text("rhs"));
+    const Rational shown = p.rational("rhs");
     const Rational half = Rational(1, 200000);
     const Ball K = K_infinity();
     return Argument("certified evaluation")
@@ -428,7 +428,7 @@ Finding figure_5(const Print& p)
     Argument a("certified densities; contraction of the force-weighted chain");
     for (long n = 1; n <= last; ++n)
         a.add("n = " + std::to_string(n) + ": the area under the normalised curve is one, within 1e-9",
-              met(less_than(abs(under_normalised_density(n, light) - Ball(*parse_rational(p.text("rhs")))), Ball(Rational(1, 1000000000)), "deviation")));
+              met(less_than(abs(under_normalised_density(n, light) - Ball(p.rational("rhs"))), Ball(Rational(1, 1000000000)), "deviation")));
     a.add("change of character: at p = (1 - 1e-6) p_max the curve of n = 0 is above 100", met(less_than(Ball(100), normalised_density(0, light, beside_edge), "height")));
     a.add("that of n = 1 is above 1", met(less_than(Ball(1), normalised_density(1, light, beside_edge), "height")));
     a.add("that of n = 2 is below 1/100", met(less_than(normalised_density(2, light, beside_edge), Ball(Rational(1, 100)), "height")));

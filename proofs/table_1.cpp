@@ -2,6 +2,7 @@
 #include "proofs/table_1.hpp"
 
 #include "proofs/ledger.hpp"
+#include "proofs/symbolic/symbolic.hpp"
 
 #include "touchstone/catalogue/evaluate.hpp"
 
@@ -53,6 +54,7 @@ Finding judge_entry(const Print& p)
     const PrintedNumber e = check_table_1(p.text("n") + " " + p.text("rhs")).front();
     const std::string numbers = fmt::format("true value {}, rounded to as many digits {}", e.true_value, e.rounded);
     return Argument("certified evaluation, correct rounding")
+        .add("the entry says what K_n rounds to", exactly(p.text("lhs") == "K_" + p.text("n") && p.text("relation") == "rounds to", p.text("lhs") + " " + p.text("relation")))
         .add("the printed digits are the correct rounding of K_n", {e.holds ? Verdict::verified : Verdict::refuted, numbers})
         .conclude(numbers);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone paper`: the ledger, one verdict for each equation, table entry and sentence.
 #include "proofs/ledger.hpp"
+#include "proofs/mutation/survivors.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/paper.hpp"
@@ -25,6 +26,7 @@ struct PaperOptions {
     bool json = false;
     bool controls = false;
     std::string svg, pdf, csv;
+    bool mutate = false;
 };
 
 std::string corrected_form(const Entry& e)
@@ -164,6 +166,31 @@ int print_controls(const std::vector<Entry>& entries)
     return failed == 0 ? holds : fails;
 }
 
+/// The typesetter's changes of one entry or of all, and which of them no judge sees.
+int print_mutation(const std::string& id)
+{
+    std::vector<const Claim*> some;
+    for (const Claim& c : claims())
+        if (id.empty() || c.id == id) some.push_back(&c);
+    const Mutation m = mutate(some);
+    int excused = 0;
+    for (const Survivor& s : m.survivors) {
+        if (s.excuse.empty()) fmt::print("SURVIVES as {:<11} {:<28} {}: {}\n", s.verdict, s.id, s.kind, s.change);
+        if (s.verdict == "exception") fmt::print("         {}\n", s.reason);
+        excused += s.excuse.empty() ? 0 : 1;
+        if (!id.empty() && !s.excuse.empty()) fmt::print("excused  {:<14} {}\n         {}\n", s.id, s.change, s.excuse);
+    }
+    for (const std::string& idle : m.idle_excuses) fmt::print("IDLE EXCUSE {}\n", idle);
+    fmt::print("{} changes:", m.changes);
+    const char* comma = " ";
+    for (const auto& [kind, n] : m.by_kind) {
+        fmt::print("{}{} {}", comma, n, kind);
+        comma = ", ";
+    }
+    fmt::print("\n{} refuted, {} excused as saying the same, {} survive\n", m.refuted, excused, m.unexcused());
+    return m.unexcused() == 0 && m.idle_excuses.empty() ? holds : fails;
+}
+
 int explain(const Entry& e)
 {
     const auto section = [](std::string_view title, const std::string& text) {
@@ -205,11 +232,13 @@ int run_paper(const PaperOptions& options)
         const auto claim = std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == options.id; });
         if (claim == claims().end())
             throw Failure(bad_input, fmt::format("no entry '{}' in the ledger; an equation number such as 7.17, or an id that `touchstone paper --json` lists", options.id));
+        if (options.mutate) return print_mutation(options.id);
         const Entry e = run(*claim, prints().at(claim->id));
         if (!options.json) return explain(e);
         fmt::print("{}\n", json_of(e).dump());
         return failures(e).empty() ? holds : fails;
     }
+    if (options.mutate) return print_mutation("");
     const std::vector<Entry> entries = judge_all();
     if (options.json) {
         nlohmann::ordered_json out = nlohmann::ordered_json::array();
@@ -243,6 +272,7 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("--svg", options->svg, "Draw a figure: touchstone paper figure5 --svg FILE");
     command->add_option("--pdf", options->pdf, "Draw a figure");
     command->add_option("--csv", options->csv, "The points of a figure, each with its error and status");
+    command->add_flag("--mutate", options->mutate, "What a typesetter could change in the print, and what no judge would see");
     command->callback([&run, options, command] {
         if (command->count("entry") > 0 && options->id.empty()) throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
         run = [options] { return run_paper(*options); };

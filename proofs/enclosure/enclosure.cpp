@@ -130,12 +130,22 @@ std::string at(const Point& p) { return p.empty() ? "" : "at " + str(p) + " "; }
 
 Check compare_at(const ex& left, const ex& right, const Points& points)
 {
+    std::string nowhere;
     for (const Point& p : points) {
         const Ball l = evaluate(left, p), r = evaluate(right, p);
-        if (l.is_finite() && r.is_finite() && !l.overlaps(r))
-            return {Verdict::refuted, at(relevant(p, left, right)) + "it is " + l.to_string(8) + ", not " + r.to_string(8)};
+        // A side without a value is never passed over: the point was given to be looked at.
+        if (!l.is_finite() || !r.is_finite()) nowhere = at(relevant(p, left, right)) + "it is " + l.to_string(8) + " and " + r.to_string(8) + ", not two numbers";
+        else if (!l.overlaps(r)) return {Verdict::refuted, at(relevant(p, left, right)) + "it is " + l.to_string(8) + ", not " + r.to_string(8)};
     }
+    if (!nowhere.empty()) return {Verdict::undecided, nowhere};
     return {Verdict::undecided, "not reduced to zero, and no counterexample at the points tried"};
+}
+
+bool evaluates_at(const ex& left, const ex& right, const Points& points)
+{
+    for (const Point& p : points)
+        if (!evaluate(left, p).is_finite() || !evaluate(right, p).is_finite()) return false;
+    return true;
 }
 
 Check less_at(const ex& left, const ex& right, const Points& points)

@@ -38,8 +38,11 @@ std::string str(const Point&);
 Ball evaluate(const ex& e, const std::map<std::string, Ball>& values);
 Ball evaluate(const ex& e, const Point&);
 
-/// left and right compared at the points: disjoint enclosures refute, else nothing is decided.
+/// left and right compared at the points: disjoint enclosures refute, else nothing is decided. A point where
+/// one side has no value is named.
 Check compare_at(const ex& left, const ex& right, const Points&);
+/// Both sides have a finite enclosure at every point.
+bool evaluates_at(const ex& left, const ex& right, const Points&);
 /// left < right (or > ) at all points, certainly. Proves nothing beyond them: `verified`.
 Check less_at(const ex& left, const ex& right, const Points&);
 

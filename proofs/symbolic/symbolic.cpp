@@ -30,7 +30,27 @@ ex bottom_up(const ex& e, const std::function<ex(const ex&)>& f)
     return map(e);
 }
 
-/// sqrt(q) if q is the square of a monomial with positive rational coefficient.
+/// Is e positive wherever its real symbols are real and its positive symbols positive? No means: not seen to be.
+bool is_positive(const ex& e)
+{
+    if (is_a<numeric>(e)) return ex_to<numeric>(e).is_positive();
+    if (is_a<GiNaC::constant>(e)) return true; // pi, Euler's and Catalan's constant
+    if (is_a<GiNaC::symbol>(e)) return e.info(GiNaC::info_flags::positive);
+    if (is_a<GiNaC::power>(e)) return is_positive(e.op(0)); // to a real power
+    if (is_a<GiNaC::add>(e) || is_a<GiNaC::mul>(e)) {
+        for (const ex& part : e)
+            if (!is_positive(part)) return false;
+        return true;
+    }
+    if (is_a<GiNaC::function>(e)) {
+        const std::string f = ex_to<GiNaC::function>(e).get_name();
+        return f == "exp" || (f == "tgamma" && is_positive(e.op(0)));
+    }
+    return false;
+}
+
+/// sqrt(q) if q is the square of a monomial with positive rational coefficient. The root of g^2k is |g|^k: it is g^k only
+/// where k is even or g is positive, and a g without a known sign has no root here.
 std::optional<ex> monomial_root(const ex& q)
 {
     const ex f = q.numer_denom();
@@ -47,7 +67,10 @@ std::optional<ex> monomial_root(const ex& q)
             }
             if (g.is_equal(GiNaC::Pi)) return false;
             if (is_a<GiNaC::power>(g) && is_a<numeric>(g.op(1)) && (ex_to<numeric>(g.op(1)) / 2).is_integer()) {
-                r *= GiNaC::pow(g.op(0), g.op(1) / 2);
+                const bool fourth = (ex_to<numeric>(g.op(1)) / 4).is_integer();
+                const ex negative = GiNaC::expand(-g.op(0));
+                if (!fourth && !is_positive(g.op(0)) && !is_positive(negative)) return false;
+                r *= GiNaC::pow(fourth || is_positive(g.op(0)) ? g.op(0) : negative, g.op(1) / 2);
                 return true;
             }
             return false;
@@ -141,6 +164,7 @@ Check identity(const ex& left, const ex& right, const Points& points, const Ring
         const Check numbers = compare_at(ring.concrete(left), ring.concrete(right), points);
         if (numbers.verdict == Verdict::refuted)
             throw std::logic_error("normal form and balls contradict each other: " + numbers.detail);
+        if (!evaluates_at(ring.concrete(left), ring.concrete(right), points)) return numbers;
         return {Verdict::proved, "both sides have the same normal form"};
     }
     return compare_at(ring.concrete(left), ring.concrete(right), points);
@@ -182,6 +206,31 @@ ex log_of_integer(numeric n)
     return n.is_equal(1) ? sum : ex(sum + log_symbol(n));
 }
 
+/// A root hides the sign of what was raised to an even power under it, and the logarithm with it: ((x - 1)^2)^(1/2) is not x - 1.
+/// So under a power that is not an integer at most one factor may lack a known sign, and that to an odd power:
+/// the root being real then says it is positive.
+bool hides_a_sign(const ex& e)
+{
+    if (is_a<GiNaC::power>(e) && !(is_a<numeric>(e.op(1)) && ex_to<numeric>(e.op(1)).is_integer())) {
+        int unknown = 0;
+        const auto look = [&unknown](const ex& factor) {
+            if (is_positive(factor) || is_a<numeric>(factor)) return; // GiNaC writes 1 - nu^2 as -(nu^2 - 1)
+            const bool power = is_a<GiNaC::power>(factor);
+            if (power && !(is_a<numeric>(factor.op(1)) && ex_to<numeric>(factor.op(1)).is_integer())) return; // a root is not negative
+            const bool odd = !power || (is_a<numeric>(factor.op(1)) && ex_to<numeric>(factor.op(1)).is_odd());
+            unknown += odd ? 1 : 2;
+        };
+        if (is_a<GiNaC::mul>(e.op(0)))
+            for (const ex& factor : e.op(0)) look(factor);
+        else
+            look(e.op(0));
+        if (unknown > 1) return true;
+    }
+    for (std::size_t i = 0; i < e.nops(); ++i)
+        if (hides_a_sign(e.op(i))) return true;
+    return false;
+}
+
 ex log_of(const ex& e)
 {
     if (is_a<GiNaC::mul>(e)) {
@@ -211,7 +260,8 @@ Check power_identity(const ex& left, const ex& right, const Points& points)
 {
     // The logarithms are of absolute values; the sign is that of one point, since no factor vanishes.
     const Check numbers = compare_at(left, right, points);
-    if (numbers.verdict == Verdict::refuted || points.empty()) return numbers;
+    if (numbers.verdict == Verdict::refuted || points.empty() || !evaluates_at(left, right, points)) return numbers;
+    if (hides_a_sign(left) || hides_a_sign(right)) return {Verdict::undecided, "the root of an even power of something without a known sign"};
     if (GiNaC::normal(GiNaC::expand(log_form(left) - log_form(right))).is_zero()) return {Verdict::proved, "the logarithms of both sides have the same normal form"};
     return numbers;
 }
@@ -256,6 +306,19 @@ Check limit_at_zero(const ex& e, const ex& x, const ex& value, const Points& poi
     if (GiNaC::normal(GiNaC::expand(leading - value)).is_zero()) return {Verdict::proved, "leading term of the series"};
     const Check c = compare_at(leading, value, points);
     return {c.verdict, "the leading term of the series: " + c.detail};
+}
+
+Check condition_says(const Print& p, const std::string& field, const ex& left, const std::string& relation, const ex& right, const Points& points)
+{
+    const std::string& text = p.text(field);
+    std::string signs;
+    for (const char c : text)
+        if (c == '<' || c == '>' || c == '=') signs += c;
+    const std::vector<ex> sides = p.sides(field);
+    const bool turned = signs == (relation == ">" ? "<" : ">"); // b < a says a > b
+    if (sides.size() != 2 || (signs != relation && !turned) || text.find(" or ") != std::string::npos) return {Verdict::refuted, "printed " + text};
+    const Check one = identity(sides[turned ? 1 : 0], left, points);
+    return one.verdict == Verdict::proved ? identity(sides[turned ? 0 : 1], right, points) : one;
 }
 
 Check exactly(bool holds, const std::string& detail)

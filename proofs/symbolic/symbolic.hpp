@@ -53,6 +53,9 @@ Check positive(const ex& e, const Points&);
 /// e -> value as x -> 0+, by series expansion with the leading term in normal form.
 Check limit_at_zero(const ex& e, const ex& x, const ex& value, const Points&);
 
+/// The condition printed in `field` says "left relation right" and nothing else: the direction by its sign, the bound by normal form.
+Check condition_says(const Print&, const std::string& field, const ex& left, const std::string& relation, const ex& right, const Points&);
+
 /// A statement decided by exact arithmetic outside GiNaC.
 Check exactly(bool holds, const std::string& detail);
 
