@@ -8,6 +8,8 @@
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
+#include "touchstone/recursion/first_steps/area_by_slope.hpp"
+#include "touchstone/recursion/first_steps/nested.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <fmt/format.h>
@@ -79,9 +81,11 @@ Ball area_at_scale_one(Scheme scheme, const Inputs& in)
     return transfer::scale_one_exceedance(variable, at_scale_one(in, [] { return Ball(0); }, Rational(0)));
 }
 /// A_n, n >= 1. Above load 1 heavy_load.hpp has two proofs, but is slow, or does not apply, towards G = 2.
+/// A_2 is one integral over closed forms; where no region is in full contact there are two proofs already.
+bool area_by_slope(const Inputs& in, long n) { return n == 2 && (in.real("load") > 1 || in.compare_G(Rational(2'000'001, 1'000'000)) < 0); }
 bool area_by_proven_levels(const Inputs& in, long n)
 {
-    if (area_by_first_steps(n)) return false;
+    if (area_by_first_steps(n) || area_by_slope(in, n)) return false;
     if (in.compare_G(Rational(2'000'001, 1'000'000)) < 0) return true;
     if (in.real("load") <= 1) return false;
     return in.compare_G(n <= transfer::ProvenLevels::levels && in.real("load") <= 100 ? Rational(16, 5) : Rational(101, 50)) <= 0;
@@ -105,6 +109,13 @@ Ball area_with_full_contact(Scheme scheme, long n, const Inputs& in)
 Ball certified_area(Scheme scheme, long n, const Inputs& in)
 {
     if (area_by_first_steps(n)) return area_at_scale_one(scheme, in);
+    if (area_by_slope(in, n)) {
+        constexpr slong guard = 40; // of the 48 bits that evaluate() adds to the digits
+        const transfer::ScaleOne q = at_scale_one(in, [] { return Ball(0); }, Rational(0));
+        if (scheme == Scheme::force_weighted) return transfer::area_by_slope(n, {q.load, q.G, q.exact_G}, WorkingPrecision::bits() - guard);
+        const auto [value, error] = transfer::nested_area(q.load.get_d(), arf_get_d(arb_midref(in.G_ball().get()), ARF_RND_NEAR));
+        return with_radius({Ball::exactly(value), Ball::exactly(error)});
+    }
     if (n > 0 || in.real("load") > 1) {
         if (area_by_proven_levels(in, n)) return area_with_full_contact(scheme, n, in);
         return in.real("load") > 1 ? transfer::area_at_heavy_load(scheme, n, arguments(in)) : transfer::area(scheme, n, arguments(in));
@@ -170,13 +181,18 @@ void require_estimated(long n)
 
 Quantity::Limits proven_levels_limits(bool reached) { return reached ? Quantity::Limits{20, true} : Quantity::Limits{}; }
 
-Quantity::Limits area_limits(const Inputs& in, long n) { return proven_levels_limits(n > 0 && area_by_proven_levels(in, n)); }
+Quantity::Limits area_limits(const Inputs& in, long n)
+{
+    if (area_by_slope(in, n)) return {.first_decides = true};
+    return proven_levels_limits(n > 0 && area_by_proven_levels(in, n));
+}
 
 const std::vector<std::string> proven_route_names{"proven-levels", "blind-halving (overlaps, estimated)"};
 
 std::vector<std::string> area_route_names(const Inputs& in, long n)
 {
     if (area_by_first_steps(n)) return {"scale-one-by-ratio", "scale-one-by-angle"};
+    if (area_by_slope(in, n)) return {"slope-of-two-waves", "nested-quadrature (overlaps, estimated)"};
     if (n > 0 && area_by_proven_levels(in, n)) return proven_route_names;
     return {"force-weighted-chebyshev", "area-gauss-panels"};
 }
@@ -184,6 +200,7 @@ std::vector<std::string> area_route_names(const Inputs& in, long n)
 std::string explain_area(const Inputs& in, long n, long digits)
 {
     if (n == 0) return "A_0 = (2/pi) arcsin sqrt(load), (6.6)\n";
+    if (area_by_slope(in, n)) return "n = 2: one integral of the share above each pressure at scale 0 times the slope of A_1, a complete integral of genus 1 or 2 (recursion/first_steps/area_by_slope.hpp)\n";
     if (area_by_first_steps(n)) return "n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (recursion/first_steps/scale_one.hpp)\n";
     const WorkingPrecision precision(bits_for_digits(digits) + 48);
     if (area_by_proven_levels(in, n)) return transfer::area_by_proven_levels_certificate(n, arguments(in));
@@ -423,7 +440,7 @@ std::pair<Ball, Ball> of_segments(const Inputs& in)
 
 void add_contact(std::vector<Quantity>& all)
 {
-    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G >= 2.000001; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100, G > 1.003 elsewhere; else estimated for n <= 100", {"n", "load", "G"},
+    all.push_back({"contact.area", "6.7", "lambda0", "n from 0 to 10^4, load > 0, G > 1; certified for load <= 1, G >= 2.000001; and for n <= 2; to 20 digits for load < 1000, G > 2.02 and n <= 20, load <= 100, G > 1.003 elsewhere; else estimated for n <= 100", {"n", "load", "G"},
                    "total contact area at scale n in one wavelength of the largest scale", check_contact,
                    [](const Inputs& in) -> Exact {
                        if (everywhere_above(in, in.integer("n"), 0)) return Exact(1);

@@ -15,6 +15,7 @@ FirstWave::FirstWave(const Rational& load, const Ball& G, const std::optional<Ra
 {
     const WorkingPrecision w = wide();
     load_ = Ball(load);
+    out_ = Ball(Rational(1 - load));
     G_ = G;
     if (full_) {
         low_ = over_G(load - 1, G, exact_G);
@@ -37,7 +38,7 @@ std::vector<Piece::Beyond> FirstWave::roots(const Piece& piece) const
 C FirstWave::density(const C& x, const Piece::Point& at) const
 {
     if (full_) return C(1 / pi<Ball>());
-    const C Gx = C(narrow(G_)) * x, out = C(1 - narrow(load_)), R = at.root_of(out * out + Gx * Gx);
+    const C Gx = C(narrow(G_)) * x, out = C(narrow(out_)), R = at.root_of(out * out + Gx * Gx);
     return Gx * at.root_of((2 - out + R) / ((out + R) * (C(narrow(high_.at())) + x))) / (C(pi<Ball>()) * R);
 }
 
@@ -48,8 +49,21 @@ C FirstWave::share(const C& to_none, const C& to_all, const Piece::Point& at)
 
 C FirstWave::partial_share(const C& x, const C& to_high, const Piece::Point& at) const
 {
-    const C Gx = C(narrow(G_)) * x, out = C(1 - narrow(load_)), R = at.root_of(out * out + Gx * Gx);
+    const C Gx = C(narrow(G_)) * x, out = C(narrow(out_)), R = at.root_of(out * out + Gx * Gx);
     return two_angles(to_high * at.root_of((C(narrow(high_.at())) + x) / 2) * C(narrow(G_)), at.root_of(out + R + Gx * Gx / 2), at.analytic);
+}
+
+C FirstWave::bounded_share(const C& x, const C& to_high, const C& to_low) const
+{
+    C square;
+    if (full_) square = quotient_on_disc(to_high, to_low);
+    else {
+        const C Gx = C(narrow(G_)) * x, out(narrow(out_)), R = root_on_disc(out * out + Gx * Gx);
+        square = quotient_on_disc(to_high * (C(narrow(high_.at())) + x) * C(narrow(G_) * narrow(G_)), 2 * (out + R + Gx * Gx / 2));
+    }
+    // arctan z = int_0^1 z dt/(1 + z^2 t^2), the denominator at least 1 and |z t|^2: at most |z|, and 2
+    if (!right_half(square)) return C::indeterminate();
+    return within(2 * at_most(sqrt(abs(square)), Ball(2)) / pi<Ball>());
 }
 
 } // namespace touchstone::transfer::first_steps

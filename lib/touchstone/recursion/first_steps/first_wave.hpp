@@ -31,9 +31,12 @@ public:
     /// The share above, in full contact, from the roots of the distances to where none is above, on the left, and all, on the right.
     static ComplexBall share(const ComplexBall& to_none, const ComplexBall& to_all, const Piece::Point& at);
 
+    /// E in complex balls: a disc about 0 that holds it, indeterminate where it is not proved analytic.
+    ComplexBall bounded_share(const ComplexBall& x, const ComplexBall& to_high, const ComplexBall& to_low) const;
+
 private:
     bool full_;
-    Ball load_, G_;
+    Ball load_, out_, G_; ///< out: 1 - load
     End low_, high_;
 };
 

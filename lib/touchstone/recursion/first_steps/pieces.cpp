@@ -9,6 +9,9 @@
 #include <acb_calc.h>
 #endif
 
+#include <algorithm>
+#include <cmath>
+
 namespace touchstone::transfer::first_steps {
 namespace {
 
@@ -57,6 +60,44 @@ Ball narrow(const Ball& b)
     return r;
 }
 
+namespace {
+
+/// The disc about m of this radius, or what encloses it.
+C disc(const C& m, const Ball& radius)
+{
+    C r = m;
+    arb_add_error(acb_realref(r.get()), radius.get());
+    arb_add_error(acb_imagref(r.get()), radius.get());
+    return r;
+}
+/// Midpoint, and radius over its modulus
+std::pair<C, Ball> relative_disc(const C& z)
+{
+    C m;
+    acb_get_mid(m.get(), z.get());
+    return {m, abs(z - m) / abs(m)};
+}
+
+} // namespace
+
+C root_on_disc(const C& z)
+{
+    const auto [m, t] = relative_disc(z);
+    const Ball clear = certainly(less(Ball(0), m.real())) ? abs(m) : abs(m.imag());
+    if (!certainly(less(t * abs(m), clear))) return C::indeterminate(); // the disc meets the cut
+    const C r = sqrt(m); // |(1 + s)^(1/2) - 1| <= 1 - (1 - t)^(1/2), |s| <= t
+    return disc(r, abs(r) * (1 - sqrt(1 - t)));
+}
+
+C quotient_on_disc(const C& a, const C& b)
+{
+    const auto [m, t] = relative_disc(b);
+    if (!certainly(less(t, Ball(1)))) return C::indeterminate();
+    return a * disc(1 / m, t / ((1 - t) * abs(m)));
+}
+
+C within(const Ball& radius) { return disc(C(0), radius); }
+
 C root(const C& z, bool analytic)
 {
     C r;
@@ -99,8 +140,7 @@ Ball difference(const End& a, const End& b)
 
 C Piece::Point::distance(const Beyond& b) const
 {
-    const C& s = b.left ? sine : cosine;
-    return C(b.gap) + C(piece->width_) * s * s;
+    return C(b.gap) + C(piece->width_) * (b.left ? left : right);
 }
 
 C Piece::Point::root_of(const Beyond& b) const
@@ -120,7 +160,8 @@ Ball Piece::integral(const Function& f, const std::vector<Beyond>& roots) const
     constexpr slong tolerance_bits = 6000; // of the value's own size: p may be 1e-300
     return scale * integrate([&](const C& t, bool analytic) {
                const C s = sin(t), c = cos(t);
-               const Point x{this, from_left_ ? s : c, from_left_ ? c : s, analytic};
+               const C near = s * s, far = c * c;
+               const Point x{this, from_left_ ? s : c, from_left_ ? c : s, from_left_ ? near : far, from_left_ ? far : near, analytic};
                C value = f(x);
                if (!at_left) value = value * x.sine;
                if (!at_right) value = value * x.cosine;
@@ -130,26 +171,91 @@ Ball Piece::integral(const Function& f, const std::vector<Beyond>& roots) const
            }, pi<Ball>() / 4, tolerance_bits);
 }
 
-Ball Piece::integral_to_logarithm(const Function& f, const std::function<Ball(const Ball& distance)>& rest) const
+namespace {
+
+constexpr double core = 14; // exp(-core) < 1e-6: beyond, on either side, a bound of the integrand is known
+constexpr double column = 0.125;
+constexpr int rows = 8;
+
+/// mid +- half
+Ball interval(double mid, double half)
 {
-    // the share of the piece at the near end that is left out: doubled in digits until its bound is below the tolerance
-    const Ball half = width_ / 2;
-    const slong tolerance_bits = bits();
-    Ball left_out, lost;
-    slong depth = tolerance_bits / 2;
-    do {
-        depth += depth / 4 + 1;
-        left_out = Ball(1);
-        arb_mul_2exp_si(left_out.get(), left_out.get(), -depth);
-        lost = rest(half * left_out);
-        if (depth > 16 * tolerance_bits) throw BeyondReach("an integral does not converge at a singular point");
-    } while (!(arf_cmpabs_2exp_si(arb_midref(lost.get()), -tolerance_bits) < 0));
-    const Ball end = -log(left_out);
-    Ball sum = half * integrate([&](const C& v, bool analytic) {
-                   const C share = exp(-v) / 2, near = exp(-v / 2) / C(sqrt(Ball(2))), far = root(1 - share, analytic);
-                   return f({this, from_left_ ? near : far, from_left_ ? far : near, analytic}) * 2 * share;
-               }, end, tolerance_bits);
-    arb_add_error(sum.get(), lost.get());
+    Ball b = Ball::exactly(mid);
+    arb_add_error(b.get(), Ball::exactly(half).get());
+    return b;
+}
+Ball upper(const Ball& b)
+{
+    Ball u;
+    arb_get_abs_ubound_arf(arb_midref(u.get()), b.get(), WorkingPrecision::bits());
+    return u;
+}
+double nearest(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
+
+} // namespace
+
+C Piece::along_exponentials(const Function& f, const C& u, bool analytic) const
+{
+    const C one(1);
+    const C left = analytic ? quotient_on_disc(one, 1 + exp(-u)) : 1 / (1 + exp(-u)), right = analytic ? quotient_on_disc(one, 1 + exp(u)) : 1 / (1 + exp(u));
+    const C sine = analytic ? root_on_disc(left) : sqrt(left), cosine = analytic ? root_on_disc(right) : sqrt(right);
+    return f({this, sine, cosine, left, right, analytic}) * C(width_) * left * right;
+}
+
+/// At least the integral of |F| over |Re u| <= core, Im u = height; infinite unless F is analytic between that and the real line.
+Ball Piece::over_core(const Function& f, double height) const
+{
+    Ball sum(0);
+    const double half = height / (2 * rows);
+    for (double x = -core; x < core; x += column) // exact in binary64
+        for (int k = 0; k < rows; ++k) {
+            const C F = along_exponentials(f, {interval(x + column / 2, column / 2), interval((2 * k + 1) * half, half * 1.0001)}, true);
+            if (!F.is_finite()) return Ball::indeterminate();
+            if (k + 1 == rows) sum += abs(F) * Ball::exactly(column);
+        }
+    return sum;
+}
+
+Ball Piece::between_logarithms(const Function& f, const Rest& rest, double height, slong goal) const
+{
+    const auto beyond = [](double x) { return exp(-Ball::exactly(x)); };
+    Ball on_line;
+    {
+        const WorkingPrecision precision(64);
+        for (;; height *= 0.8) {
+            if (height < 0.05) throw BeyondReach("an integrand is not proved analytic next to a singular point");
+            on_line = 2 * (over_core(f, height) + rest(true, beyond(core)) + rest(false, beyond(core)));
+            if (on_line.is_finite()) break;
+        }
+    }
+    const Ball h_rough = Ball(1) / 2;
+    Ball rough(0); // of the integral: only a choice of the tolerance
+    for (long k = -80; k <= 80; ++k) rough += h_rough * along_exponentials(f, h_rough * k, false).real();
+    Ball tolerance;
+    arb_get_mid_arb(tolerance.get(), rough.get());
+    tolerance = abs(tolerance) * ScalarTraits<Ball>::power_of_two(-goal);
+    const auto cut = [&](bool left) {
+        double x = core;
+        while (!certainly(less(rest(left, beyond(x)), tolerance))) {
+            x *= 1.02;
+            if (x > 1e6) throw BeyondReach("an integral does not converge at a singular point");
+        }
+        return x;
+    };
+    const double step = 2 * 3.14159 * height / nearest(log(1 + upper(on_line) / tolerance)), left = cut(true), right = cut(false);
+    const Ball h = Ball::exactly(step);
+    const slong bits = WorkingPrecision::bits();
+    const auto term = [&](long k) {
+        // terms fall like exp(-|u|/4) at least
+        const WorkingPrecision precision(std::max(bits - static_cast<slong>(std::fabs(static_cast<double>(k)) * step * 0.36), bits - goal + 16));
+        return along_exponentials(f, h * k, false).real();
+    };
+    Ball sum(0);
+    const long from = -static_cast<long>(left / step) - 1, to = static_cast<long>(right / step) + 1;
+    for (long k = from; k <= to; ++k) sum += term(k);
+    sum = h * sum;
+    const Ball discretisation = on_line / (exp(2 * pi<Ball>() * Ball::exactly(height) / h) - 1);
+    arb_add_error(sum.get(), (discretisation + rest(true, beyond(left)) + rest(false, beyond(right))).get());
     return sum;
 }
 

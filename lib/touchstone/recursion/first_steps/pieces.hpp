@@ -2,11 +2,14 @@
 /// \file
 /// Integrals between singular points that are known: their order, their exact distances, and pieces of the line seen from either end.
 ///
-/// A piece [a, b] is cut in the middle. Next to either end the variable is the angle t, x = a + (b-a) sin^2 t, so that a square root at an end is
-/// sin t; or, where the end has a logarithm, v in [0, oo), x = a + ((b-a)/2) exp(-v), cut off where a bound of the rest is small enough. Integrands
-/// are made of distances from ends, each being that of the piece's end (a difference of ends, taken at 4096 bits more) plus a positive term: an end may
-/// be as near to another as one likes. Integrals by acb_calc_integrate, rigorous, whose bisections approach a near singular point at a cost of
-/// log(1/distance).
+/// **Square roots at the ends.** A piece [a, b] is cut in the middle; next to either end the variable is the angle t, x = a + (b-a) sin^2 t, so that a root at
+/// an end is sin t. Integrals by acb_calc_integrate, rigorous, whose bisections approach a near singular point at a cost of log(1/distance).
+/// **Logarithms at the ends.** The trapezoidal rule in u, x = a + (b-a)/(1 + exp(-u)), of step h: |integral - rule| <= N/(exp(2 pi d/h) - 1), N the integral of
+/// |F| over both lines Im u = +-d, for F analytic between them (tanh_sinh.md, section 3). N is covered by complex balls where |Re u| < 14, and bounded by a power of
+/// exp(-|u|) beyond. A singular point outside of the piece, however near, is at a distance gap + (b-a)/(1 + exp(-u)), of an argument <= d: it costs nothing.
+///
+/// Integrands are made of distances from ends, each being that of the piece's end (a difference of ends, taken at 4096 bits more) plus a positive term: an end may
+/// be as near to another as one likes.
 ///
 /// Internal to recursion/first_steps/.
 #pragma once
@@ -26,6 +29,12 @@ WorkingPrecision wide();
 Ball narrow(const Ball&);
 /// z^(1/2), indeterminate where `analytic` and z meets the cut.
 ComplexBall root(const ComplexBall& z, bool analytic);
+/// z^(1/2) and a/b from the least discs that hold z and b: narrower in wide balls. Indeterminate where they are not analytic.
+ComplexBall root_on_disc(const ComplexBall& z);
+ComplexBall quotient_on_disc(const ComplexBall& a, const ComplexBall& b);
+/// The disc |z| <= radius, or what encloses it.
+ComplexBall within(const Ball& radius);
+inline bool right_half(const ComplexBall& z) { return certainly(less(Ball(0), z.real())); }
 /// (2/pi) arctan(top/bottom) of two roots: of numbers with a positive real part.
 ComplexBall two_angles(const ComplexBall& top, const ComplexBall& bottom, bool analytic);
 
@@ -72,7 +81,8 @@ public:
 
     struct Point {
         const Piece* piece = nullptr;
-        ComplexBall sine, cosine; ///< roots of the shares of the piece to the left and to the right
+        ComplexBall sine, cosine; ///< roots of
+        ComplexBall left, right;  ///< the shares of the piece to the left and to the right
         bool analytic = false;
         ComplexBall distance(const Beyond&) const;
         ComplexBall root_of(const Beyond&) const;
@@ -82,11 +92,17 @@ public:
     using Function = std::function<ComplexBall(const Point&)>;
     /// Its half of int f dx/(product of the roots of these). \throws BeyondReach if that is infinite
     Ball integral(const Function& f, const std::vector<Beyond>& roots) const;
-    /// Its half of int f dx, f having a logarithm, or a pole of order 1/4 or 1/2, at the near end.
-    /// \param rest a bound of |int f dx| over the points nearer to that end than `distance`
-    Ball integral_to_logarithm(const Function& f, const std::function<Ball(const Ball& distance)>& rest) const;
+    /// The whole of int f dx, f having a logarithm, or a pole of an order below 1, at either end: the trapezoidal rule in u, x = a + (b-a)/(1 + exp(-u)).
+    /// \param rest a bound of int |f dx| over the x nearer to the left (right) end than this share t of the piece, also along Im u = const <= height if
+    ///        t <= 1e-6; decreasing like an integrable power of t
+    /// \param height of the strip of u to try first; \param goal bits, of the value
+    using Rest = std::function<Ball(bool left, const Ball& t)>;
+    Ball between_logarithms(const Function& f, const Rest& rest, double height, slong goal) const;
 
 private:
+    ComplexBall along_exponentials(const Function& f, const ComplexBall& u, bool analytic) const;
+    Ball over_core(const Function& f, double height) const;
+
     End a_, b_;
     bool from_left_;
     Ball width_;

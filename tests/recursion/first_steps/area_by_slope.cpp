@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+/// A_1 and A_2 as integrals over the slope of A_1: against the other integral of A_1, what adds up to 1, the operator discretised, proven levels.
+#include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/recursion/first_steps/area_by_slope.hpp"
+#include "touchstone/recursion/first_steps/area_slope.hpp"
+#include "touchstone/recursion/first_steps/nested.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
+#include "touchstone/transfer/contact.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using namespace touchstone;
+using namespace touchstone::transfer;
+using first_steps::AreaSlope;
+
+namespace {
+
+constexpr slong bits = 128, goal = 88;
+
+Rational exactly(const char* text) { return *parse_rational(text); }
+
+Ball by_slope(long n, const Rational& load, const Rational& G)
+{
+    return area_by_slope(n, {load, [G] { return Ball(G); }, G}, goal);
+}
+Ball at_scale_one(const Rational& load, const Rational& G)
+{
+    return scale_one_exceedance(Variable::angle, {[] { return Ball(0); }, load, [G] { return Ball(G); }, Rational(0), G});
+}
+bool sharp(const Ball& b) { return b.relative_bits() > goal - 8; }
+
+Ball slope(const Rational& y, const Rational& G)
+{
+    const AreaSlope s{Ball(G)};
+    const Rational crossing = G * G / 4, turn = G - 1;
+    if (y < 1) return s.at(AreaSlope::Partial{Ball(y), Ball(Rational(1 - y)), Ball(Rational(abs(y - crossing))), y < crossing}, false).real();
+    return s.at(AreaSlope::Full{Ball(Rational(y - 1)), Ball(Rational(abs(y - turn))), Ball(Rational(G + 1 - y)), y < turn}, false).real();
+}
+
+} // namespace
+
+TEST_CASE("the slope of A_1 is its derivative")
+{
+    const WorkingPrecision precision(192);
+    const Rational h(1, 1'000'000'000'000L);
+    for (const auto& [y, G] : {std::pair{"0.3", "1.5"}, {"0.7", "1.5"}, {"1.2", "1.5"}, {"0.9", "2"}, {"1.5", "2"}, {"0.001", "3"}, {"0.99", "3"}, {"1.5", "3"}, {"3.9", "3"}, {"0.5", "50"}}) {
+        CAPTURE(y); CAPTURE(G);
+        const Rational at = exactly(y), g = exactly(G);
+        const Ball derivative = (at_scale_one(at + h, g) - at_scale_one(at - h, g)) / Ball(Rational(2 * h));
+        CHECK(certainly(less(abs(slope(at, g) / derivative - 1), Ball(Rational(1, 1'000'000'000'000'000L)))));
+        CHECK(slope(at, g).relative_bits() > 170);
+    }
+}
+
+TEST_CASE("its bounds hold, also next to where it is infinite")
+{
+    const WorkingPrecision precision(bits);
+    for (const char* text : {"1.001", "1.5", "1.9999", "2.0001", "3", "1000"}) {
+        CAPTURE(text);
+        const Rational G = exactly(text), crossing = G * G / 4;
+        const AreaSlope s{Ball(G)};
+        std::vector<Rational> ys{Rational(1, 10), Rational(9, 10)};
+        for (const Rational& at : {Rational(0), crossing, Rational(1)})
+            for (const char* d : {"1e-3", "1e-9", "1e-30"}) {
+                ys.push_back(at + exactly(d));
+                ys.push_back(at - exactly(d));
+            }
+        for (const Rational& y : ys) {
+            if (y <= 0 || y >= 1) continue;
+            CAPTURE(Ball(y).to_string());
+            const Ball power = pow(Ball(y), Ball(Rational(3, 8))) * sqrt(sqrt(Ball(Rational(1 - y)) * Ball(Rational(abs(y - crossing)))));
+            CHECK(certainly(less(slope(y, G) * power, s.partial_bound())));
+        }
+        for (const char* d : {"1e-30", "1e-9", "0.4", "0.9"})
+            for (const Rational& y : {Rational(1 + exactly(d)), Rational(G - 1 + exactly(d)), Rational(G - 1 - exactly(d)), Rational(G + 1 - exactly(d))}) {
+                if (y <= 1) continue;
+                CAPTURE(Ball(y).to_string());
+                CHECK(certainly(less(slope(y, G) * sqrt(sqrt(Ball(Rational(y - 1)) * Ball(Rational(abs(y - G + 1))))), s.full_bound())));
+            }
+    }
+}
+
+TEST_CASE("the slope adds up to A_1: to 1 where all is in contact, and elsewhere to the other integral")
+{
+    const WorkingPrecision precision(bits);
+    for (const auto& [load, G] : {std::pair{"3", "1.5"}, {"3", "2"}, {"4.5", "3.5"}}) {
+        const Ball all = by_slope(1, exactly(load), exactly(G));
+        CHECK(all.contains(Rational(1)));
+        CHECK(sharp(all));
+    }
+    std::mt19937_64 random(13);
+    for (int k = 0; k < 4; ++k) {
+        const Rational G(static_cast<long>(1000 + random() % 2500 + 1), 1000L), load(static_cast<long>(random() % 2500 + 1), 1000L);
+        CAPTURE(G.get_str()); CAPTURE(load.get_str());
+        const Ball a = by_slope(1, load, G);
+        CHECK(a.overlaps(at_scale_one(load, G)));
+        CHECK(sharp(a));
+    }
+}
+
+TEST_CASE("A_2 is what the operator discretised and proven levels give")
+{
+    const WorkingPrecision precision(bits);
+    for (const auto& [load, G] : {std::pair{"0.3", "3.16"}, {"1", "2.5"}, {"0.001", "4"}}) {
+        CAPTURE(load); CAPTURE(G);
+        const Ball x(exactly(load)), g(exactly(G)), a = by_slope(2, exactly(load), exactly(G));
+        CHECK(a.overlaps(transfer::area(Scheme::force_weighted, 2, {[&] { return x; }, [&] { return g; }})));
+        CHECK(sharp(a));
+    }
+}
+
+TEST_CASE("A_2 is what is stored, certified by proven levels")
+{
+    const WorkingPrecision precision(bits);
+    std::ifstream table(TOUCHSTONE_DATA "/reference/contact_area_full.txt");
+    int rows = 0;
+    for (std::string line; std::getline(table, line);) {
+        std::istringstream in(line);
+        double n, load, G;
+        std::string value, bound;
+        if (!(in >> n >> load >> G >> value >> bound) || n != 2 || bound == "0" || rows++ % 2) continue;
+        CAPTURE(line);
+        const Ball a = by_slope(2, Rational(load), Rational(G));
+        CHECK(!certainly(less(Ball(exactly(bound.c_str())), abs(a - Ball(exactly(value.c_str()))))));
+        CHECK(sharp(a));
+        const auto [near, off] = nested_area(load, G);
+        CHECK(certainly(less(abs(a - Ball::exactly(near)), Ball::exactly(10 * off))));
+    }
+    CHECK(rows > 5);
+}
+
+TEST_CASE("A_2 with singular points that meet or nearly do, and for small loads what Archard's recursion gives")
+{
+    const WorkingPrecision precision(bits);
+    for (const auto& [at, near, G] : {std::tuple{"1", "0.999999999999999999999999999999", "1.5"}, {"1", "1.000000000000000000000000000001", "2"},
+                                      {"0.5625", "0.56250000000000000000000000000001", "1.5"},    // 2 sqrt(load)/G = 1
+                                      {"0.5", "0.49999999999999999999999999999999", "1.5"},       // (load + 1)/G = 1 at 0.5, full
+                                      {"2.25", "2.2500000000000000000000000000001", "1.5"}}) {
+        CAPTURE(at); CAPTURE(near);
+        const Ball a = by_slope(2, exactly(at), exactly(G)), b = by_slope(2, exactly(near), exactly(G));
+        CHECK(sharp(a));
+        CHECK(sharp(b));
+        CHECK(certainly(less(abs(a - b), Ball(exactly("1e-24")))));
+    }
+    for (const char* G : {"1.5", "2"}) {
+        const auto archard = evaluate(*find_quantity("archard.area"), Inputs({{"n", 2}, {"load", exactly("1e-300")}, {"G", exactly(G)}}), {.digits = 20});
+        CHECK(certainly(less(abs(by_slope(2, exactly("1e-300"), exactly(G)) / archard.ball - 1), Ball(exactly("1e-20")))));
+    }
+}
+
+TEST_CASE("A_2 through the catalogue")
+{
+    const auto eval = [](const char* load, const char* G, long digits) {
+        return evaluate(*find_quantity("contact.area"), Inputs({{"n", 2}, {"load", exactly(load)}, {"G", exactly(G)}}), {.digits = digits});
+    };
+    const auto e = eval("0.35", "1.0838", 15);
+    CHECK(e.status == Status::certified);
+    CHECK(e.value == "0.226407543474638");
+    CHECK(eval("10", "1.5", 15).status == Status::exact);
+}
