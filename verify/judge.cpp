@@ -2,10 +2,13 @@
 /// `touchstone judge`: how wrong a code is, where, why, and whether any code could do better.
 #include "touchstone/oracle/judge.hpp"
 #include "touchstone/oracle/subject.hpp"
+#include "touchstone/scalar/rational_text.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
+#include "verify/judge_adapter.hpp"
 #include "verify/judge_report.hpp"
+#include "verify/judge_rows.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +22,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <numeric>
 #include <random>
 #include <system_error>
@@ -34,7 +38,8 @@ constexpr unsigned long default_seed = 1; ///< the same run gives the same verdi
 struct JudgeOptions {
     std::string table;
     std::vector<std::string> command;
-    std::string library, symbol, answers;
+    std::string library, symbol, answers, rows, emit;
+    std::vector<std::string> where;
     oracle::Bound bound;
     bool strict = false, json = false, update = false;
     std::string junit, svg, baseline;
@@ -160,73 +165,171 @@ oracle::Baseline stored_baseline(const JudgeOptions& o, const StoredTable& table
     return b;
 }
 
+/// How many subjects are named: one is right.
+int subjects(const JudgeOptions& o) { return (o.command.empty() ? 0 : 1) + (o.library.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1); }
+
+constexpr const char* one_subject = "give one subject: -- COMMAND..., --library LIB.so --symbol NAME, --answers FILE, or --rows FILE with a column 'answer'";
+
 void check_options(const JudgeOptions& o)
 {
-    const int ways = (o.command.empty() ? 0 : 1) + (o.library.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1);
-    if (ways != 1) throw Failure(usage_error, "give one subject: -- COMMAND..., --library LIB.so --symbol NAME, or --answers FILE");
+    if (subjects(o) > 1 || (o.rows.empty() && subjects(o) != 1)) throw Failure(usage_error, one_subject);
+    if (!o.rows.empty() && !o.baseline.empty()) throw Failure(usage_error, "--baseline belongs to a table, not to --rows");
     if (o.library.empty() != o.symbol.empty()) throw Failure(usage_error, "--library LIB.so and --symbol NAME go together");
     if (o.update && o.baseline.empty()) throw Failure(usage_error, "--update-baseline needs --baseline FILE");
-    for (const auto& [name, value] : {std::pair{"--ulps", o.bound.ulps}, {"--absolute", o.bound.absolute}})
+    for (const auto& [name, value] : {std::pair{"--ulps", o.bound.ulps}, {"--absolute", o.bound.absolute}, {"--rtol", o.bound.relative}, {"--atol", o.bound.at_least}})
         if (!std::isfinite(value) || value < 0) throw Failure(usage_error, fmt::format("{} {}: must be a finite number >= 0", name, value));
     for (const double seconds : {o.start_limit, o.silence_limit, o.total_limit})
         if (!(seconds > 0 && seconds <= 1e6)) throw Failure(usage_error, fmt::format("a time limit of {} s: must be > 0 and <= 10^6", seconds));
 }
 
-int judge_subject(JudgeOptions o)
+std::function<void(std::size_t, std::size_t)> shown_progress()
 {
-    check_options(o);
-    const Reference reference = find_reference(o.table);
-    const StoredTable& table = reference.table;
-    Case c;
-    c.table = table.name;
-    c.quantity = find_quantity(table.quantity);
-    if (c.quantity == nullptr || c.quantity->inputs != table.inputs)
-        throw CorruptTable(fmt::format("{}: quantity '{}' with inputs '{}' is none of this program's", o.table, table.quantity, fmt::join(table.inputs, " ")));
-    c.subject = !o.library.empty() ? o.library + ":" + o.symbol : !o.answers.empty() ? o.answers : fmt::format("{}", fmt::join(o.command, " "));
-    c.bound = o.bound;
-    c.bound.forgive_inputs = !o.strict;
-    c.seed = seed_of(o.seed_text);
-    if (!reference.file.empty()) oracle::recheck(*c.quantity, table, sample(table.rows.size(), o.recheck, c.seed), reference.file);
-    const oracle::Baseline baseline = o.baseline.empty() ? oracle::Baseline{} : stored_baseline(o, table);
-    if (!o.baseline.empty() && !o.update) c.bound.baseline = &baseline;
+    const bool terminal = ::isatty(2) != 0;
+    return [terminal](std::size_t done, std::size_t total) {
+        if (terminal && (done % 32 == 0 || done == total)) fmt::print(stderr, "\rjudging {:>5} of {}{}", done, total, done == total ? "\r\033[K" : "");
+    };
+}
 
-    c.questions = oracle::questions(table);
-    if (o.answers.empty()) { // a file of answers is to the table's own rows
-        auto fresh = oracle::held_out(*c.quantity, c.questions, o.held_out, c.seed);
-        c.held_out = fresh.size();
-        std::mt19937_64 random(c.seed + 1);
-        for (auto& f : fresh) c.questions.insert(c.questions.begin() + static_cast<long>(random() % (c.questions.size() + 1)), std::move(f));
+/// Nothing fails by a stored row that has not been certified again; what passes by a row that takes minutes is left to --recheck.
+void recheck_what_decides(const Case& c, const Reference& reference, const std::vector<std::size_t>& rows)
+{
+    std::vector<std::size_t> decisive;
+    const bool dear = oracle::of_the_recursion(*c.quantity); // the worst row is what a verdict needs
+    for (const std::size_t i : c.judgement.worst) {
+        if (decisive.size() == (dear ? 1 : oracle::shown_rows)) break;
+        const bool spared = dear && c.judgement.rows[i].verdict == oracle::Verdict::pass;
+        if (!c.questions[i].held_out && !spared)
+            decisive.push_back(rows[static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
+                                                                           [](const auto& q) { return !q.held_out; }))]);
     }
-    c.answers = ask(o, c.questions);
-    if (!c.answers.fault) {
-        const bool terminal = ::isatty(2) != 0;
-        c.judgement = oracle::judge(*c.quantity, c.questions, c.answers.values, c.bound, [terminal](std::size_t done, std::size_t total) {
-            if (terminal && (done % 32 == 0 || done == total)) fmt::print(stderr, "\rjudging {:>5} of {}{}", done, total, done == total ? "\r\033[K" : "");
-        });
-        // nothing fails by a stored row that has not been certified again; what passes by a row that takes minutes is left to --recheck
-        if (!reference.file.empty()) {
-            std::vector<std::size_t> decisive;
-            for (const std::size_t i : c.judgement.worst) {
-                if (decisive.size() == oracle::shown_rows) break;
-                const bool spared = c.quantity->costly && c.judgement.rows[i].verdict == oracle::Verdict::pass;
-                if (!c.questions[i].held_out && !spared)
-                    decisive.push_back(static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
-                                                                              [](const auto& q) { return !q.held_out; })));
-            }
-            oracle::recheck(*c.quantity, table, decisive, reference.file);
-        }
-    }
+    oracle::recheck(*c.quantity, reference.table, decisive, reference.file);
+}
+
+int say(const JudgeOptions& o, const Case& c)
+{
     fmt::print("{}", o.json ? as_json(c).dump() + "\n" : as_text(c)); // first: a report is not lost with a file that cannot be written
     if (!o.junit.empty()) write_file(o.junit, as_junit(c));
     if (!o.svg.empty() && !c.answers.fault) write_file(o.svg, as_svg(c));
     if (c.answers.fault) throw Failure(protocol_error, fmt::format("'{}' {}", c.subject, c.answers.fault->detail));
-    if (o.update) update_baseline(o, c, table, baseline);
     switch (c.judgement.verdict) {
-    case oracle::Verdict::pass: return holds;
+    case oracle::Verdict::pass: return c.left_out > 0 ? undecided : holds;
     case oracle::Verdict::fail: return fails;
     case oracle::Verdict::undecided: break;
     }
     return undecided;
+}
+
+Case new_case(const JudgeOptions& o)
+{
+    Case c;
+    c.subject = !o.library.empty() ? o.library + ":" + o.symbol : !o.answers.empty() ? o.answers : !o.command.empty() ? fmt::format("{}", fmt::join(o.command, " ")) : o.rows;
+    c.bound = o.bound;
+    c.bound.forgive_inputs = !o.strict;
+    c.seed = seed_of(o.seed_text);
+    return c;
+}
+
+int judge_by_table(const JudgeOptions& o)
+{
+    const Reference reference = find_reference(o.table);
+    const StoredTable& table = reference.table;
+    Case c = new_case(o);
+    c.table = table.name;
+    c.quantity = find_quantity(table.quantity);
+    if (c.quantity == nullptr || c.quantity->inputs != table.inputs)
+        throw CorruptTable(fmt::format("{}: quantity '{}' with inputs '{}' is none of this program's", o.table, table.quantity, fmt::join(table.inputs, " ")));
+    const Where where(*c.quantity, o.where);
+    if (!reference.file.empty()) oracle::recheck(*c.quantity, table, sample(table.rows.size(), o.recheck, c.seed), reference.file);
+    const oracle::Baseline baseline = o.baseline.empty() ? oracle::Baseline{} : stored_baseline(o, table);
+    if (!o.baseline.empty() && !o.update) c.bound.baseline = &baseline;
+
+    std::vector<std::size_t> rows; // of the table, as they are asked
+    const auto all = oracle::questions(table);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (where.holds(all[i].inputs)) rows.push_back(i);
+    if (rows.empty()) throw Failure(bad_input, fmt::format("{}: --where leaves no row", table.name));
+    for (const std::size_t i : rows) c.questions.push_back(all[i]);
+    if (o.answers.empty()) { // a file of answers is to the table's own rows
+        auto fresh = oracle::held_out(*c.quantity, c.questions, o.held_out, c.seed);
+        std::erase_if(fresh, [&](const oracle::Question& q) { return !where.holds(q.inputs); });
+        c.held_out = fresh.size();
+        std::mt19937_64 random(c.seed + 1);
+        for (auto& f : fresh) c.questions.insert(c.questions.begin() + static_cast<long>(random() % (c.questions.size() + 1)), std::move(f));
+        c.answers = ask(o, c.questions);
+    }
+    else {
+        c.answers = ask(o, all);
+        if (!c.answers.fault) { // in the table's order, all of them
+            std::vector<double> chosen;
+            for (const std::size_t i : rows) chosen.push_back(c.answers.values[i]);
+            c.answers.values = std::move(chosen);
+        }
+    }
+    if (!c.answers.fault) {
+        c.judgement = oracle::judge(*c.quantity, c.questions, c.answers.values, c.bound, shown_progress());
+        c.regimes = oracle::regimes(*c.quantity, c.questions, c.judgement);
+        if (!reference.file.empty()) recheck_what_decides(c, reference, rows);
+    }
+    const int verdict = say(o, c);
+    if (o.update) update_baseline(o, c, table, baseline);
+    return verdict;
+}
+
+/// The quantity of that name, or of the table of that name.
+const Quantity& quantity_or_table(const std::string& name)
+{
+    const TableSpec* spec = find_table(name);
+    if (const Quantity* q = find_quantity(spec != nullptr ? spec->quantity : name)) return *q;
+    throw Failure(usage_error, fmt::format("unknown quantity '{}'; nearest is '{}' (all: touchstone list)", name, nearest_name(name, quantity_names())));
+}
+
+/// KEY=VALUE words before the command: inputs that no column gives.
+std::map<std::string, Rational> take_fixed_inputs(const Quantity& q, std::vector<std::string>& words)
+{
+    std::map<std::string, Rational> fixed;
+    const bool surface = std::find(q.inputs.begin(), q.inputs.end(), "G") != q.inputs.end();
+    while (!words.empty()) {
+        const auto equals = words.front().find('=');
+        if (equals == std::string::npos) break;
+        const std::string key = words.front().substr(0, equals), text = words.front().substr(equals + 1);
+        if (std::find(q.inputs.begin(), q.inputs.end(), key) == q.inputs.end() && !(surface && (key == "D" || key == "gamma"))) break;
+        const auto value = parse_rational(text);
+        if (!value) throw Failure(bad_input, fmt::format("{} = '{}' {}", key, text, why_not_rational(text)));
+        if (!fixed.emplace(key, *value).second) throw Failure(usage_error, fmt::format("key '{}' is given twice", key));
+        words.erase(words.begin());
+    }
+    return fixed;
+}
+
+int judge_by_rows(JudgeOptions o)
+{
+    const Quantity& q = quantity_or_table(o.table);
+    const auto fixed = take_fixed_inputs(q, o.command);
+    JudgedFile file = read_rows(q, o.rows, fixed, Where(q, o.where));
+    if (subjects(o) + (file.answers ? 1 : 0) != 1) throw Failure(usage_error, one_subject);
+    Case c = new_case(o);
+    c.table = o.rows;
+    c.quantity = &q;
+    c.questions = std::move(file.questions);
+    c.left_out = file.left_out;
+    c.why_left_out = file.why_left_out;
+    if (file.answers) c.answers.values = std::move(*file.answers);
+    else c.answers = ask(o, c.questions);
+    if (!c.answers.fault) {
+        c.judgement = oracle::judge(q, c.questions, c.answers.values, c.bound, shown_progress());
+        c.regimes = oracle::regimes(q, c.questions, c.judgement);
+    }
+    return say(o, c);
+}
+
+int judge_subject(const JudgeOptions& o)
+{
+    if (!o.emit.empty()) {
+        fmt::print("{}", adapter(quantity_or_table(o.table), o.emit));
+        return holds;
+    }
+    check_options(o);
+    return o.rows.empty() ? judge_by_table(o) : judge_by_rows(o);
 }
 
 } // namespace
@@ -235,11 +338,17 @@ void add_judge(CLI::App& app, Run& run)
 {
     auto* command = app.add_subcommand("judge", "How wrong a code is, where and why: touchstone judge westergaard_pressure --ulps 4 -- ./mycode");
     auto o = std::make_shared<JudgeOptions>();
-    command->add_option("table", o->table, "Name of a table, or the path of a canonical table")->required();
+    command->add_option("table", o->table, "Name of a table, or the path of a canonical table; with --rows or --emit a quantity")->required();
     command->add_option("command", o->command, "After --: the program and its arguments; it reads rows of hexadecimal numbers and writes one number a line");
     command->add_option("--library", o->library, "Shared library whose function is called, in a process of its own")->check(not_empty());
     command->add_option("--symbol", o->symbol, "double SYMBOL(double, ...) in --library");
     command->add_option("--answers", o->answers, "File with one answer a line, in the table's order")->check(not_empty());
+    command->add_option("--rows", o->rows, "File of rows, - for standard input: columns named by the inputs, and 'answer' last unless a subject is given; KEY=VALUE for the rest")
+        ->check(not_empty());
+    command->add_option("--where", o->where, "Rows that count: 'load=1e-6..0.999,n=3'");
+    command->add_option("--rtol", o->bound.relative, "Relative error that passes too: |answer - true| <= ATOL + RTOL |true|")->capture_default_str();
+    command->add_option("--atol", o->bound.at_least, "Absolute error that passes too")->capture_default_str();
+    command->add_option("--emit", o->emit, "Print an adapter to fill in and nothing else: python, c, fortran or octave")->check(CLI::IsMember(adapter_languages()));
     command->add_option("--ulps", o->bound.ulps, "Allowed error in ulps, beyond what the rounding of inputs forces")->capture_default_str();
     command->add_flag("--strict", o->strict, "The inputs are exact: forgive nothing for their rounding");
     command->add_option("--absolute", o->bound.absolute, "Allowed error where the true value is zero")->capture_default_str();

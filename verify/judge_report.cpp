@@ -2,6 +2,7 @@
 #include "verify/judge_report.hpp"
 
 #include "touchstone/rounding/decimal.hpp"
+#include "touchstone/oracle/stable_form.hpp"
 #include "touchstone/rounding/shown.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +42,8 @@ std::vector<std::string> hex_inputs(const Case& c, std::size_t row)
     for (const double x : c.questions[row].inputs) hex.push_back(hexfloat(x));
     return hex;
 }
+
+constexpr double oracle_noise = 1e-2; ///< a median ratio this near to 1 is no factor
 
 /// The rows a reader is shown: those not passed, or the worst of those passed if all are.
 std::vector<std::size_t> shown(const Case& c)
@@ -109,6 +112,63 @@ std::string headline(const Case& c)
     return text;
 }
 
+std::string allowed(const oracle::Bound& b)
+{
+    std::string text = fmt::format("{:g} ulps", b.ulps);
+    if (b.relative > 0 || b.at_least > 0) text += fmt::format(" or {:g} + {:g} |true|", b.at_least, b.relative);
+    return text;
+}
+
+/// A line a regime: how far off, how many digits that is, and what rounding the inputs forces on the worst row.
+std::string by_regime(const Case& c)
+{
+    std::string text = fmt::format("  {:<20}{:>7}{:>7}{:>16}{:>16}{:>8}   {}\n", "regime", "rows", "wrong", "worst absolute", "worst relative", "digits", "forced by inputs");
+    for (const auto& r : c.regimes) {
+        const std::string relative = r.worst_relative ? brief(*r.worst_relative) : "-";
+        const std::string forced = !r.worst_relative ? "-" : r.forced ? brief(r.forced_relative) : "not worked out";
+        const std::string digits = r.worst_relative ? fmt::format("{:.1f}", r.right_digits()) : "-";
+        text += fmt::format("  {:<20}{:>7}{:>7}{:>16}{:>16}{:>8}   {}\n", r.name, r.rows, r.failed + r.undecided, brief(r.worst_absolute), relative, digits, forced);
+    }
+    for (const auto& r : c.regimes)
+        for (const auto& fault : r.faults) text += fmt::format("  {}: {}\n", r.name, fault);
+    return text;
+}
+
+Json regimes_json(const Case& c)
+{
+    Json all = Json::array();
+    for (const auto& r : c.regimes) {
+        Json one{{"name", r.name}, {"rows", r.rows}, {"failed", r.failed}, {"undecided", r.undecided}, {"worst_absolute", r.worst_absolute}};
+        one["worst_relative"] = r.worst_relative ? Json(*r.worst_relative) : Json(nullptr);
+        one["right_digits"] = r.worst_relative ? Json(r.right_digits()) : Json(nullptr);
+        one["forced_relative"] = r.forced ? Json(r.forced_relative) : Json(nullptr);
+        one["faults"] = r.faults;
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+/// What the answers have in common, and how the library computes what was lost.
+std::string diagnosis(const Case& c)
+{
+    const auto& j = c.judgement;
+    const auto& d = j.diagnosis;
+    std::string text;
+    if (d.ratio.rows > 0)
+        text += fmt::format("  answer/true: median {:.10g}, the middle half from {:.10g} to {:.10g} ({} rows)\n", d.ratio.median, d.ratio.lower, d.ratio.upper, d.ratio.rows);
+    if (d.mixup) {
+        text += fmt::format("  likely mistake: {} (explains {:.0f} % of the rows that tell, to {:.2g} of the value)\n", d.mixup->name, 100 * d.mixup->explains, d.mixup->to);
+        if (d.mixup->remains > 0) text += fmt::format("  wrong even with that put right: {} of the rows tried\n", d.mixup->remains);
+    }
+    else if (j.failed > 0) {
+        const bool one = std::fabs(d.ratio.median - 1) <= oracle_noise;
+        text += d.ratio.rows > 0 && !one ? "  no known mix-up gives that ratio\n" : "  no known mix-up explains the answers\n";
+    }
+    for (const auto& finding : d.findings) text += "  " + finding + "\n";
+    if (const std::string form = oracle::stable_form(c.quantity->name); j.failed > 0 && !form.empty()) text += "  the library computes " + form + "\n";
+    return text;
+}
+
 /// Horizontal or vertical axis: linear or logarithmic, mapped to [0, 1].
 class Axis {
 public:
@@ -148,7 +208,9 @@ std::string as_text(const Case& c)
     text += fmt::format("  {} of {} ({})\n", c.quantity->name, c.subject, c.quantity->description);
     text += fmt::format("  largest error {} ulps", brief(j.ulps));
     if (c.bound.baseline != nullptr) text += "; bound: the baseline, row by row\n";
-    else text += fmt::format("; allowed {:g}{}\n", c.bound.ulps, c.bound.forgive_inputs ? " beyond what rounded inputs force" : "");
+    else text += fmt::format("; allowed {}{}\n", allowed(c.bound), c.bound.forgive_inputs ? " beyond what rounded inputs force" : "");
+    if (c.left_out > 0) text += fmt::format("  {} rows are left out, for want of a certified value: {}\n", c.left_out, c.why_left_out);
+    text += by_regime(c);
     if (j.special > 0) text += fmt::format("  {} answers are nan or infinite where the true value is neither\n", j.special);
     if (j.zeros > 0)
         text += fmt::format("  {} true values are zero: largest answer there {}{}\n", j.zeros, brief(j.worst_at_zero),
@@ -160,8 +222,7 @@ std::string as_text(const Case& c)
     if (j.held_out_failed > 0)
         text += fmt::format("  {} of the {} rows held out are beyond {:g} ulps: beside a baseline they do not count\n", j.held_out_failed, c.held_out, c.bound.ulps);
     if (j.looked_up) text += "  right on the table's rows, wrong on most rows held out: the answers look looked up, not computed\n";
-    if (j.mixup) text += fmt::format("  likely mistake: {} (explains {:.0f} % of the rows that tell)\n", j.mixup->name, 100 * j.mixup->explains);
-    else if (j.failed > 0) text += "  no known mix-up explains the answers\n";
+    text += diagnosis(c);
     text += "  worst rows (hexadecimal inputs can be replayed):\n";
     std::size_t lines = 0;
     for (const std::size_t i : shown(c)) {
@@ -213,9 +274,17 @@ Json as_json(const Case& c)
         worst.push_back(std::move(w));
     }
     out["worst"] = std::move(worst);
-    out["mixup"] = j.mixup ? Json{{"name", j.mixup->name}, {"explains", j.mixup->explains}} : Json(nullptr);
+    const auto& d = j.diagnosis;
+    out["mixup"] = d.mixup ? Json{{"name", d.mixup->name}, {"explains", d.mixup->explains}, {"to", d.mixup->to}, {"remains", d.mixup->remains}} : Json(nullptr);
+    out["ratio"] = d.ratio.rows > 0 ? Json{{"rows", d.ratio.rows}, {"median", d.ratio.median}, {"quartiles", {d.ratio.lower, d.ratio.upper}}} : Json(nullptr);
+    out["findings"] = d.findings;
+    out["regimes"] = regimes_json(c);
+    out["left_out"] = c.left_out;
+    if (j.failed > 0 && !oracle::stable_form(c.quantity->name).empty()) out["stable_form"] = oracle::stable_form(c.quantity->name);
     out["quantity"] = c.quantity->name;
     out["bound"] = c.bound.baseline != nullptr ? Json("baseline") : Json(c.bound.ulps);
+    out["rtol"] = c.bound.relative;
+    out["atol"] = c.bound.at_least;
     out["failed"] = j.failed;
     out["undecided"] = j.undecided;
     if (c.bound.baseline != nullptr) out["held_out_failed"] = j.held_out_failed;

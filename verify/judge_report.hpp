@@ -4,6 +4,7 @@
 #pragma once
 
 #include "touchstone/oracle/judge.hpp"
+#include "touchstone/oracle/regime.hpp"
 #include "touchstone/oracle/subject.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,6 +22,9 @@ struct Case {
     std::vector<oracle::Question> questions;
     oracle::Answers answers;
     oracle::Judgement judgement;       ///< empty if the protocol was broken
+    std::vector<oracle::Regime> regimes;
+    std::size_t left_out = 0;          ///< rows of a file that have no certified value
+    std::string why_left_out;
     unsigned long seed = 0;            ///< which rows were held out
     std::size_t held_out = 0;
 };

@@ -54,6 +54,9 @@ struct Forced {
 Forced forced_by_inputs(const Quantity&, const std::vector<double>& inputs, const CertifiedValue& truth, int pieces,
                         double enough = std::numeric_limits<double>::infinity());
 
+/// Whether another load or G needs another solution of the recursion: seconds a row, where a closed form takes microseconds.
+bool of_the_recursion(const Quantity&);
+
 /// The exact inputs of a row.
 Inputs exact_inputs(const Quantity&, const std::vector<double>& row);
 

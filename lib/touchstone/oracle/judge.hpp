@@ -28,6 +28,21 @@ struct Question {
 struct MixUp {
     std::string name;
     double explains = 0;        ///< share of the telling rows it gives, 0 to 1
+    double to = 0;              ///< relative difference up to which they are the same
+    std::size_t remains = 0;    ///< telling rows tried that it does not give
+};
+
+/// answer/truth over all rows where both are numbers and the truth is not zero.
+struct Ratio {
+    std::size_t rows = 0;
+    double median = 0, lower = 0, upper = 0; ///< lower and upper: the middle half lies between them
+};
+
+/// What the answers have in common. See mixup.hpp.
+struct Diagnosis {
+    Ratio ratio;
+    std::optional<MixUp> mixup;
+    std::vector<std::string> findings;   ///< a sentence each: single precision, few digits printed
 };
 
 enum class Verdict { pass, fail, undecided };
@@ -35,6 +50,8 @@ std::string_view to_string(Verdict);
 
 struct Bound {
     double ulps = 4;            ///< of error beyond what the rounding of inputs forces
+    double relative = 0;        ///< |answer - truth| <= at_least + relative |truth| passes too, as in numpy's allclose
+    double at_least = 0;
     bool forgive_inputs = true; ///< false: the bound is for the whole error
     double absolute = 0;        ///< allowed where the true value is zero
     bool keep_order = false;    ///< order and symmetry violations fail too
@@ -67,7 +84,7 @@ struct Judgement {
     double worst_at_zero = 0;            ///< largest |answer| where the truth is zero
     std::vector<std::size_t> worst;      ///< rows, the worst first
     std::vector<OrderViolation> order;
-    std::optional<MixUp> mixup;
+    Diagnosis diagnosis;                 ///< the mix-up only if rows fail
     bool looked_up = false;              ///< right on the table's rows, wrong off them
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/oracle/mixup.hpp"
 
-#include "touchstone/paper/archard.hpp"
-#include "touchstone/paper/segments.hpp"
+#include "touchstone/oracle/mistakes.hpp"
+#include "touchstone/rounding/decimal.hpp"
 
 #include <fmt/format.h>
 
@@ -13,259 +13,292 @@
 namespace touchstone::oracle {
 namespace {
 
-constexpr std::size_t most_rows = 96;
+constexpr std::size_t most_rows = 96;      ///< on which candidates are tried
+constexpr std::size_t fewest_rows = 3;     ///< that can tell anything
 constexpr slong bits = 160;
+constexpr std::array closeness{0x1p-20, 1e-4, 1e-3, 1e-2, 5e-2};
+constexpr double loosest_partial = 1e-3;   ///< beyond this two fifths of the rows may agree by chance
+constexpr double enough = 0.9, partial = 0.4;
+constexpr double tie = 0.02;               ///< shares closer than this are the same, and the simpler explanation wins
 
-using Values = std::map<std::string, Rational>;
-
-/// What a subject did to the inputs before a right formula. Nothing: it cannot be applied to this row.
-struct InputMistake {
-    std::string name;
-    int cost;
-    std::function<bool(Values&)> apply;
-};
-
-/// What a subject did to the right value.
-struct OutputMistake {
-    std::string name;
-    int cost;
-    std::function<Ball(const Ball&, const Inputs&)> apply;
-};
-
-/// Another formula altogether.
-struct OtherFormula {
-    std::string quantity, name;
-    std::function<Ball(const Inputs&)> value;
-};
-
-/// pi as a rational number close enough that nobody can tell at a part in 2^20.
-Rational rational_pi() { return Rational(245850922, 78256779); }
-
-struct Factor {
-    std::string name;
-    Rational value;
-};
-
-/// Factors that conventions differ by, of a length measured across the contact or of anything else. nu = 0.3 is steel's;
-/// other ratios are found by fitting.
-std::vector<Factor> convention_factors(bool width)
-{
-    const Rational pi = rational_pi();
-    const std::string two = width ? "full width for half width" : "2: peak-to-valley for amplitude, or 2E* for E*";
-    const std::string half = width ? "quarter width for half width" : "1/2: amplitude for peak-to-valley, or E* for 2E*";
-    return {{two, 2}, {half, Rational(1, 2)}, {"pi", pi}, {"1/pi", 1 / pi}, {"2 pi", 2 * pi}, {"1/(2 pi)", 1 / (2 * pi)},
-            {"4", 4}, {"1/4", Rational(1, 4)}, {"1 - nu^2: E for E/(1 - nu^2), nu = 0.3", Rational(91, 100)},
-            {"1/(1 - nu^2): E/(1 - nu^2) for E, nu = 0.3", Rational(100, 91)},
-            {"2 (1 - nu^2): E for 2E*, nu = 0.3", Rational(182, 100)}, {"1/(2 (1 - nu^2)): 2E* for E, nu = 0.3", Rational(100, 182)}};
-}
-
-bool takes(const Quantity& q, const std::string& key) { return std::find(q.inputs.begin(), q.inputs.end(), key) != q.inputs.end(); }
-
-std::vector<InputMistake> input_mistakes(const Quantity& q)
-{
-    std::vector<InputMistake> all{{"", 0, [](Values&) { return true; }}};
-    const auto scaled = [&all](const std::string& what, const std::vector<std::string>& keys, const Factor& f, int cost) {
-        all.push_back({fmt::format("{} taken times {}", what, f.name), cost, [keys, c = f.value](Values& v) {
-                           for (const auto& key : keys) v[key] *= c;
-                           return true;
-                       }});
-    };
-    for (const Factor& f : convention_factors(false)) {
-        if (takes(q, "load") && takes(q, "p")) scaled("load and p (that is, p*)", {"load", "p"}, f, 2);
-        if (takes(q, "load")) scaled("load", {"load"}, f, 2);
-        if (takes(q, "p")) scaled("p", {"p"}, f, 2);
-        if (takes(q, "x")) scaled("x (that is, lambda)", {"x"}, f, 2);
-    }
-    if (takes(q, "a")) // the half-width of a contact
-        for (const Factor& f : convention_factors(true)) scaled("a (that is, lambda)", {"a"}, f, 2);
-    if (takes(q, "p") && takes(q, "load")) {
-        all.push_back({"p taken in units of the mean pressure, not of p*", 1, [](Values& v) { v["p"] *= v["load"]; return true; }});
-        all.push_back({"p divided by the mean pressure", 1, [](Values& v) { v["p"] /= v["load"]; return true; }});
-    }
-    if (takes(q, "x"))
-        all.push_back({"origin at the valley, not at the peak", 1, [](Values& v) { v["x"] = Rational(1, 2) - abs(v["x"]); return true; }});
-    if (takes(q, "n")) {
-        all.push_back({"n counted from 1, not from 0", 1, [](Values& v) { v["n"] -= 1; return v["n"] >= 0; }});
-        all.push_back({"n + 1 for n", 1, [](Values& v) { v["n"] += 1; return true; }});
-    }
-    return all;
-}
-
-std::vector<OutputMistake> output_mistakes(const Quantity& q)
-{
-    std::vector<OutputMistake> all{{"", 0, [](const Ball& v, const Inputs&) { return v; }}};
-    for (const Factor& f : convention_factors(q.name.ends_with("half_width")))
-        all.push_back({"factor " + f.name, 1, [c = f.value](const Ball& v, const Inputs&) { return v * Ball(c); }});
-    all.push_back({"opposite sign", 1, [](const Ball& v, const Inputs&) { return -v; }});
-    if (takes(q, "load")) {
-        all.push_back({"in units of the mean pressure, p/pbar for p/p*", 1, [](const Ball& v, const Inputs& in) { return v / in.ball("load"); }});
-        all.push_back({"multiplied by the load", 1, [](const Ball& v, const Inputs& in) { return v * in.ball("load"); }});
-    }
-    return all;
-}
-
-/// (7.17) as printed, with the exponent n + 2^-n and the product of Gamma(1 - h)/Gamma(3/2 - h).
-Ball K_as_printed(long n)
-{
-    Ball K = pow(Ball(2), Ball(Rational(n)) + power_of_two<Ball>(-n)) / pow(pi<Ball>(), Ball(Rational(n + 2, 2)));
-    for (long i = 0; i < n; ++i) {
-        const Ball h = power_of_two<Ball>(-(i + 2));
-        K = K * gamma_function(Ball(1 - h)) / gamma_function(Ball(Ball(Rational(3, 2)) - h));
-    }
-    return K;
-}
-
-const std::vector<OtherFormula>& other_formulas()
-{
-    static const std::vector<OtherFormula> all{
-        {"archard.K", "(7.17) as the paper prints it", [](const Inputs& in) { return K_as_printed(in.integer("n")); }},
-        {"archard.area", "(7.18) as the paper prints it",
-         [](const Inputs& in) { return archard::area(in.integer("n"), in.ball("load"), in.G_ball(), K_as_printed(in.integer("n"))); }},
-        {"archard.segments", "(8.2) with K of (7.17) as the paper prints it",
-         [](const Inputs& in) {
-             return archard::segments(in.integer("n"), in.ball("load"), in.ball("D"), in.ball("gamma"), K_as_printed(in.integer("n") - 1));
-         }},
-        {"segments.max_half_width", "(9.4) as the paper prints it, without the square root",
-         [](const Inputs& in) {
-             const long n = in.integer("n");
-             const Ball x = n == 0 ? in.ball("load") : peaks::iterate(n - 1, in.ball("load"), in.G_ball());
-             return asin(at_most(x, Ball(1))) / pi<Ball>();
-         }},
-        {"westergaard.half_width", "the Hertzian half-width (2.7)", [](const Inputs& in) { return hertz::half_width(in.ball("load")); }},
-        {"westergaard.pressure", "the Hertzian pressure (2.6)", [](const Inputs& in) { return hertz::pressure(in.ball("x"), in.ball("load")); }},
-        {"westergaard.pressure", "(2.2) cut off at zero: the full-contact pressure where contact is partial",
-         [](const Inputs& in) { return at_least(westergaard::pressure_full(in.ball("x"), in.ball("load")), Ball(0)); }},
-        {"hertz.half_width", "Westergaard's half-width (2.5)", [](const Inputs& in) { return westergaard::half_width(in.ball("load")); }},
-        {"hertz.pressure", "Westergaard's pressure (2.4)", [](const Inputs& in) { return westergaard::pressure(in.ball("x"), in.ball("load")); }},
-    };
-    return all;
-}
-
-/// The same to a part in 2^20. A value known no better than that is never the same.
-bool alike(const Ball& a, const Ball& b)
-{
-    if (arb_is_zero(a.get()) && arb_is_zero(b.get())) return true;
-    return certainly(less(power_of_two<Ball>(20) * abs(a - b), abs(b)));
-}
-
-/// The rows looked at, with what is known of each.
+/// The rows looked at. A candidate that would have answered v is compared through answer/v and v.
 struct Evidence {
     Inputs in;
     Ball truth, answer;
-    bool right;
 };
 
-struct Score {
-    std::size_t telling = 0, matched = 0;
-    double share() const { return telling < 3 ? 0 : static_cast<double>(matched) / static_cast<double>(telling); }
+/// What one candidate makes of a row: the answer it would have given, and the ratio of the real one to it (NaN: 0/0).
+struct Candidate {
+    double value, ratio;
 };
 
-/// `value(row)` is what the candidate would have answered; nothing if it says nothing about the row.
-template <class Value>
-Score score(const std::vector<Evidence>& rows, Value value)
+double middle(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
+
+std::optional<Candidate> candidate(const Ball& answer, const Ball& value)
 {
-    Score s;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::optional<Ball> v = value(i);
-        if (!v || !v->is_finite()) continue;
-        const bool matches = alike(rows[i].answer, *v);
-        if (rows[i].right && alike(*v, rows[i].truth)) continue;
-        ++s.telling;
-        s.matched += matches;
-    }
-    // what it says nothing about it does not explain: at least half of the wrong rows must be covered
-    const auto wrong = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const Evidence& e) { return !e.right; }));
-    return 2 * s.telling < wrong ? Score{} : s;
+    if (!value.is_finite()) return std::nullopt;
+    if (arb_is_zero(value.get())) return Candidate{0, arb_is_zero(answer.get()) ? 1 : std::numeric_limits<double>::infinity()};
+    if (value.contains_zero()) return std::nullopt;
+    return Candidate{middle(value), middle(answer / value)};
+}
+
+/// Whether answer = factor * value to the tolerance.
+bool alike(const Candidate& c, double factor, const Tolerance& t)
+{
+    const double off = std::fabs(c.ratio / factor - 1);
+    return off <= t.relative || off * std::fabs(c.value * factor) <= t.absolute;
 }
 
 std::vector<Evidence> evidence(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers)
 {
     std::vector<Evidence> rows;
-    const std::size_t stride = (questions.size() + most_rows - 1) / most_rows;
-    for (std::size_t i = 0; i < questions.size(); i += std::max<std::size_t>(1, stride)) {
-        if (!std::isfinite(answers[i])) continue;
-        Evidence e{exact_inputs(q, questions[i].inputs), Ball(questions[i].truth.value), Ball::exactly(answers[i]), false};
-        e.right = alike(e.answer, e.truth);
-        rows.push_back(std::move(e));
-    }
+    const std::size_t stride = std::max<std::size_t>(1, (questions.size() + most_rows - 1) / most_rows);
+    for (std::size_t i = 0; i < questions.size(); i += stride)
+        if (std::isfinite(answers[i])) rows.push_back({exact_inputs(q, questions[i].inputs), Ball(questions[i].truth.value), Ball::exactly(answers[i])});
     return rows;
 }
 
-std::optional<Ball> value_of(const Quantity& q, const Inputs& in)
-{
-    try {
-        q.check(in);
-        return q.routes.front().ball(in);
-    }
-    catch (const DomainError&) {
-        return std::nullopt;
-    }
-    catch (const BeyondReach&) {
-        return std::nullopt;
-    }
-}
-
-struct Best {
-    MixUp mixup;
-    int cost = 0;
-    void offer(const std::string& name, const Score& s, int c)
+/// The value at other inputs; a costly one only if a row has it.
+class Elsewhere {
+public:
+    Elsewhere(const Quantity& q, const std::vector<Question>& questions) : q_(q)
     {
-        const double share = s.share();
-        if (share < 0.9) return;
-        if (share > mixup.explains + 0.02 || (share > mixup.explains - 0.02 && c < cost)) {
-            mixup = {name, share};
-            cost = c;
+        if (!of_the_recursion(q)) return;
+        for (const auto& question : questions) known_.emplace(exact_inputs(q, question.inputs).values(), Ball(question.truth.value));
+    }
+    std::optional<Ball> operator()(std::map<std::string, Rational> values) const
+    {
+        if (of_the_recursion(q_)) {
+            const auto row = known_.find(values);
+            return row == known_.end() ? std::nullopt : std::optional(row->second);
+        }
+        try {
+            const Inputs in(std::move(values));
+            q_.check(in);
+            return q_.routes.front().ball(in);
+        }
+        catch (const DomainError&) {
+            return std::nullopt;
+        }
+        catch (const BeyondReach&) {
+            return std::nullopt;
         }
     }
+
+private:
+    const Quantity& q_;
+    std::map<std::map<std::string, Rational>, Ball> known_;
 };
 
-/// One factor for all rows that is in no list: the median of answer/truth, and the Poisson's ratio it would be.
-void try_fitted_factor(const std::vector<Evidence>& rows, Best& best)
+/// One explanation tried: for each row what it would have answered, up to a factor for each row.
+struct Explanation {
+    std::string name;
+    int cost;
+    const std::vector<std::optional<Candidate>>* values;
+    std::vector<double> factors;
+    bool fitted = false; ///< made from the answers themselves: it must hold throughout
+};
+
+struct Score {
+    std::size_t telling = 0, matched = 0;
+    double share() const { return telling < fewest_rows ? 0 : static_cast<double>(matched) / static_cast<double>(telling); }
+};
+
+class Trial {
+public:
+    Trial(const std::vector<std::optional<Candidate>>& truth, const Tolerance& t) : truth_(truth), tolerance_(t)
+    {
+        for (const auto& row : truth_) {
+            right_.push_back(row && alike(*row, 1, t));
+            right_count_ += right_.back();
+        }
+    }
+    /// Share of the rows that are right as they are.
+    double right() const { return truth_.empty() ? 0 : static_cast<double>(right_count_) / static_cast<double>(truth_.size()); }
+    Score score(const Explanation& e) const
+    {
+        Score s;
+        std::size_t covered = 0;
+        for (std::size_t i = 0; i < truth_.size(); ++i) {
+            const auto& c = (*e.values)[i];
+            if (!c || !truth_[i]) continue;
+            const bool same = std::fabs(c->value * e.factors[i] - truth_[i]->value) <= tolerance_.relative * std::fabs(truth_[i]->value);
+            if (right_[i] && same) continue;
+            ++s.telling;
+            covered += !right_[i];
+            s.matched += alike(*c, e.factors[i], tolerance_);
+        }
+        // what it says nothing about it does not explain: at least half of the wrong rows must be covered
+        return 2 * covered < truth_.size() - right_count_ ? Score{} : s;
+    }
+
+private:
+    const std::vector<std::optional<Candidate>>& truth_;
+    Tolerance tolerance_;
+    std::vector<bool> right_;
+    std::size_t right_count_ = 0;
+};
+
+double quantile(std::vector<double> v, double part)
+{
+    const auto at = v.begin() + static_cast<long>(std::min(v.size() - 1, static_cast<std::size_t>(part * static_cast<double>(v.size()))));
+    std::nth_element(v.begin(), at, v.end());
+    return *at;
+}
+
+/// A factor that is in no list, to the digits that the answers agree on, and the Poisson's ratio it would be.
+std::string fitted_name(const Ratio& ratio)
+{
+    constexpr double fewest = 2, most_shown = 9;
+    const double c = ratio.median;
+    const double spread = std::max(std::fabs((ratio.upper - ratio.lower) / c), 1e-16);
+    std::string name = fmt::format("factor {:#.{}g} throughout", c, static_cast<int>(std::clamp(std::ceil(-std::log10(spread)), fewest, most_shown)));
+    const double complement = c < 1 ? 1 - c : 1 - 1 / c;
+    constexpr double least = 1e-3, most = 0.25; // nu from 0.03 to 0.5
+    if (c > 0 && complement >= least && complement <= most)
+        name += fmt::format(": {} with nu = {:.4g}", c < 1 ? "1 - nu^2, E for E/(1 - nu^2)," : "1/(1 - nu^2), E/(1 - nu^2) for E,", std::sqrt(complement));
+    return name;
+}
+
+/// Everything that is tried, made once and scored at each closeness.
+class Explanations {
+public:
+    Explanations(const Quantity& q, const std::vector<Question>& questions, const std::vector<Evidence>& rows, const Ratio& ratio)
+    {
+        const Elsewhere elsewhere(q, questions);
+        const auto outputs = output_mistakes(q);
+        std::vector<std::vector<double>> factors;
+        for (const auto& o : outputs) {
+            factors.emplace_back();
+            for (const auto& e : rows) factors.back().push_back(o.factor(e.in));
+        }
+        const std::vector<double> ones(rows.size(), 1);
+        for (const auto& f : other_formulas(q)) all_.push_back({f.name, 1, add(rows, [&](const Evidence& e) { return std::optional(f.value(e.in)); }), ones});
+        for (const auto& mistake : input_mistakes(q)) {
+            const auto* values = add(rows, [&](const Evidence& e) -> std::optional<Ball> {
+                auto moved = e.in.values();
+                if (mistake.cost == 0) return e.truth;
+                return mistake.apply(moved) ? elsewhere(std::move(moved)) : std::nullopt;
+            });
+            if (mistake.cost == 0) truth_ = values;
+            for (std::size_t k = 0; k < outputs.size(); ++k) {
+                const auto& o = outputs[k];
+                if (mistake.cost == 0 && o.cost == 0) continue;
+                const std::string name = mistake.name.empty() ? o.name : o.name.empty() ? mistake.name : mistake.name + "; " + o.name;
+                all_.push_back({name, mistake.cost + o.cost, values, factors[k]});
+            }
+        }
+        const auto* complement = add(rows, [](const Evidence& e) { return std::optional<Ball>(1 - e.truth); });
+        if (q.name.ends_with("exceedance")) all_.push_back({"1 - value: the share below p for the share above it", 1, complement, ones});
+        if (ratio.median != 0 && std::isfinite(ratio.median))
+            all_.push_back({fitted_name(ratio), 3, truth_, std::vector<double>(rows.size(), ratio.median), true});
+        std::vector<double> offsets, sizes;
+        for (const auto& e : rows) {
+            offsets.push_back(middle(e.answer - e.truth));
+            sizes.push_back(std::fabs(middle(e.truth)));
+        }
+        const double offset = quantile(offsets, 0.5);
+        if (std::fabs(offset) > 0x1p-30 * quantile(sizes, 0.5)) {
+            // an offset is the same where it is large beside the value too: there the difference itself must agree
+            const auto* moved = add(rows, [&](const Evidence& e) { return std::optional<Ball>(e.truth + Ball::exactly(offset)); });
+            all_.push_back({fmt::format("constant offset {:.7g} throughout", offset), 3, moved, ones, true});
+        }
+    }
+    const std::vector<Explanation>& all() const { return all_; }
+    const std::vector<std::optional<Candidate>>& truth() const { return *truth_; }
+
+private:
+    template <class Value>
+    const std::vector<std::optional<Candidate>>* add(const std::vector<Evidence>& rows, Value value)
+    {
+        auto values = std::make_unique<std::vector<std::optional<Candidate>>>();
+        for (const auto& e : rows) {
+            const std::optional<Ball> v = value(e);
+            values->push_back(v ? candidate(e.answer, *v) : std::nullopt);
+        }
+        kept_.push_back(std::move(values));
+        return kept_.back().get();
+    }
+    std::vector<std::unique_ptr<std::vector<std::optional<Candidate>>>> kept_;
+    std::vector<Explanation> all_;
+    const std::vector<std::optional<Candidate>>* truth_ = nullptr;
+};
+
+std::optional<MixUp> best_at(const Explanations& explanations, const Tolerance& t, double least)
+{
+    const Trial trial(explanations.truth(), t);
+    MixUp best;
+    int cost = 0;
+    for (const Explanation& e : explanations.all()) {
+        const Score s = trial.score(e);
+        const double share = s.share();
+        if (share < (e.fitted ? enough : least) || share < 2 * trial.right()) continue;
+        if (share > best.explains + tie || (share > best.explains - tie && e.cost < cost)) {
+            best = {e.name, share, t.relative, s.telling - s.matched};
+            cost = e.cost;
+        }
+    }
+    return best.name.empty() ? std::nullopt : std::optional(best);
+}
+
+/// Over all rows: where truth and answer are numbers other than zero.
+Ratio ratio_of(const std::vector<Question>& questions, const std::vector<double>& answers)
 {
     std::vector<double> ratios;
-    for (const auto& e : rows)
-        if (!arb_contains_zero(e.truth.get())) ratios.push_back(arf_get_d(arb_midref((e.answer / e.truth).get()), ARF_RND_NEAR));
-    if (ratios.size() < 3) return;
-    std::nth_element(ratios.begin(), ratios.begin() + static_cast<long>(ratios.size() / 2), ratios.end());
-    const double c = ratios[ratios.size() / 2];
-    if (!std::isfinite(c) || c == 0) return;
-    std::string name = fmt::format("factor {:.7g} throughout", c);
-    const double complement = c < 1 ? 1 - c : 1 - 1 / c;
-    if (complement > 0 && complement <= 0.25)
-        name += fmt::format(": {} with nu = {:.4g}", c < 1 ? "1 - nu^2, E for E/(1 - nu^2)," : "1/(1 - nu^2), E/(1 - nu^2) for E,", std::sqrt(complement));
-    const Ball factor = Ball::exactly(c);
-    best.offer(name, score(rows, [&](std::size_t i) { return std::optional(rows[i].truth * factor); }), 3);
+    for (std::size_t i = 0; i < questions.size(); ++i)
+        if (std::isfinite(answers[i]) && questions[i].truth.value != 0) ratios.push_back(nearest_double(Rational(exact_rational(answers[i]) / questions[i].truth.value)));
+    if (ratios.empty()) return {};
+    return {ratios.size(), quantile(ratios, 0.5), quantile(ratios, 0.25), quantile(ratios, 0.75)};
+}
+
+/// What the answers look like as numbers, whatever the quantity.
+void look_at_the_numbers(const std::vector<Question>& questions, const std::vector<double>& answers, std::vector<std::string>& findings)
+{
+    constexpr std::size_t fewest = 8, few_digits = 12;
+    constexpr double most = 0.95;
+    std::vector<double> lengths;
+    std::size_t single = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const double a = answers[i];
+        if (!std::isfinite(a) || a == 0 || a == nearest_double(questions[i].truth.value)) continue; // a short number may be the right one
+        single += static_cast<double>(static_cast<float>(a)) == a;
+        const std::string text = shortest(std::fabs(a));
+        const std::string digits = text.substr(0, text.find('e'));
+        const auto first = digits.find_first_not_of("0.");
+        lengths.push_back(static_cast<double>(std::count_if(digits.begin() + static_cast<long>(std::min(first, digits.size())), digits.end(),
+                                                            [](char c) { return c != '.'; })));
+    }
+    if (lengths.size() < fewest) return;
+    const double digits = quantile(lengths, most);
+    if (digits <= static_cast<double>(few_digits)) {
+        std::size_t right = 0;
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (std::isfinite(answers[i]) && questions[i].truth.value != 0)
+                right += abs(Rational(exact_rational(answers[i]) / questions[i].truth.value - 1)) <= power(Rational(10), 1 - static_cast<long>(digits));
+        findings.push_back(fmt::format("answers carry {:.0f} significant digits, and {} of {} are right to a unit of the last: print 17 (%.17g, es24.16e3, repr)", digits, right, answers.size()));
+    }
+    else if (static_cast<double>(single) >= most * static_cast<double>(lengths.size()))
+        findings.push_back("answers are single-precision numbers (float32, 24 bits): somewhere on the way they were rounded to that");
 }
 
 } // namespace
 
-std::optional<MixUp> find_mixup(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers)
+Diagnosis diagnose(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Tolerance& asked)
 {
+    Diagnosis d;
+    d.ratio = ratio_of(questions, answers);
+    look_at_the_numbers(questions, answers, d.findings);
     const WorkingPrecision precision(bits);
     const auto rows = evidence(q, questions, answers);
-    if (std::count_if(rows.begin(), rows.end(), [](const Evidence& e) { return !e.right; }) < 3) return std::nullopt;
-    Best best;
-    for (const auto& f : other_formulas()) {
-        if (f.quantity != q.name) continue;
-        best.offer(f.name, score(rows, [&](std::size_t i) { return std::optional(f.value(rows[i].in)); }), 1);
-    }
-    const auto outputs = output_mistakes(q);
-    for (const auto& mistake : input_mistakes(q)) {
-        std::vector<std::optional<Ball>> values;
-        for (const auto& e : rows) {
-            Values moved = e.in.values();
-            if (mistake.cost == 0) values.emplace_back(e.truth);
-            else values.push_back(mistake.apply(moved) ? value_of(q, Inputs(std::move(moved))) : std::nullopt);
+    if (rows.size() < fewest_rows) return d;
+    const Explanations explanations(q, questions, rows, d.ratio);
+    for (const double least : {enough, partial})
+        for (const double close : closeness) {
+            const Tolerance t{std::max(close, asked.relative), asked.absolute};
+            if (d.mixup || (least == partial && close > loosest_partial)) break;
+            d.mixup = best_at(explanations, t, least);
         }
-        for (const auto& o : outputs) {
-            if (mistake.cost == 0 && o.cost == 0) continue;
-            const std::string name = mistake.name.empty() ? o.name : o.name.empty() ? mistake.name : mistake.name + "; " + o.name;
-            best.offer(name, score(rows, [&](std::size_t i) { return values[i] ? std::optional(o.apply(*values[i], rows[i].in)) : std::nullopt; }),
-                       mistake.cost + o.cost);
-        }
-    }
-    try_fitted_factor(rows, best);
-    return best.mixup.name.empty() ? std::nullopt : std::optional(best.mixup);
+    return d;
 }
 
 } // namespace touchstone::oracle

@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Which well-known mistake a failing code has made, if its answers are those of one.
+/// What the answers of a failing code have in common with those of a well-known mistake.
 ///
 /// Contact codes go wrong by conventions far more often than by arithmetic: a factor pi or 2, the
 /// wave's peak-to-valley for its amplitude, E for E/(1 - nu^2), the mean pressure for p* as the unit,
-/// a full width for a half width, the phase for the position, another of the paper's formulas, or
-/// one of its misprints. Each is tried against the data: no guess is reported that the data do not bear out.
+/// a full width for a half width, the phase for the position, another of the paper's formulas, one of
+/// its misprints, a series cut off. Each is tried against the data: no guess is reported that the data do not bear out.
 #pragma once
 
 #include "touchstone/oracle/judge.hpp"
 
 namespace touchstone::oracle {
 
-/// The simplest candidate that gives at least nine tenths of the telling answers to a part in 2^20, if any.
-/// Telling are the rows where answer or candidate differ from the truth by more than that.
-/// At most 96 rows are looked at, spread over the table.
-std::optional<MixUp> find_mixup(const Quantity&, const std::vector<Question>&, const std::vector<double>& answers);
+/// How close an answer must come to be the same: relative, and absolute beside it.
+struct Tolerance {
+    double relative = 0;
+    double absolute = 0;
+};
+
+/// Looks at the data from tight to loose (a part in 2^20, then 1e-4, 1e-3, 1e-2, 5e-2; never tighter than the tolerance asked for):
+/// a code with noise of a percent and a factor 2 is told both. At each, the simplest candidate that gives nine tenths of the
+/// telling answers; failing all, the best that gives two fifths of them to a part in 1000, with what it leaves over.
+/// Telling are the rows where answer or candidate differ from the truth by more than that, and a candidate counts only if it
+/// explains twice as many rows as the certified values themselves do. At most 96 rows are tried, spread over the table; the
+/// ratio is taken over all. For a quantity of the recursion a mistake in the inputs is tried only where it leads to another row.
+Diagnosis diagnose(const Quantity&, const std::vector<Question>&, const std::vector<double>& answers, const Tolerance&);
 
 } // namespace touchstone::oracle
