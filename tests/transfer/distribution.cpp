@@ -2,7 +2,7 @@
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/transfer/forward.hpp"
-#include "touchstone/transfer/scale_one.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 /// TOUCHSTONE_SEED=n tries others, TOUCHSTONE_COUNT=n more or fewer.
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/forward.hpp"
-#include "touchstone/transfer/scale_one.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #include "touchstone/transfer/forward.hpp"
 
 #include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/binary64.hpp"
 #include "touchstone/transfer/chain.hpp"
 #include "touchstone/transfer/fixed.hpp"
 #include "touchstone/transfer/progress.hpp"
@@ -1390,6 +1391,7 @@ struct Forward::Implementation {
 
 Forward::Forward(Law law, const std::function<Ball()>& G_at, const std::function<Ball()>& load_at, double accuracy)
 {
+    require_binary64_arithmetic();
     const WorkingPrecision scope(Implementation::precision_for(accuracy));
     implementation_ = std::make_unique<Implementation>(law, G_at(), load_at(), accuracy);
 }
@@ -1508,6 +1510,7 @@ struct Asked {
 
 Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a, bool for_density)
 {
+    require_binary64_arithmetic();
     const auto distance = [&](slong bits) {
         const WorkingPrecision precision(bits);
         const Ball G = a.G(), load = a.load();
