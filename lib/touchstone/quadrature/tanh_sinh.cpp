@@ -557,9 +557,21 @@ long digits_of(const Ball& x)
     return static_cast<long>(std::floor(static_cast<double>(x.relative_bits()) / bits_per_digit));
 }
 
+/// Sums of more bits than this are not tried: the program's limit for every other value, 16 times what the digits take.
+constexpr double most_bits_per_bit = 16, most_spare_bits = 8192;
+
+/// log2 of the largest bound that errors are held against.
+double bits_against(const std::vector<ProvedPanel>& panels)
+{
+    double most = -std::numeric_limits<double>::infinity();
+    for (const ProvedPanel& p : panels)
+        for (const Ball& b : {p.panel.strip_integral, p.left.bound, p.right.bound, p.panel.scale}) most = std::max(most, log2_upper(b));
+    return most;
+}
+
 std::string digits_text(long proven, long asked)
 {
-    return (proven == 0 ? std::string("no digit") : "only " + std::to_string(proven)) + " of " + std::to_string(asked) + (asked == 1 ? " digit is proven" : " digits are proven");
+    return (proven == 0 ? std::string("none") : "only " + std::to_string(proven)) + " of " + std::to_string(asked) + " digits proven";
 }
 
 } // namespace
@@ -603,6 +615,13 @@ try {
     }
     double log2_tolerance = log2_upper(scale) - wanted - 2 - std::log2(static_cast<double>(panels.size()));
     for (int attempt = 0;; ++attempt) {
+        const double bits = std::max(bits_against(panels) - log2_tolerance, log2_upper(scale)); // the bound of |f| may itself be all there is
+        if (!(bits <= most_bits_per_bit * wanted + most_spare_bits)) {
+            if (attempt > 0) break;
+            std::ostringstream why;
+            why << "digits against the proven bound of |f| would take " << std::llround(bits) << " bits: f is huge next to the interval";
+            return refuse(why.str());
+        }
         slong precision = 0;
         Ball total(0);
         for (ProvedPanel& p : panels) {
