@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # ./bootstrap.sh        install what is missing, build, run the main job into out/
-# ./bootstrap.sh test   the same, then build and run every test (slow campaigns excepted)
+# ./bootstrap.sh test   the same, then build and run every test (slow ones and campaigns excepted)
 set -euo pipefail
 cd "$(dirname "$0")"
 

@@ -174,3 +174,12 @@ TEST_CASE("cached nodes are the map at t = k h")
         }
     }
 }
+
+TEST_CASE("a piece of the strip outlives the ones kept for later: a nested integral may ask for any number of others")
+{
+    const WorkingPrecision precision(strip_bits);
+    const StripPiece& piece = StripPiece::at(Side::right, 1, 1.25, 0, 0.5);
+    const std::string before = piece.distance(Side::right).real().dump();
+    for (int i = 0; i < 40'002; ++i) StripPiece::at(Side::right, i * 0x1p-17, i * 0x1p-17, 0, 0);
+    CHECK(piece.distance(Side::right).real().dump() == before);
+}

@@ -98,3 +98,37 @@ TEST_CASE("an exponent too long for exact arithmetic is refused")
     const Rational fine = 1 - 1 / power(Rational(2), 70);
     CHECK(mentions(check_refused([fine](auto, auto l, auto) { return to_power(l, fine); }, Interval::finite(0, 1)), "exponent"));
 }
+
+TEST_CASE("fewer digits than asked for are no success: how many there are is said, and that the enclosure holds")
+{
+    const auto cases = [](const auto& f, const Interval& interval, long digits, long at_most) {
+        Options options;
+        options.digits = digits;
+        const Enclosure e = tanh_sinh(f, interval, options);
+        INFO(e.reason, " ", e.value.to_string());
+        CHECK(e.status == Status::undecided);
+        CHECK(to_string(e.status) == "undecided");
+        CHECK(e.digits <= at_most);
+        CHECK(e.value.is_finite());
+        CHECK(mentions(e, "digit"));
+        return e;
+    };
+    // e^31623 next to the interval: no answer with a radius of 1e6962
+    const Rational thousandth(1, 1000);
+    const auto wild = [thousandth](auto x, auto, auto) { return sin(to_power(thousandth + (1 - x) * (1 - x), Rational(-3, 2))); };
+    CHECK(mentions(check_refused(wild, Interval::finite(0, 3)), "bits"));
+    // 10^-200 beside a sum that cancels: none of its digits, but where it is
+    const Rational small = 1 / power(Rational(10), 200);
+    CHECK(cases([small](auto x, auto, auto) { return sin(x) + small; }, Interval::finite(-1, 1), 10, 0).value.contains(2 * small));
+    // exactly 0: no relative digit, a sharp enclosure
+    const Enclosure zero = cases([](auto x, auto, auto) { return sin(x); }, Interval::finite(-1, 1), 20, 0);
+    CHECK(zero.value.contains(Rational(0)));
+    CHECK(zero.value.radius_bound() < 1e-20);
+    // what is certified has what was asked for
+    Options options;
+    options.digits = 40;
+    const Enclosure e = tanh_sinh([](auto x, auto, auto) { return exp(x); }, Interval::finite(0, 1), options);
+    CHECK(e.status == Status::certified);
+    CHECK(e.digits == 40);
+    CHECK(e.value.relative_bits() > 132);
+}

@@ -2,6 +2,7 @@
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>
 
@@ -188,4 +189,22 @@ TEST_CASE("through the catalogue: ends of the support, and what is out of reach"
     const WorkingPrecision precision(128);
     const Ball expected = pi<Ball>() * Ball(3) * sqrt(Ball(3)) / 2 * Ball(*parse_rational(q.value));
     CHECK(certainly(less(abs(Ball(*parse_rational(s.value)) - expected), Ball(exactly("1e-28")))));
+}
+
+TEST_CASE("many digits far below the edge, where arcsin z branches at the zeros of E(D) inside ellipses: all laws hold the integral of scale 1")
+{
+    const ScaleOne one{share_of_highest(1, "1e-19", "1", "2.5"), exactly("1"), [] { return Ball(exactly("2.5")); }, std::nullopt, exactly("2.5")};
+    const WorkingPrecision precision(bits_for_digits(150) + 48);
+    const Ball known = [&] {
+        const WorkingPrecision twice(2 * WorkingPrecision::bits());
+        return scale_one_exceedance(Variable::angle, one);
+    }();
+    for (const Law law : {Law::density, Law::exceedance}) {
+        const Ball Q = exceedance(law, 1, one.p, at("1", "2.5"));
+        CAPTURE(static_cast<int>(law));
+        CHECK(Q.overlaps(known));
+        CHECK(Q.relative_bits() > bits_for_digits(150));
+    }
+    // 270 digits are within reach, and what is not says so
+    CHECK(eval("contact.exceedance", {{"n", 1}, {"G", exactly("5/2")}, {"load", 1}, {"p", exactly("1e-17")}}, 150).status == Status::certified);
 }

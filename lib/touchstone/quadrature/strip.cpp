@@ -166,7 +166,7 @@ ComplexBall StripPiece::logarithm_over_rho(Side s) const
     return ComplexBall(Ball(-1), hull(-slope_, slope_)) + disc(log_far / depth_);
 }
 
-const StripPiece& StripPiece::at(Side side, double x1, double x2, double y1, double y2)
+StripPiece StripPiece::at(Side side, double x1, double x2, double y1, double y2)
 {
     thread_local std::unordered_map<Key, StripPiece, KeyHash> cache;
     const Key key{{x1, x2, y1, y2}, side};

@@ -20,7 +20,8 @@ namespace touchstone::quadrature {
 /// half-infinite piece {|Re t| >= x1, 0 <= Im t <= y2}. Corners are exact binary64 numbers.
 class StripPiece : public Frame<ComplexBall> {
 public:
-    static const StripPiece& at(Side side, double x1, double x2, double y1, double y2);
+    /// A copy: of the pieces enclosed before some are kept, until there are too many.
+    static StripPiece at(Side side, double x1, double x2, double y1, double y2);
     /// One piece for everything: no enclosure at all, yet a formula that depends on u and r
     /// through powers alone is finite on it.
     static const StripPiece& everywhere();

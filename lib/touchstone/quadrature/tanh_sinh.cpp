@@ -12,7 +12,15 @@
 
 namespace touchstone::quadrature {
 
-std::string to_string(Status s) { return s == Status::certified ? "certified" : "indeterminate"; }
+std::string to_string(Status s)
+{
+    switch (s) {
+    case Status::certified: return "certified";
+    case Status::undecided: return "undecided";
+    case Status::indeterminate: break;
+    }
+    return "indeterminate";
+}
 
 // ---------------------------------------------------------------- intervals
 
@@ -200,7 +208,7 @@ End StripProof::end(Side side, double d)
     End e;
     for (const double depth : {4.0, 10.0, 24.0, 60.0}) {
         e.edge = edge(depth, d);
-        const StripPiece& piece = StripPiece::at(side, e.edge, std::numeric_limits<double>::infinity(), 0, d);
+        const StripPiece piece = StripPiece::at(side, e.edge, std::numeric_limits<double>::infinity(), 0, d);
         const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
         e.depth = piece.depth();
         const Order own = c.order(side);
@@ -222,7 +230,7 @@ End StripProof::end(Side side, double d)
 
 bool StripProof::layer(Side side, double x1, double x2, double y1, double y2, double smallest)
 {
-    const StripPiece& piece = StripPiece::at(side, x1, x2, y1, y2);
+    const StripPiece piece = StripPiece::at(side, x1, x2, y1, y2);
     if (pieces >= budget_) { fail(piece, "the integrand was not proved analytic within the proof budget"); return false; }
     if (value(piece).factor().is_finite()) return true;
     const double width = x2 - x1, height = y2 - y1;
@@ -241,7 +249,7 @@ bool StripProof::layer(Side side, double x1, double x2, double y1, double y2, do
 /// Upper bound of the integral of |F| over the piece of the line Im t = d.
 Ball StripProof::piece_bound(Side side, double x1, double x2, double d)
 {
-    const StripPiece& piece = StripPiece::at(side, x1, x2, d, d);
+    const StripPiece piece = StripPiece::at(side, x1, x2, d, d);
     const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
     const Ball exponent = (c.left().power + Exponent(1)).ball() * piece.logarithm(Side::left).real()
                           + (c.right().power + Exponent(1)).ball() * piece.logarithm(Side::right).real();
@@ -538,6 +546,36 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
 
 } // namespace
 
+namespace {
+
+constexpr double bits_per_digit = 3.3219281;
+
+/// As many d that the radius is at most 10^-d of the value.
+long digits_of(const Ball& x)
+{
+    if (x.is_exact()) return std::numeric_limits<long>::max();
+    return static_cast<long>(std::floor(static_cast<double>(x.relative_bits()) / bits_per_digit));
+}
+
+/// Sums of more bits than this are not tried: the program's limit for every other value, 16 times what the digits take.
+constexpr double most_bits_per_bit = 16, most_spare_bits = 8192;
+
+/// log2 of the largest bound that errors are held against.
+double bits_against(const std::vector<ProvedPanel>& panels)
+{
+    double most = -std::numeric_limits<double>::infinity();
+    for (const ProvedPanel& p : panels)
+        for (const Ball& b : {p.panel.strip_integral, p.left.bound, p.right.bound, p.panel.scale}) most = std::max(most, log2_upper(b));
+    return most;
+}
+
+std::string digits_text(long proven, long asked)
+{
+    return (proven == 0 ? std::string("none") : "only " + std::to_string(proven)) + " of " + std::to_string(asked) + " digits proven";
+}
+
+} // namespace
+
 Enclosure integrate(const MakePanel& make, const Interval& interval, const Options& options)
 try {
     Enclosure result;
@@ -557,7 +595,7 @@ try {
         ends.prepare();
         if (!ends.is_proper()) return refuse("the ends of the interval are not finite numbers a < b");
     }
-    const double wanted = static_cast<double>(options.digits) * 3.3219281 + 1;
+    const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
     std::vector<ProvedPanel> panels;
     std::string reason;
     if (!prove_panels(make, 0, 1, options, 0, wanted, panels, reason)) return refuse(std::move(reason));
@@ -577,6 +615,13 @@ try {
     }
     double log2_tolerance = log2_upper(scale) - wanted - 2 - std::log2(static_cast<double>(panels.size()));
     for (int attempt = 0;; ++attempt) {
+        const double bits = std::max(bits_against(panels) - log2_tolerance, log2_upper(scale)); // the bound of |f| may itself be all there is
+        if (!(bits <= most_bits_per_bit * wanted + most_spare_bits)) {
+            if (attempt > 0) break;
+            std::ostringstream why;
+            why << "digits against the proven bound of |f| would take " << std::llround(bits) << " bits: f is huge next to the interval";
+            return refuse(why.str());
+        }
         slong precision = 0;
         Ball total(0);
         for (ProvedPanel& p : panels) {
@@ -594,7 +639,10 @@ try {
     result.certificate.panels.clear();
     for (ProvedPanel& p : panels) result.certificate.panels.push_back(std::move(p.panel));
     if (!result.value.is_finite()) return refuse("the integrand is not finite at a node");
-    result.status = Status::certified;
+    result.digits = std::clamp(digits_of(result.value), 0L, options.digits);
+    result.status = result.digits == options.digits ? Status::certified : Status::undecided;
+    if (result.status == Status::undecided)
+        result.reason = digits_text(result.digits, options.digits) + ": the error is at most " + bound_text(radius(result.value)) + ", where |f| integrates to at most " + bound_text(scale);
     return result;
 }
 catch (const DomainError& error) { // an exponent that Exponent cannot hold

@@ -12,7 +12,8 @@
 /// x = tanh-sinh(t) after at most a few bisections of the interval, and there
 /// |f| <= K u^(alpha-1) r^(beta-1) with alpha, beta > 0 (times powers of logarithms).
 /// All of this is *proved* by the call, from f alone. What is not proved is not integrated:
-/// the result is then `indeterminate`, with the reason.
+/// the result is then `indeterminate`, with the reason. An enclosure that lacks the digits asked for (the integral is 0, or far below what bounds the
+/// integrand on the strip) is `undecided`, and says how many it has.
 /// Contract on f: both instantiations are the same function, made of operations on its
 /// arguments (no look at midpoints, no branch on their values).
 ///
@@ -39,7 +40,8 @@
 
 namespace touchstone::quadrature {
 
-enum class Status { certified, indeterminate };
+/// certified: the digits asked for are proven. undecided: a proven enclosure with fewer digits, `digits` of them. indeterminate: nothing is proven.
+enum class Status { certified, undecided, indeterminate };
 std::string to_string(Status);
 
 struct Options {
@@ -82,9 +84,10 @@ struct Certificate {
 };
 
 struct Enclosure {
-    Ball value;      ///< contains the integral; indeterminate unless certified
+    Ball value;      ///< contains the integral, if certified or undecided
     Status status = Status::indeterminate;
-    std::string reason; ///< if indeterminate: what could not be proved, and where
+    long digits = 0;    ///< proven: |error| <= 10^-digits |integral|; at most those asked for
+    std::string reason; ///< unless certified: what could not be proved, and where
     Certificate certificate;
     explicit operator bool() const = delete;
 };

@@ -39,6 +39,13 @@ Ball Ratios::zeros() const
     return r;
 }
 
+Ball largest_product(const ComplexBall& z, const Ball& highest)
+{
+    const Ball least = lower(abs(z)); // the smallest z of the ball leaves room for the largest x
+    const Ball in_disc = arb_is_positive(least.get()) ? at_most(highest, 1 / least) : highest;
+    return at_least(highest * abs(1 - highest * z), in_disc / 2);
+}
+
 ChainBounds chain_bounds(const ComplexBall& v, const Ball& G, const Ratios& x)
 {
     const Ball& X = x.highest;
@@ -61,8 +68,7 @@ ChainBounds chain_bounds(const ComplexBall& v, const Ball& G, const Ratios& x)
     if (gap.is_finite()) {
         const ComplexBall z = 1 - gap;
         const Ball at_highest = abs((1 - X) + X * gap); // |1 - Xz|
-        // |1 - xz| decreases in x until x = Re z/|z|^2. x|1 - xz| increases except while |1 - xz - 1/4| < 1/4; where
-        // xz enters that disc |1 - xz| <= 1/2 and |xz| <= 1.
+        // |1 - xz| decreases in x until x = Re z/|z|^2
         const Ball re_z = z.real(), abs_z = abs(z);
         if (x.single) {
             b.factor = lower(at_highest);
@@ -72,7 +78,7 @@ ChainBounds chain_bounds(const ComplexBall& v, const Ball& G, const Ratios& x)
             if (arb_is_nonpositive(re_z.get())) b.factor = Ball(1);
             else if (certainly(less(X * abs_z * abs_z, re_z))) b.factor = lower(at_highest);
             else b.factor = lower(abs(z.imag()) / abs_z);
-            product = at_least(X * at_highest, at_most(X, 1 / upper(abs_z)) / 2);
+            product = at_least(X * at_highest, largest_product(z, X));
         }
         if (!b.factor.is_finite() || arb_is_negative(b.factor.get())) b.factor = Ball(0);
         if (!product.is_finite()) product = crude;

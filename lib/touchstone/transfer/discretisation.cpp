@@ -2,6 +2,7 @@
 #include "touchstone/transfer/discretisation.hpp"
 
 #include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/binary64.hpp"
 
 #include <flint/fmpz_mat.h>
 #include <fmt/format.h>
@@ -44,6 +45,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     : scheme_(scheme), accuracy_(accuracy),
       format_(format_for(accuracy)), bits_(bits_for(accuracy))
 {
+    require_binary64_arithmetic();
     const WorkingPrecision precision(bits_);
     G_ = G_at();
     if (!certainly(less(Ball(2), G_))) throw BeyondReach("G = gamma^(D-1) must be above 2");
@@ -102,6 +104,8 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
             Ball s = Ball::exactly(b.mid) + Ball::exactly(b.half) * tau;
             if (scheme == Scheme::force_weighted) s = exp(s);
             nodes_.push_back({exp(-s), s});
+            // the blocks begin a little below log(G/2), the nodes must not: the rule is proven for ratios below 2/G
+            if (!certainly(less(nodes_.back().x, 2 / G_))) throw std::logic_error("transfer: a node's ratio is not below 2/G");
         }
 
     rule_ = scheme == Scheme::force_weighted ? double_exponential_rule(G_, all, accuracy, V) : gauss_panel_rule(G_, all, accuracy, V);
@@ -279,7 +283,8 @@ Budget Discretisation::budget(const Row& r, const Ball& x, const Rule& rule) con
         slope = larger(slope, upper(1 / ((rho + 1 / rho) / 2 - 1 - Traits::power_of_two(-29))));
         p = std::max(p, b.points);
     }
-    const Ball u = format_.unit(), total = upper(r.total + r.terms * r.weight_error);
+    const Ball u = format_.unit();
+    const Ball total = upper(r.total + r.terms * (r.weight_error + u)); // of the weights as rounded
     Budget b;
     const Ball fourth_root = sqrt(sqrt(x));
     b.rule = upper(rule.discretisation * fourth_root);

@@ -8,8 +8,10 @@
 /// 25/8 w^2 (Lefevre et al., "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS 49, 2023).
 /// So no operation is off by more than 2^-102, cancellation or not, while nothing leaves 1e-270 ... 1e270.
 /// Results do not depend on whether the machine has a fused multiply-add: std::fma is exact by definition.
-/// Not to be compiled with -ffast-math; fused contraction of a * b + c by the compiler must be off.
+/// Not to be compiled with -ffast-math (binary64.hpp refuses); fused contraction of a * b + c by the compiler must be off.
 #pragma once
+
+#include "touchstone/transfer/binary64.hpp"
 
 #include <cmath>
 #include <type_traits>

@@ -2,6 +2,7 @@
 #include "touchstone/transfer/forward.hpp"
 
 #include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/binary64.hpp"
 #include "touchstone/transfer/chain.hpp"
 #include "touchstone/transfer/fixed.hpp"
 #include "touchstone/transfer/progress.hpp"
@@ -37,6 +38,20 @@ constexpr slong bound_bits = 40;
 constexpr double slack = 1e-9;
 /// A point may lie outside its panel by a relative 1e-15 of it: polynomials and errors there grow by (1 + 5e-8)^points at most.
 constexpr double at_panel_end = 1e-5;
+/// No bound is kept below this: a product of two that underflows would otherwise claim that nothing is lost.
+constexpr double smallest_bound = 1e-300;
+/// Above, the tolerances, 1e-6 e^-accuracy and less, would come down to smallest_bound.
+constexpr double most_accuracy = 660;
+
+double product_of_bounds(std::initializer_list<double> factors)
+{
+    double r = 1;
+    for (const double f : factors) {
+        r *= std::max(f, smallest_bound);
+        r = r <= infinity ? std::max(r, smallest_bound) : infinity; // inf 0 is not a number
+    }
+    return r;
+}
 
 double above(const Ball& x)
 {
@@ -51,9 +66,9 @@ double at_most_modulus(const C& z)
     mag_t m;
     mag_init(m);
     acb_get_mag(m, z.get());
-    const double r = mag_get_d(m);
+    const double r = mag_get_d(m); // 0 below 2^-1000
     mag_clear(m);
-    return r;
+    return std::max(r, smallest_bound);
 }
 double at_least_modulus(const C& z)
 {
@@ -61,9 +76,9 @@ double at_least_modulus(const C& z)
     mag_t m;
     mag_init(m);
     acb_get_mag_lower(m, z.get());
-    const double r = mag_get_d(m);
+    const double r = mag_get_d(m); // infinite above 2^1000
     mag_clear(m);
-    return r;
+    return std::min(r, 1 / smallest_bound);
 }
 
 /// Whether z may touch (-inf, 0].
@@ -71,6 +86,10 @@ bool meets_cut(const C& z)
 {
     return !z.is_finite() || (arb_contains_zero(acb_imagref(z.get())) && !arb_is_positive(acb_realref(z.get())));
 }
+
+/// Whether E(D) may touch (-inf, 0], mean an enclosure of it. It does not where Re D > 0: there |arg D| < pi/2, and |e^-D| < 1 makes
+/// |arg(1 - e^-D)| < pi/2, so |arg E(D)| < pi. Its zeros, D = 2 pi i k, are on the imaginary axis.
+bool mean_meets_cut(const C& D, const C& mean) { return !arb_is_positive(acb_realref(D.get())) && meets_cut(mean); }
 
 C disc(double re, double im, double radius)
 {
@@ -309,11 +328,12 @@ struct Forward::Implementation {
         if (meets_cut(R2)) return infinity;
         const C R = sqrt(R2), P = 1 + x + R, M = one_minus + R;
         if (meets_cut(P) || meets_cut(M)) return infinity;
-        if (kind == Kind::share) { // z^2 = 2 x (1 - e^-D)/P, |arcsin z| <= (pi/2)|z| for |z| < 1
-            const double z2 = 2 * at_most_modulus(x) * at_most_modulus(1 - exp(-D)) / at_least_modulus(P) * (1 + slack);
-            return z2 < 1 ? std::numbers::pi / 2 * std::sqrt(z2) * (1 + slack) : infinity;
-        }
         const C E = exponential_mean(D);
+        if (kind == Kind::share) { // z^2 = 2 x (1 - e^-D)/P = 2 x D E/P, and D's root is cos theta: E must have one too, however small z is
+            if (mean_meets_cut(D, E)) return infinity;
+            const double z2 = 2 * at_most_modulus(x) * at_most_modulus(1 - exp(-D)) / at_least_modulus(P) * (1 + slack);
+            return z2 < 1 ? std::numbers::pi / 2 * std::sqrt(z2) * (1 + slack) : infinity; // |arcsin z| <= (pi/2)|z| for |z| < 1
+        }
         double inverse = meets_cut(E) ? infinity : 1 / at_least_modulus(E) * (1 + slack);
         inverse = std::min(inverse, direct);
         const double square = law == Law::density ? at_most_modulus(P) / at_least_modulus(M) * inverse
@@ -344,9 +364,11 @@ struct Forward::Implementation {
         }
         const C P = 1 + C(x) + R;
         if (meets_cut(P)) return infinity;
+        const C E = exponential_mean(2 * d); // z^2 = 4 d x E/P: as in `modulus`, E must have a root
+        if (mean_meets_cut(2 * d, E)) return infinity;
         const double z2 = 2 * above(x) * at_most_modulus(1 - exp(-2 * d)) / at_least_modulus(P) * (1 + slack);
         if (!(z2 < 1)) return infinity;
-        return decay * std::numbers::pi / 2 * std::sqrt(2 * above(x) * at_most_modulus(exponential_mean(2 * d)) / at_least_modulus(P)) * (1 + slack);
+        return decay * std::numbers::pi / 2 * std::sqrt(2 * above(x) * at_most_modulus(E) / at_least_modulus(P)) * (1 + slack);
     }
 
     /// Largest bound of boxes that meet the range; infinite if one of them is not proven.
@@ -390,7 +412,7 @@ struct Forward::Implementation {
                 const double b = over_box(shells.radius(j - 1), outer, directions[static_cast<std::size_t>(m)], directions[static_cast<std::size_t>(m) + 1], 2,
                                           [&](const C& d) { return f(d, j, m, outer); });
                 if (!(b < 1e200)) break; // the set stays star-shaped
-                boxes.at(j, m) = b;
+                boxes.at(j, m) = std::max(b, smallest_bound);
             }
         }
     }
@@ -413,12 +435,13 @@ struct Forward::Implementation {
             const double cosine = std::cos(directions[static_cast<std::size_t>(m) + 1]);
             if (cosine <= 0.001 || beta * r * cosine < 4) continue;
             double b = infinity;
-            if (full) b = law == Law::density ? std::sqrt(2 * (2 * r + 1 / cosine)) / 2 : 4 * std::exp(-beta * r * cosine);
+            const double decay = std::max(std::exp(-beta * r * cosine), smallest_bound);
+            if (full) b = law == Law::density ? std::sqrt(2 * (2 * r + 1 / cosine)) / 2 : 4 * decay;
             else {
                 const double eta = 4 * std::exp(-2 * r * cosine) * load_d / ((1 - load_d) * (1 - load_d)) * (1 + slack);
-                if (eta < 1e-3 * (1 - load_d)) b = std::exp(-beta * r * cosine) * far_kernel(load_d, eta) * std::sqrt(2 * r + 1 / cosine) * 2;
+                if (eta < 1e-3 * (1 - load_d)) b = decay * far_kernel(load_d, eta) * std::sqrt(2 * r + 1 / cosine) * 2;
             }
-            level->boxes.far[static_cast<std::size_t>(m)] = b / std::sqrt(r) * (1 + slack);
+            level->boxes.far[static_cast<std::size_t>(m)] = std::max(b / std::sqrt(r) * (1 + slack), smallest_bound);
         }
         estimate_first(*level);
         return level;
@@ -487,7 +510,7 @@ struct Forward::Implementation {
                 const double direct = cosine > 0.001 ? 2 * outer * c1 + 1 / cosine : infinity;
                 const double k = kernel_over(d, a, b, direct * (1 + slack), 5);
                 if (!std::isfinite(k)) return infinity;
-                sum += share[static_cast<std::size_t>(i)] * k * u;
+                sum += product_of_bounds({share[static_cast<std::size_t>(i)], k, u});
             }
             return decay * sum * (1 + slack);
         });
@@ -499,7 +522,7 @@ struct Forward::Implementation {
             if (!(eta < 1e-3) || e_d > 0.99999) continue; // R^2 = (1-x)^2 (1 + eta') off its cut: 2 arcsin e + eta < pi
             const double u = std::max(most[static_cast<std::size_t>(m)], from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end));
             to.boxes.far[static_cast<std::size_t>(m)] =
-                std::exp(-beta * end * cosine) * far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) * u / std::sqrt(end) * (1 + 1e-6);
+                product_of_bounds({std::exp(-beta * end * cosine), far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) / std::sqrt(end) * (1 + 1e-6), u});
         }
     }
 
@@ -573,7 +596,7 @@ struct Forward::Implementation {
         if (!std::isfinite(u)) return infinity;
         if (kind == Kind::share) u *= at_most_modulus(cosine) * at_most_modulus(exp(-delta * C(Ball::exactly(0.5))));
         const double k = kernel_bound(from.edge_bound, d, s, c, infinity, kind);
-        return 2 / q_least * std::pow(at_most_modulus(sine), static_cast<double>(power(from.k))) * k * u * (1 + slack);
+        return product_of_bounds({2 / q_least, std::pow(at_most_modulus(sine), static_cast<double>(power(from.k))), k, u}) * (1 + slack);
     }
 
     /// Rule for all real d in [low, high], or for the disc of radius `around` about it.
@@ -597,6 +620,7 @@ struct Forward::Implementation {
             norm = wallis(m);
         }
         const double norm_d = about(norm);
+        if (!(tolerance > 8 * smallest_bound)) throw BeyondReach("so many digits of a distribution would cost too much");
         const auto d_disc = [&] {
             Ball x = hull(Ball::exactly(low * (1 - slack) - around), Ball::exactly(high * (1 + slack) + around)), y(0);
             mag_set_d(arb_radref(y.get()), around);
@@ -608,8 +632,9 @@ struct Forward::Implementation {
             const double l = (b - a) / 2, mid = (a + b) / 2, goal = tolerance / 8;
             if (std::pow(2 * b, static_cast<double>(m)) < 1e-6) { // perhaps negligible
                 const double most = integrand_bound(from, kind, d, disc(mid, 0, l * (1 + slack)));
-                if (2 * l * most / norm_d < goal) {
-                    rule.error += 2 * l * most / norm_d * (1 + slack);
+                const double whole = product_of_bounds({2 * l / norm_d, most}) * (1 + slack);
+                if (whole < goal) {
+                    rule.error += whole;
                     return;
                 }
             }
@@ -627,11 +652,11 @@ struct Forward::Implementation {
                     most = std::max(most, integrand_bound(from, kind, d, t));
                 }
                 if (!std::isfinite(most)) continue;
-                const double front = 16.0 / 3 * l * most / (norm_d * (1 - 1 / r)) * (1 + slack);
-                const long n = std::max(4L, static_cast<long>(std::ceil(std::log(front / goal) / (2 * std::log(r)))));
+                const double front = product_of_bounds({16.0 / 3 * l / (norm_d * (1 - 1 / r)), most}) * (1 + slack);
+                const long n = std::max(4L, static_cast<long>(std::ceil((std::log(front) - std::log(goal)) / (2 * std::log(r)))));
                 if (n < best) {
                     best = n;
-                    best_error = front * std::pow(r, -2.0 * static_cast<double>(n)) * (1 + slack);
+                    best_error = product_of_bounds({front, std::pow(r, -2.0 * static_cast<double>(n))}) * (1 + slack);
                 }
                 if (++finite == 3) break;
             }
@@ -777,7 +802,7 @@ struct Forward::Implementation {
         out.slope = sum_d;
         out.rule_error = rule.error + dropped(from, kind, d_d, rule.reach);
         out.interpolation = (out.interpolation + interpolation) * (1 + slack);
-        out.error = (out.rule_error + out.interpolation + out.carried) * (1 + slack);
+        out.error = (out.rule_error + out.interpolation + out.carried + smallest_bound) * (1 + slack); // what underflowed in the sums above is less
         return out;
     }
 
@@ -792,7 +817,7 @@ struct Forward::Implementation {
                                        : std::exp(0.5 * std::log(about(from.edge)) - reach / 2 - (k + 1) / 2 * std::log(d) - next) * (1 + 1e-6);
         if (kind == Kind::share) return infinity; // its caller adds its own
         const double k2 = 4 / std::numbers::pi * std::pow(1 - above(from.edge_bound), -1.5);
-        return 4.1 * k2 * from.tail * std::exp(-reach - (k - 1) / 2 * std::log(d) - next) * (1 + 1e-6);
+        return product_of_bounds({4.1 * k2 * from.tail, std::exp(-reach - (k - 1) / 2 * std::log(d) - next)}) * (1 + 1e-6);
     }
     double log_constant(const Level& from) const
     {
@@ -870,13 +895,13 @@ struct Forward::Implementation {
     {
         static constexpr std::array rhos{12.0, 9.5, 7.6, 6.2, 5.0, 4.1, 3.4, 2.8, 2.35, 2.0, 1.75, 1.55};
         const double at_b = estimate_step(from, b);
-        const double goal = epsilon * (whole && logarithmic ? std::pow(b, static_cast<double>(to.k) / 2) * at_b : std::min(estimate_step(from, a == 0 ? b * 1e-3 : a), at_b));
+        const double goal = std::max(smallest_bound, epsilon * (whole && logarithmic ? std::pow(b, static_cast<double>(to.k) / 2) * at_b : std::min(estimate_step(from, a == 0 ? b * 1e-3 : a), at_b)));
         const Settings& set = settings(law);
         Choice best;
         for (const double rho : rhos) {
             const double U = ellipse_bound(to, a, b, logarithmic, rho, whole);
             if (!std::isfinite(U)) continue;
-            long n = 1 + static_cast<long>(std::ceil(std::log(std::max(4 * U / (goal * (rho - 1)), 1.0)) / std::log(rho)));
+            long n = 1 + static_cast<long>(std::ceil(std::max(std::log(4 * U / (rho - 1)) - std::log(goal), 0.0) / std::log(rho)));
             n = set.least_points + std::max(0L, (n - set.least_points + set.step_points - 1) / set.step_points) * set.step_points;
             if (n < best.points) best = {b, rho, U, n};
         }
@@ -948,9 +973,9 @@ struct Forward::Implementation {
             panel->rho = best.rho;
             panel->bound = best.bound;
             const double n = static_cast<double>(best.points), r = best.rho, q = 1 / r;
-            panel->interpolation = 4 * best.bound * std::pow(r, 1 - n) / (r - 1) * (1 + at_panel_end);
+            panel->interpolation = product_of_bounds({4 * best.bound / (r - 1), std::pow(r, 1 - n)}) * (1 + at_panel_end);
             // sum_{k >= N} 2 U rho^-k (k^2 + N^2) <= 4 U sum k^2 rho^-k
-            panel->slope = 4 * best.bound * std::pow(q, n) * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q) * (1 + at_panel_end);
+            panel->slope = product_of_bounds({4 * best.bound * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q), std::pow(q, n)}) * (1 + at_panel_end);
             fill_panel(from, *to, *panel, whole);
             a = best.b;
             to->panels.push_back(std::move(panel));
@@ -1054,7 +1079,7 @@ struct Forward::Implementation {
             const Ball decay = whole ? panel.logarithmic ? half_power(at[j], to.k) : Ball(1) : exp(-at[j] * Traits::quotient(law == Law::density ? 3 : 1, 2));
             const Ball u = r.value * decay;
             const double decay_d = above(decay), scale = epsilon * std::fabs(about(r.value));
-            panel.errors[j] = (r.error * decay_d + mag_get_d(arb_radref(u.get()))) * (1 + slack);
+            panel.errors[j] = (product_of_bounds({r.error, decay_d}) + mag_get_d(arb_radref(u.get())) + smallest_bound) * (1 + slack);
             panel.worst = std::max(panel.worst, panel.errors[j]);
             arb_get_mid_arb(values[j].get(), u.get());
             if (!u.is_finite() || !std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");
@@ -1241,7 +1266,7 @@ struct Forward::Implementation {
             carried += weight * (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst * (1 + 1e-6);
         }
         mag_clear(tolerance);
-        error = (interpolation + carried) * (1 + at_panel_end);
+        error = (interpolation + carried + smallest_bound) * (1 + at_panel_end);
         Row r;
         r.value = sum * level.C;
         const double C_d = above(level.C);
@@ -1277,7 +1302,7 @@ struct Forward::Implementation {
         arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), precision);
         const Ball front = load / (unit * from.edge);
         Ball value = front * half_power(2 * d, n) * 2 * wallis(power(n)) * from.C * 2 / Traits::pi() * r.value;
-        if (std::isfinite(rule.reach)) widen(value, above(front) * from.tail * std::exp(-1.5 * rule.reach) / 1.5 * (1 + slack));
+        if (std::isfinite(rule.reach)) widen(value, product_of_bounds({above(front), from.tail, std::exp(-1.5 * rule.reach) / 1.5}) * (1 + slack));
         return {value, r, rule.nodes.size()};
     }
 
@@ -1366,6 +1391,7 @@ struct Forward::Implementation {
 
 Forward::Forward(Law law, const std::function<Ball()>& G_at, const std::function<Ball()>& load_at, double accuracy)
 {
+    require_binary64_arithmetic();
     const WorkingPrecision scope(Implementation::precision_for(accuracy));
     implementation_ = std::make_unique<Implementation>(law, G_at(), load_at(), accuracy);
 }
@@ -1484,6 +1510,7 @@ struct Asked {
 
 Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a, bool for_density)
 {
+    require_binary64_arithmetic();
     const auto distance = [&](slong bits) {
         const WorkingPrecision precision(bits);
         const Ball G = a.G(), load = a.load();
@@ -1506,8 +1533,8 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
         const double small = for_density && n >= 2 ? accuracy_for_small(accuracy, n, d, a.G(), a.load()) : 0;
         accuracy = small > 0 ? small : accuracy + cancelling;
     }
-    if (accuracy > 700 && accuracy_for(wanted) < 600) throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
-    if (accuracy > 700) throw BeyondReach("so many digits of a distribution would cost too much");
+    if (accuracy > most_accuracy && accuracy_for(wanted) < most_accuracy - 100) throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
+    if (accuracy > most_accuracy) throw BeyondReach("so many digits of a distribution would cost too much");
     Asked asked{levels_for(law, accuracy, a), {}, {}};
     const slong bits = asked.levels->bits();
     asked.d = distance(bits + 40 + static_cast<slong>(std::max(0.0, -std::log2(d))));

@@ -24,6 +24,13 @@
 /// of analyticity at the edge halves with each scale, the sector does not. A last box per direction is unbounded; there
 /// |1/E(D)| <= |D| + 1/cos and e^(-b d) wins.
 ///
+/// **The boundary is enough.** Rules and polynomials below want an integrand, or u_k, analytic and bounded in an ellipse; only its boundary is
+/// looked at. Let w be an argument of a root or an arcsine (R^2, P, M, E, 1 - z^2), or delta for u_k, in the order in which they are computed: each is
+/// analytic inside once those before it are. It maps the boundary to a closed curve in a set S: the plane without (-inf, 0], the disc about 1, or
+/// the star of the boxes. Every point outside S is joined to infinity by a ray outside S, so the curve does not wind around it, and by the argument
+/// principle w does not take that value inside. So every root is analytic inside, and so is the integrand, which the maximum principle then bounds by what it is on the
+/// boundary. That the integrand is finite there would not do: |arcsin z| <= (pi/2)|z| holds all round a zero of E, where z = (4 d x c E/P)^(1/2) branches.
+///
 /// **Level.** u_k is kept as interpolating polynomials on panels, in d next to the edge, beyond in d (density) or log d
 /// (exceedance): |error| <= 4 U rho^-(N-1)/(rho-1), U the bound on an ellipse of boxes.
 /// **Row.** v_{k+1}(d) by Gauss-Legendre on pieces of t = tan(theta/2), which leaves no end-point singularity;

@@ -2,6 +2,7 @@
 #include "touchstone/transfer/proven_levels.hpp"
 
 #include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/layer.hpp"
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/progress.hpp"
 #include "touchstone/transfer/two_waves.hpp"
@@ -19,81 +20,14 @@
 namespace touchstone::transfer {
 namespace {
 
-using Real = DoubleDouble<double>; // values and positions; bounds of errors are `double`
-using Kernel = WaveKernel<Real>;
 using std::max, std::min;
 
 using namespace bounds;
+using namespace levels;
 constexpr int most_levels = ProvenLevels::levels;
-constexpr double narrowest = 2e6 * u; // half of an interval of x, relative: rounding moves its Chebyshev points by less than 1e-6 of that
-constexpr double overlap = 1.4;  // a panel's polynomial is a good approximation on so much more than the panel
 
-double power(double x, int n)
-{
-    double r = 1;
-    for (; n > 0; n >>= 1, x *= x)
-        if (n & 1) r *= x;
-    return r;
-}
 /// The larger, and infinite where v is not a number: nothing is known then.
 void raise(double& bound, double v) { bound = v <= infinite ? max(bound, v) : infinite; }
-double size_of(const Real& x) { return std::fabs(x.high) * margin; }
-
-// ---- panels
-
-/// The polynomial of a panel holds on z0 <= z <= z1, z = x^2, and is a good approximation on centre +- half.
-struct Panel {
-    Real y0, y1, z0, z1, centre, half;
-    bool first;
-    // a hundredth less: what jumps between the last node and the end of the interval is not seen
-    Real left() const { return first ? z0 : centre - half * 0.99; }
-    Real right() const { return centre + half * 0.99; }
-    double width() const { return size_of(y1 - y0); }
-};
-
-Panel panel(const Real& z0, const Real& z1, bool first)
-{
-    Panel p{sqrt(z0), sqrt(z1), z0, z1, (z0 + z1) * 0.5, (z1 - z0) * (0.5 * overlap), first};
-    if (first) p.half = p.centre - z0; // nothing is known to its left
-    return p;
-}
-
-/// A run of panels seen as one from afar: the kernel of T is interpolated on a <= z <= b.
-struct Cluster {
-    int first, last;         ///< panels
-    int left = -1, right = -1;
-    Real a, b, mid, half;
-    int panels() const { return last - first + 1; }
-};
-
-int add_clusters(std::vector<Cluster>& all, const std::vector<Panel>& panels, int first, int last)
-{
-    const int mine = static_cast<int>(all.size());
-    const Real a = panels[first].z0, b = panels[last].z1;
-    all.push_back({first, last, -1, -1, a, b, (a + b) * 0.5, (b - a) * 0.5});
-    if (first < last) {
-        const Real middle = (panels[first].y0 + panels[last].y1) * 0.5;
-        int cut = first;
-        while (cut + 1 < last && panels[cut + 1].y0 < middle) ++cut;
-        const int left = add_clusters(all, panels, first, cut), right = add_clusters(all, panels, cut + 1, last);
-        all[mine].left = left;
-        all[mine].right = right;
-    }
-    return mine;
-}
-
-/// Chebyshev points of the first kind and T_k there.
-struct ChebyshevPoints {
-    Wide at, T; ///< T[k * count + i]
-    explicit ChebyshevPoints(int count) : at(count), T(static_cast<std::size_t>(count) * count)
-    {
-        const WorkingPrecision precision(200);
-        const auto cosine = [&](int p) { return to_real(ScalarTraits<Ball>::cos_pi(Ball(p) / Ball(2 * count))); };
-        for (int i = 0; i < count; ++i) at.set(i, cosine(2 * i + 1));
-        for (int k = 0; k < count; ++k)
-            for (int i = 0; i < count; ++i) T.set(k * count + i, cosine(k * (2 * i + 1) % (4 * count)));
-    }
-};
 
 /// The rho of the Bernstein ellipse through focal sum 2(1 + d): what lies within d of [-1, 1] lies inside.
 double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
@@ -216,332 +150,16 @@ private:
     Real low_end, high_end; ///< below the one it is 0, from the other on 1; within 2 u
 };
 
-/// Sizes of everything that follows from the tolerance.
-struct Orders {
-    int terms, gauss, kernel;
-    explicit Orders(double tolerance)
-        : terms(4 * static_cast<int>(std::ceil(-std::log10(tolerance) * 1.72 / 4))), gauss(4 * static_cast<int>(std::ceil(terms * 0.7 / 4))), kernel(terms)
-    {
-    }
-};
-
 struct Check { ///< Chebyshev points of an interval inside a disc whose radius is (rho + 1/rho)/2 of its half width
     double rho, spread, tail, lebesgue;
     ChebyshevPoints points;
+    /// |f| <= lebesgue max |f at the points| + tail K where |f| <= K on the ellipse, the points moved by rounding: md, 4
     Check(int count, double rho_)
-        : rho(rho_), spread((rho + 1 / rho) / 2 * margin), tail(margin * 4 / (power(rho, count - 1) * (rho - 1))),
-          lebesgue(1.01 * (1 + 2 / pi_below * std::log(count))), points(count)
+        : rho(rho_), spread((rho + 1 / rho) / 2 * margin), tail(0), lebesgue(1.01 * (1 + 2 / pi_below * std::log(count))), points(count)
     {
+        tail = margin * 2 * (1 + lebesgue) / (power(rho, count - 1) * (rho - 1));
     }
 };
-
-/// What apply() writes to.
-struct Result {
-    Wide value;
-    std::vector<double> error;
-    Wide kernel, moment, local, weight; ///< scratch
-};
-
-struct ClusterError {
-    double total;   ///< per unit of |V|
-    double measure; ///< per unit of an error of V on average
-};
-
-/// Bounds on a cluster, interpolation of dtheta/dz and every rounding, per unit of |V|. Infinite where the cluster will not do.
-ClusterError cluster_error(const Kernel& k, const Cluster& c, int terms, double affordable)
-{
-    const double half = size_of(c.half), to_begin = double(c.mid - k.begin), to_end = double(k.end - c.mid), e = min(to_begin, to_end) / half;
-    if (!(e > 1.3)) return {infinite, infinite};
-    const double axis = 1 + 0.8 * (e - 1), rho = axis + std::sqrt(axis * axis - 1);
-    const double from_begin = to_begin - half * axis, from_end = to_end - half * axis;
-    const double begin = double(k.begin), end = double(k.end), far = end - from_end, G = double(k.G), G2 = double(k.G2), x = double(k.x);
-    double bound, cancellation;
-    if (k.full) {
-        bound = std::sqrt((std::sqrt(end) + std::sqrt(far)) * (std::sqrt(far) + std::sqrt(begin)) / (from_begin * from_end)) / (2 * std::sqrt(begin + from_begin));
-        cancellation = (1 + x) / double(min(k.one_minus_c(c.b), k.one_plus_c(c.a)));
-    }
-    else {
-        const double one_minus_x = double(1 - k.x), least = G * std::sqrt(from_begin), most = std::sqrt(one_minus_x * one_minus_x + G2 * far);
-        bound = G2 / (2 * least) * std::sqrt((1 + x + most) / (G2 * from_end * least));
-        cancellation = 4 * x / double(4 * k.x - k.G2 * c.b);
-    }
-    const double interpolation = 4 / (power(rho, terms - 1) * (rho - 1));
-    // the moments of V meet the kernel's Chebyshev coefficients, which fall like rho^-k; they are sums over the panels
-    const double roundings = u * (4 * terms * terms + 500 + 2 * terms * c.panels() * rho / (rho - 1) + 48 * cancellation);
-    const double scale = margin * bound * 2 * half / pi_below;
-    if (scale * interpolation > affordable || scale * roundings > max(affordable, 4000 * u)) return {infinite, infinite};
-    return {scale * (interpolation + roundings), 4 * scale}; // Lebesgue constant of up to 60 points below 4
-}
-
-/// `count` of the V on one mesh. Arrays: [panel * count + m], [(panel * terms + k) * count + m].
-struct Layer {
-    const Orders& orders;
-    const Gauss& gauss;
-    const Real G;
-    const double affordable;
-    std::vector<Panel> panels;
-    const int count;
-    std::vector<Cluster> clusters;
-
-    Wide coefficients;
-    Wide weights;                  ///< [(cluster * orders.kernel + q) * count + m]: integral of V_m times the q-th Lagrange polynomial
-    std::vector<double> growth;    ///< sum |c_k| 6^k
-    std::vector<double> rounding;  ///< error of evaluating V_m on the panel, the point's own rounding included
-    std::vector<double> jump;      ///< at least the jumps of V_m at the panel's edges and at those of its neighbours
-    std::vector<double> size;      ///< sum |c_k|
-    std::vector<double> top;       ///< [cluster * count + m]: at least |V_m| on the cluster
-    std::vector<double> noise;     ///< [cluster * count + m]: mean error of V_m on the cluster, from `rounding`
-    std::vector<double> largest;   ///< [m]: at least |V_m|
-
-    Layer(const Orders& orders_, const Gauss& gauss_, const ChebyshevPoints& points_, const Gauss& exact_, Real G_, double tolerance, std::vector<Panel> panels_, int count_)
-        : orders(orders_), gauss(gauss_), G(G_), affordable(tolerance / 256), panels(std::move(panels_)), count(count_),
-          coefficients(panels.size() * orders.terms * count), growth(panels.size() * count), rounding(growth), jump(growth), size(growth), largest(count),
-          points(points_), exact(exact_)
-    {
-        add_clusters(clusters, panels, 0, static_cast<int>(panels.size()) - 1);
-        weights = Wide(clusters.size() * orders.kernel * count);
-        noise.resize(clusters.size() * count);
-        top = noise;
-    }
-
-    std::size_t at(std::size_t panel, int m) const { return panel * count + m; }
-    std::size_t row(std::size_t panel, int k) const { return (panel * orders.terms + k) * count; }
-    int find(const Real& z) const
-    {
-        const auto it = std::upper_bound(panels.begin(), panels.end(), z, [](const Real& v, const Panel& p) { return v < p.z0; });
-        return max(0, static_cast<int>(it - panels.begin()) - 1);
-    }
-    Real value(std::size_t panel, int m, const Real& local) const
-    {
-        Real b1 = 0, b2 = 0;
-        const Real twice = local + local;
-        for (int k = orders.terms - 1; k > 0; --k) {
-            const Real b = twice * b1 - b2 + coefficients[row(panel, k) + m];
-            b2 = b1;
-            b1 = b;
-        }
-        return local * b1 - b2 + coefficients[row(panel, 0) + m];
-    }
-    /// All V_m there, into out.value. \param local within [-1, 1]
-    void values(std::size_t panel, const Real& local, Result& out) const
-    {
-        out.moment = Wide(orders.terms);
-        out.value = Wide(count);
-        Real before = 1, now = local;
-        const Real twice = local + local;
-        for (int k = 0; k < orders.terms; ++k) {
-            out.moment.set(k, before);
-            const Real next = twice * now - before;
-            before = now;
-            now = next;
-        }
-        add_products(coefficients, row(panel, 0), out.moment, count, out.value);
-    }
-    double magnitude(std::size_t panel, int k, int m) const { return std::fabs(coefficients.high[row(panel, k) + m]); }
-    double growth_at(std::size_t panel, int m, double rho, int from = 0) const
-    {
-        double sum = 0, p = power(rho, from);
-        for (int k = from; k < orders.terms; ++k, p *= rho) sum += magnitude(panel, k, m) * p;
-        return margin * sum;
-    }
-    /// V_m from its coefficients, [panel * terms + k].
-    void set(int m, const Wide& series);
-    /// T V_m at x for all m, with bounds of the error.
-    void apply(const Real& x, Result&) const;
-
-private:
-    const ChebyshevPoints& points; ///< of the clusters
-    const Gauss& exact;            ///< for polynomials of degree terms + kernel
-};
-
-// ---- T V_m at a point
-
-void Layer::apply(const Real& x, Result& out) const
-{
-    const Kernel k(x, G, x >= 1);
-    out.error.assign(count, 0);
-    out.value = Wide(count);
-    const double x_ = double(x), strip = std::sqrt(16 * u * (1 + x_)), root_half = std::sqrt(0.5);
-    const Real begin = max(k.full ? k.begin : Real(0), panels.front().z0);
-    if (!(k.end > begin)) {
-        for (int m = 0; m < count; ++m) out.error[m] = strip * largest[m];
-        return;
-    }
-    if (k.end > panels.back().z1) { // outside the mesh: nothing is known
-        out.error.assign(count, infinite);
-        return;
-    }
-    out.moment = Wide(orders.terms);
-    const auto seam = [&](const Real& z) { // the same edge, rounded differently on its two sides
-        const double lost = margin * u * 16 * (1 + x_) / std::sqrt(double(k.one_minus_c(z) * k.one_plus_c(z))) / pi_below;
-        for (int m = 0; m < count; ++m) out.error[m] += lost * largest[m];
-    };
-    // part of panel j; limits are sin(theta/2), cos(theta/2) or z
-    const auto piece = [&](int j, Substitution variable, const Real& low, const Real& high) {
-        if (!(high > low)) return;
-        const Panel& p = panels[j];
-        const Real mid = (low + high) * 0.5, width = (high - low) * 0.5;
-        out.local = out.weight = Wide(orders.gauss);
-        const double measure = wave_nodes(k, variable, mid, width, gauss.nodes, gauss.weights, p.centre, p.half, out.local, out.weight);
-        chebyshev_moments(out.local, out.weight, orders.terms, out.moment);
-        // Gauss: the largest disc about the middle where |local| <= 2.916, inside the ellipse of rho = 6
-        constexpr double largest_local = 2.916;
-        Real A = 0, B = 0;
-        if (variable == Substitution::sine) A = k.full ? (x + 1) * (x + 1) : 4 * x, B = -4 * (x + 1);
-        if (variable == Substitution::cosine) A = k.full ? (x - 1) * (x - 1) : Real(0), B = k.full ? 4 * (x - 1) : -4 * (1 - x);
-        const Real q = mid * mid; // z G^2 = A + B t^2 + 4 t^4 about t = mid
-        const double half = size_of(width), middle = double(mid), G2 = double(k.G2), unit = double(p.half);
-        const double off = size_of(variable == Substitution::square ? mid - p.centre : (A + B * q + 4 * q * q) / k.G2 - p.centre);
-        const double a1 = size_of((2 * B + 16 * q) * mid) / G2, a2 = size_of(B + 24 * q) / G2, a3 = 16 * middle / G2, a4 = 4 / G2;
-        const auto reach = [&](double d) { return margin * (off + (variable == Substitution::square ? d : d * (a1 + d * (a2 + d * (a3 + d * a4))))) / unit; };
-        double d = 0, cannot = min(20 * half, variable == Substitution::square ? 0.9 * middle : 0.95 - middle);
-        if (variable == Substitution::square) cannot = min(cannot, 0.9 * double(k.end - mid));
-        if (reach(cannot) <= largest_local) d = cannot;
-        else
-            for (int step = 0; step < 12; ++step) {
-                const double between = (d + cannot) / 2;
-                (reach(between) <= largest_local ? d : cannot) = between;
-            }
-        double quadrature = infinite;
-        if (d > 1.02 * half) {
-            const double axis = d / half, rho = axis + std::sqrt(axis * axis - 1);
-            double w;
-            if (variable == Substitution::square) {
-                const double least = double(k.root(mid - d)), most = double(k.root(mid + d));
-                w = G2 / (2 * least) * std::sqrt((1 + x_ + most) / (G2 * double(k.end - (mid + d)) * (0.7 * least + double(1 - x))));
-            }
-            else w = 2 / std::sqrt(1 - (middle + d) * (middle + d));
-            quadrature = margin * 64 / 15 * half * w / pi_below / (power(rho, 2 * orders.gauss - 2) * (1 - 1 / (rho * rho)));
-        }
-        for (int m = 0; m < count; ++m) out.error[m] += (growth[at(j, m)] == 0 ? 0 : quadrature * growth[at(j, m)]) + margin * measure * rounding[at(j, m)];
-        if (count == 1) out.value.set(0, out.value[0] + dot(coefficients, row(j, 0), out.moment));
-        else add_products(coefficients, row(j, 0), out.moment, count, out.value);
-    };
-    const auto direct = [&](int j, Real low, const Real& high) {
-        if (!k.full && low < k.end / 6) { // near the edge of contact, distances are kept in z itself
-            const Real cut = min(high, k.end * 0.25);
-            piece(j, Substitution::square, low, cut);
-            seam(cut);
-            if (high <= cut) return;
-            low = cut;
-        }
-        const Real near = high >= k.end ? Real(0) : k.one_minus_c(high), far = k.one_minus_c(low);
-        const Real from_below = low <= k.begin ? Real(0) : k.one_plus_c(low), to_above = k.one_plus_c(high);
-        if (far <= 1) piece(j, Substitution::sine, sqrt(near * 0.5), sqrt(far * 0.5));
-        else if (near >= 1) piece(j, Substitution::cosine, sqrt(from_below * 0.5), sqrt(to_above * 0.5));
-        else { // the two meet at c = 0, where one unit of a limit's rounding is one of theta
-            piece(j, Substitution::sine, sqrt(near * 0.5), root_half);
-            piece(j, Substitution::cosine, sqrt(from_below * 0.5), sqrt(Real(1) - Real(root_half) * root_half));
-        }
-    };
-    bool after_cluster = false, after_direct = false;
-    std::vector<int> waiting{0};
-    out.kernel = Wide(orders.kernel);
-    int visits = 0; // each adds `terms` numbers to a sum of at most 2 largest[m]
-    while (!waiting.empty()) {
-        const int index = waiting.back();
-        waiting.pop_back();
-        const Cluster& c = clusters[index];
-        if (c.b <= begin || c.a >= k.end) continue;
-        if (c.a >= begin && c.b <= k.end) {
-            const ClusterError lost = cluster_error(k, c, orders.kernel, affordable);
-            if (lost.total < infinite) {
-                if (after_direct) seam(c.a);
-                after_cluster = true;
-                after_direct = false;
-                ++visits;
-                wave_densities(k, c.mid, c.half, points.at, out.kernel);
-                const std::size_t first = static_cast<std::size_t>(index) * orders.kernel * count;
-                if (count == 1) out.value.set(0, out.value[0] + dot(weights, first, out.kernel));
-                else add_products(weights, first, out.kernel, count, out.value);
-                const std::size_t here = static_cast<std::size_t>(index) * count;
-                for (int m = 0; m < count; ++m) out.error[m] += lost.total * top[here + m] + lost.measure * noise[here + m];
-                continue;
-            }
-        }
-        if (c.left >= 0) {
-            waiting.push_back(c.right);
-            waiting.push_back(c.left);
-            continue;
-        }
-        if (after_cluster) seam(c.a);
-        after_direct = true;
-        after_cluster = false;
-        visits += 3;
-        direct(c.first, max(c.a, begin), min(c.b, k.end));
-    }
-    // edges of panels next to the kernel's ends move by their rounding, a share of at most (16 u (1 + x))^(1/2): what jumps there is lost
-    const std::size_t at_end = static_cast<std::size_t>(find(k.end)), at_begin = static_cast<std::size_t>(find(begin));
-    for (int m = 0; m < count; ++m)
-        out.error[m] += margin * (u * 2 * orders.terms * visits * largest[m] + strip * (jump[at(at_end, m)] + jump[at(at_begin, m)]));
-}
-
-void Layer::set(int m, const Wide& series)
-{
-    const int terms = orders.terms;
-    double most = 0;
-    for (std::size_t j = 0; j < panels.size(); ++j) {
-        double total = 0, squares = 0, six = 0, p = 1;
-        for (int k = 0; k < terms; ++k, p *= 6) {
-            const Real c = series[j * terms + k];
-            coefficients.set(row(j, k) + m, c);
-            total += std::fabs(c.high);
-            squares += static_cast<double>(k) * k * std::fabs(c.high);
-            six += std::fabs(c.high) * p;
-        }
-        size[at(j, m)] = margin * total;
-        growth[at(j, m)] = margin * six;
-        // z is known within 40 u z (T and the rounding of G), |T_k'| <= k^2; recurrences for T_k lose at most 2 k^2 u
-        rounding[at(j, m)] = margin * u * ((40 * double(panels[j].right()) / double(panels[j].half) + 2) * squares + (40 + 4 * terms) * total);
-        most = max(most, size[at(j, m)]);
-    }
-    largest[m] = most;
-    std::vector<double> edge{size[at(0, m)]}; // V is 0 below the first panel
-    for (std::size_t j = 1; j < panels.size(); ++j) {
-        const Panel &a = panels[j - 1], &b = panels[j];
-        edge.push_back(size_of(value(j - 1, m, (a.z1 - a.centre) / a.half) - value(j, m, (b.z0 - b.centre) / b.half)) + rounding[at(j - 1, m)] + rounding[at(j, m)]);
-    }
-    edge.push_back(size[at(panels.size() - 1, m)]);
-    for (std::size_t j = 0; j < panels.size(); ++j) {
-        jump[at(j, m)] = edge[j] + edge[j + 1];
-        if (j > 0) jump[at(j, m)] += edge[j - 1];
-        if (j + 2 < edge.size()) jump[at(j, m)] += edge[j + 2];
-    }
-    // integrals of V_m against the Lagrange polynomials of every cluster: a polynomial of degree terms + kernel - 2, exact by Gauss
-    const std::size_t nodes = exact.nodes.size();
-    Wide position(panels.size() * nodes), inside(panels.size() * nodes);
-    in_parallel(panels.size(), [&](std::size_t j) {
-        const Panel& p = panels[j];
-        for (std::size_t g = 0; g < nodes; ++g) {
-            const Real half = (p.z1 - p.z0) * 0.5, z = (p.z0 + p.z1) * 0.5 + half * exact.nodes[g];
-            position.set(j * nodes + g, z);
-            inside.set(j * nodes + g, half * exact.weights[g] * value(j, m, (z - p.centre) / p.half));
-        }
-    });
-    in_parallel(clusters.size(), [&](std::size_t index) {
-        const Cluster& c = clusters[index];
-        const std::size_t from = static_cast<std::size_t>(c.first) * nodes, size_here = static_cast<std::size_t>(c.panels()) * nodes;
-        Wide local(size_here), weight(size_here), moment(orders.kernel);
-        const Real per_half = Real(1) / c.half;
-        for (std::size_t i = 0; i < size_here; ++i) {
-            local.set(i, (position[from + i] - c.mid) * per_half);
-            weight.set(i, inside[from + i]);
-        }
-        chebyshev_moments(local, weight, orders.kernel, moment);
-        double lost = 0, most_here = 0;
-        for (int j = c.first; j <= c.last; ++j) {
-            lost += rounding[at(j, m)] * double(panels[j].z1 - panels[j].z0);
-            most_here = max(most_here, size[at(j, m)]);
-        }
-        noise[index * count + m] = margin * lost / (2 * double(c.half));
-        top[index * count + m] = most_here;
-        for (int q = 0; q < orders.kernel; ++q) {
-            Real sum = moment[0];
-            for (int k = 1; k < orders.kernel; ++k) sum += 2 * points.T[k * orders.kernel + q] * moment[k];
-            weights.set((index * orders.kernel + q) * count + m, sum / orders.kernel);
-        }
-    });
-}
 
 } // namespace
 
@@ -594,13 +212,14 @@ struct ProvenLevels::State {
     struct Hole {
         Real low, high;
         double width, defect;
+        bool on_average; ///< defect is no bound, but what counts for one
     };
     std::vector<Hole> holes[most_levels];
     std::mutex holes_mutex;
-    void add_hole(int m, const Real& low, const Real& high, double defect_)
+    void add_hole(int m, const Real& low, const Real& high, double defect_, bool on_average = false)
     {
         const std::lock_guard lock(holes_mutex);
-        holes[m].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_ <= infinite ? defect_ : infinite});
+        holes[m].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_ <= infinite ? defect_ : infinite, on_average});
     }
     /// What is known on a part of a panel: of densities, what is large is kept apart, for the part may be much narrower.
     void found(int m, const Real& low, const Real& high, double panel_width, double& of_panel, double defect_)
@@ -611,6 +230,7 @@ struct ProvenLevels::State {
     struct Part {
         double defect, width;
         Real y0, y1;
+        bool on_average;
     };
     /// The panels and holes of level m up to `reach`, the largest defects first.
     std::vector<Part> parts(int m, double reach) const;
@@ -655,7 +275,7 @@ ProvenLevels::State::Series ProvenLevels::State::resolve(std::vector<Panel> on, 
                 for (std::size_t k = 1; k < terms; ++k) change += c(k);
                 negligible = change * largest_second_share(double(G), width) <= tolerance / 1024;
             }
-            if (resolved || negligible || (!first->is_share() && width <= 8 * narrowest * double(on[j].y1))) {
+            if (resolved || negligible || width <= 8 * narrowest * double(on[j].y1)) {
                 done.emplace_back(on[j], std::vector<Real>());
                 for (std::size_t k = 0; k < terms; ++k) done.back().second.push_back(unbounded && !resolved && k > 0 ? Real(0) : series[j * terms + k]);
                 continue;
@@ -771,7 +391,7 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
         }
-        else if (!share) add_hole(0, low, high, first->weight_on(double(low), double(high - low), all->size[i * levels]));
+        else if (!share) add_hole(0, low, high, first->weight_on(double(low), double(high - low), all->size[i * levels]), true);
         else { // increasing, between its ends
             double change = 0;
             for (int k = 1; k < orders.terms; ++k) change += all->magnitude(i, k, 0) * k * k;
@@ -951,8 +571,10 @@ void ProvenLevels::State::prove()
         const Panel& p = panels[e];
         for (const int step : {-1, 1})
             for (int n = static_cast<int>(e) + step; n >= 0 && n < count; n += step) {
-                const Real low = max(p.left(), panels[n].z0), high = min(p.right(), panels[n].z1);
+                Real low = max(p.left(), panels[n].z0), high = min(p.right(), panels[n].z1);
                 if (!(high > low)) break;
+                const Real short_of = 2 * narrowest * high - (high - low); // no narrower than points can be told apart
+                if (short_of > 0) low -= short_of * 0.5, high += short_of * 0.5;
                 for (int m = 0; m < levels; ++m) {
                     double most = 0;
                     for (std::size_t i = 0; i < own.at.size(); ++i) {
@@ -986,23 +608,26 @@ std::vector<ProvenLevels::State::Part> ProvenLevels::State::parts(int m, double 
     const auto& panels = all->panels;
     std::vector<Part> found;
     for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
-        found.push_back({defect[i * levels + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1});
+        found.push_back({defect[i * levels + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1, false});
     for (const Hole& h : holes[m])
-        if (double(h.low) <= reach) found.push_back({h.defect, h.width, h.low * Real{1, -2 * u}, h.high * Real{1, 2 * u}});
+        if (double(h.low) <= reach) found.push_back({h.defect, h.width, h.low * Real{1, -2 * u}, h.high * Real{1, 2 * u}, h.on_average});
     std::sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.defect > b.defect; });
     return found;
 }
 
-/// The least of d + sum over the parts with a defect above d of that times their weight.
+/// The least of d + sum over the parts with a defect above d, and those known on average only, of that times their weight.
 template <class Parts, class Weight>
 static double least_sum(const Parts& parts, const Weight& weight)
 {
+    double rest = 0; // of those known on average
+    for (const auto& p : parts)
+        if (p.on_average) rest += p.defect * weight(p);
     double best = infinite, above = 0;
     for (const auto& p : parts) {
-        best = min(best, above + p.defect);
-        above += p.defect * weight(p);
+        best = min(best, above + p.defect + rest);
+        if (!p.on_average) above += p.defect * weight(p);
     }
-    return min(best, above);
+    return min(best, above + rest);
 }
 
 double ProvenLevels::State::effect(int m, double reach) const
@@ -1064,6 +689,7 @@ double ProvenLevels::State::blur(int m, const Real& x) const
 
 static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<const First> first, double highest, double tolerance, const ProvenLevels::Spoiled& spoiled, int scales)
 {
+    require_binary64_arithmetic();
     if (!(tolerance >= 1e-25 && tolerance <= 1e-5)) throw std::invalid_argument("tolerance from 1e-25 to 1e-5");
     const WorkingPrecision precision(256);
     const Real nearest = to_real(G);
@@ -1102,6 +728,7 @@ ProvenLevels::ProvenLevels() = default;
 ProvenLevels::~ProvenLevels() = default;
 ProvenLevels::ProvenLevels(ProvenLevels&&) noexcept = default;
 
+const levels::Layer& ProvenLevels::layer() const { return *state_->all; }
 std::size_t ProvenLevels::memory() const { return (state_->all->coefficients.size() + state_->all->weights.size()) * 2 * sizeof(double) * 5 / 4; }
 
 namespace {
@@ -1113,6 +740,7 @@ struct Contribution {
 
 static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& load, std::vector<Contribution>* budget)
 {
+    require_binary64_arithmetic();
     const int levels = s.levels;
     if (n < 1 || n > levels) throw BeyondReach(fmt::format("proven levels: n from 1 to {}", levels));
     const WorkingPrecision precision(256);

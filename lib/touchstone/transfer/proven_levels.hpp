@@ -26,6 +26,10 @@
 
 namespace touchstone::transfer {
 
+namespace levels {
+struct Layer;
+}
+
 class ProvenLevels {
 public:
     static constexpr int levels = 20;
@@ -50,6 +54,8 @@ public:
     /// The error of a share, scale by scale.
     std::string certificate(long n, const Ball& load) const;
     std::size_t memory() const;
+    /// The V_m and their mesh (layer.hpp), for tests.
+    const levels::Layer& layer() const;
 
     struct State; ///< internal
 

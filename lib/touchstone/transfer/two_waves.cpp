@@ -3,6 +3,7 @@
 #include "touchstone/transfer/two_waves.hpp"
 
 #include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/transfer/disc.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,43 +24,6 @@ constexpr slong end_bits = 256;
 enum class Point { lower, bottom, top, begin, end, seam };
 
 struct Unclear {}; ///< two points cannot be told from one another
-
-/// A disc of complex numbers: centre and radius, in binary64, the radius enlarged for every rounding.
-class Disc {
-public:
-    Disc(double c = 0, double r = 0) : c_(c), r_(r) {}
-    Disc(std::complex<double> c, double r) : c_(c), r_(r + tiny * (size(c) + r)) {}
-    double most() const { return size(c_) + r_; }
-
-    friend Disc operator+(const Disc& a, const Disc& b) { return {a.c_ + b.c_, a.r_ + b.r_}; }
-    friend Disc operator-(const Disc& a, const Disc& b) { return {a.c_ - b.c_, a.r_ + b.r_}; }
-    friend Disc operator*(const Disc& a, const Disc& b) { return {product(a.c_, b.c_), size(a.c_) * b.r_ + a.r_ * (size(b.c_) + b.r_)}; }
-    friend Disc operator/(const Disc& a, const Disc& b)
-    {
-        const double d = std::norm(b.c_) - b.r_ * b.r_; // 1/b is the disc about conj(b)/d
-        if (!(d > 0)) return {0, infinite};
-        return a * Disc(std::conj(b.c_) / d, b.r_ / d);
-    }
-    /// Analytic, with a positive real part; infinite if the disc meets the negative axis.
-    friend Disc sqrt(const Disc& a)
-    {
-        const double x = a.c_.real(), y = a.c_.imag(), most = size(a.c_);
-        if (!(a.r_ < (x >= 0 ? most : std::fabs(y)))) return {0, infinite};
-        const double s = std::sqrt((most + std::fabs(x)) / 2), t = y / (2 * s);
-        const std::complex<double> root = x >= 0 ? std::complex(s, t) : std::complex(std::fabs(t), std::copysign(s, y));
-        return {root, std::sqrt(most) * (1 - std::sqrt(1 - a.r_ / most) + tiny)}; // |root| times the most of |(1 + t)^(1/2) - 1|, |t| <= r/|c|
-    }
-
-private:
-    static constexpr double tiny = 0x1p-48;
-    static double size(std::complex<double> c) { return std::sqrt(std::norm(c)); } // nothing here is near 1e-154
-    static std::complex<double> product(std::complex<double> a, std::complex<double> b)
-    {
-        return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-    }
-    std::complex<double> c_;
-    double r_;
-};
 
 /// One half of a piece of the integral.
 struct Side {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+/// What proofs in binary64 stand on: the machine's arithmetic, discs, loops on all cores.
+#include "touchstone/scalar/ball.hpp"
+#include "touchstone/transfer/binary64.hpp"
+#include "touchstone/transfer/chain.hpp"
+#include "touchstone/transfer/disc.hpp"
+#include "touchstone/transfer/discretisation.hpp"
+#include "touchstone/transfer/parallel.hpp"
+#include "touchstone/transfer/proven_levels.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cfenv>
+#include <random>
+#if defined(__SSE2__)
+#include <pmmintrin.h>
+#endif
+
+using namespace touchstone;
+using namespace touchstone::transfer;
+
+TEST_CASE("another rounding mode, and subnormal numbers flushed to zero, are refused where an engine is entered")
+{
+    const auto engines = [] {
+        CHECK_THROWS_AS(require_binary64_arithmetic(), std::runtime_error);
+        CHECK_THROWS_AS(Discretisation(Scheme::area, [] { return Ball(3); }, 30), std::runtime_error);
+        CHECK_THROWS_AS(ProvenLevels(Ball(3), 1, 1e-6), std::runtime_error);
+    };
+    CHECK_NOTHROW(require_binary64_arithmetic());
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        engines();
+        std::fesetround(FE_TONEAREST);
+    }
+#if defined(__SSE2__)
+    const auto flush = _MM_GET_FLUSH_ZERO_MODE();
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    engines();
+    _MM_SET_FLUSH_ZERO_MODE(flush);
+    const auto zero = _MM_GET_DENORMALS_ZERO_MODE();
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+    engines();
+    _MM_SET_DENORMALS_ZERO_MODE(zero);
+#endif
+    CHECK_NOTHROW(require_binary64_arithmetic());
+}
+
+TEST_CASE("what a worker thread throws reaches the caller")
+{
+    struct Special {};
+    CHECK_THROWS_AS(in_parallel(64, [](std::size_t i) { if (i == 63) throw Special(); }), Special);
+    CHECK_THROWS_AS(in_parallel(64, [](std::size_t) { throw Special(); }), Special);
+    std::atomic<int> done{0};
+    in_parallel(64, [&](std::size_t) { ++done; });
+    CHECK(done == 64);
+}
+
+namespace {
+/// Points of the disc's rim in balls, and whether `inside` holds those that `image` makes of them.
+template <class Image>
+bool holds(const Disc& of, const Disc& inside, const Image& image)
+{
+    const WorkingPrecision precision(200);
+    const auto ball = [](std::complex<double> z) { return ComplexBall(Ball::exactly(z.real()), Ball::exactly(z.imag())); };
+    bool yes = true;
+    for (int k = 0; k < 16; ++k) {
+        const Ball angle = 2 * pi<Ball>() * k / 16;
+        // from the direction of the centre, where 1/z and z^(1/2) go farthest
+        const ComplexBall towards = ball(of.centre()) / ComplexBall(abs(ball(of.centre())));
+        const ComplexBall z = ball(of.centre()) + ComplexBall(Ball::exactly(of.radius()) * (1 - Ball::exactly(0x1p-100))) * towards * ComplexBall(cos(angle), sin(angle));
+        yes = yes && !certainly(less(Ball::exactly(inside.radius()), abs(image(z) - ball(inside.centre()))));
+    }
+    return yes;
+}
+} // namespace
+
+TEST_CASE("discs: reciprocals and roots of discs that nearly reach 0")
+{
+    const unsigned seed = 1974;
+    MESSAGE("seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    int finite = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const double angle = 1.5 * (2 * unit(random) - 1), size = std::exp(10 * (2 * unit(random) - 1));
+        const std::complex<double> c = std::polar(size, angle);
+        const double near = std::exp2(-1 - 52 * unit(random));
+        const Disc b(c, std::sqrt(std::norm(c)) * (1 - near) / (1 + 0x1p-47));
+        const Disc one_over = Disc(1.0) / b, root = sqrt(b);
+        finite += std::isfinite(one_over.radius());
+        CAPTURE(i);
+        CAPTURE(near);
+        if (std::isfinite(one_over.radius())) CHECK(holds(b, one_over, [](const ComplexBall& z) { return ComplexBall(1) / z; }));
+        if (std::isfinite(root.radius())) CHECK(holds(b, root, [](const ComplexBall& z) { return sqrt(z); }));
+    }
+    CHECK(finite > 1000);
+}
+
+TEST_CASE("the most of x|1 - xz| over ratios x and a ball of z: tried at points, and where the ball is wide")
+{
+    const WorkingPrecision precision(64);
+    const unsigned seed = 2000;
+    MESSAGE("seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto tried = [&](double re0, double re1, double im0, double im1, double X) {
+        const ComplexBall z(hull(Ball::exactly(re0), Ball::exactly(re1)), hull(Ball::exactly(im0), Ball::exactly(im1)));
+        const Ball most = upper(largest_product(z, Ball::exactly(X)));
+        for (const double f : {0.0, 0.5, 1.0})
+            for (const double g : {0.0, 1.0})
+                for (int k = 1; k <= 24; ++k) {
+                    const double x = X * k / 24;
+                    const std::complex<double> at(re0 + f * (re1 - re0), im0 + g * (im1 - im0));
+                    CHECK_FALSE(certainly(less(most * (1 + Ball::exactly(1e-12)), Ball::exactly(x * std::abs(1.0 - x * at)))));
+                }
+    };
+    tried(1, 2.1, 0, 0, 0.6); // the most is 1/4, at x = 1/2, z = 1
+    for (int i = 0; i < 300; ++i) {
+        const double re = 4 * unit(random) - 1, im = 2 * unit(random) - 1;
+        tried(re, re + unit(random), im, im + unit(random), unit(random));
+    }
+}
