@@ -17,7 +17,7 @@ say() { printf '\n== %s\n' "$*"; }
 packages=(g++ cmake ninja-build ccache pkg-config
   libgmp-dev libmpfr-dev libflint-dev libboost-dev libginac-dev libcln-dev libgsl-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev doctest-dev gnuplot-nox fonts-dejavu-core blahtexml)
-if [ "$mode" = test ]; then packages+=(python3 gfortran tidy mkdocs); fi
+if [ "$mode" = test ]; then packages+=(python3 python3-venv python3-pip python3-pytest gfortran tidy mkdocs); fi
 # Arb is a package of its own until FLINT 3 took it in
 if apt-cache show libflint-arb-dev >/dev/null 2>&1; then packages+=(libflint-arb-dev); fi
 
@@ -54,7 +54,7 @@ say "building"
 # the tests are part of the build only when they are asked for
 if [ "$mode" = test ]; then tests=ON; else tests=OFF; fi
 build="build/$mode"
-cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTOUCHSTONE_TESTS=$tests >/dev/null
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTOUCHSTONE_TESTS=$tests -DTOUCHSTONE_C_LIBRARY=$tests >/dev/null
 cmake --build "$build"
 
 if [ "$mode" = test ]; then

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone eval`: one value, correctly rounded.
-#include "touchstone/catalogue/evaluate.hpp"
-#include "touchstone/scalar/rational_text.hpp"
 #include "verify/commands.hpp"
+#include "verify/eval.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/own_rows.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,61 +15,16 @@
 namespace touchstone::program {
 namespace {
 
-struct EvalOptions {
-    std::string quantity;
-    std::vector<std::string> assignments;
-    long digits = 20;
-    long start_precision = 0;
-    long max_precision = 0;
-    bool json = false;
-    bool explain = false;
-};
-
-const Quantity& quantity_named(const std::string& name)
-{
-    if (const Quantity* q = find_quantity(name)) return *q;
-    throw Failure(usage_error, fmt::format("unknown quantity '{}'; nearest is '{}' (all: touchstone list)", name,
-                                           nearest_name(name, quantity_names())));
-}
-
-/// KEY=VALUE words into exact inputs; D and gamma may stand for G.
-Inputs read_inputs(const Quantity& q, const std::vector<std::string>& words)
-{
-    const auto takes = [&q](const std::string& key) { return std::find(q.inputs.begin(), q.inputs.end(), key) != q.inputs.end(); };
-    const std::string wanted = q.inputs.empty() ? "no inputs" : fmt::format("{}", fmt::join(q.inputs, ", "));
-    const bool surface = takes("G");
-    std::map<std::string, Rational> values;
-    for (const auto& word : words) {
-        const auto equals = word.find('=');
-        if (equals == std::string::npos || equals == 0)
-            throw Failure(usage_error, fmt::format("'{}' is not KEY=VALUE; {} takes {}", word, q.name, wanted));
-        const std::string key = word.substr(0, equals);
-        const std::string text = word.substr(equals + 1);
-        if (!takes(key) && !(surface && (key == "D" || key == "gamma"))) {
-            if (key == "G" && takes("D") && takes("gamma"))
-                throw Failure(usage_error, fmt::format("G does not determine {}; it takes {}", q.name, wanted));
-            throw Failure(usage_error, fmt::format("unknown key '{}'; {} takes {}", key, q.name, wanted));
-        }
-        if (values.contains(key)) throw Failure(usage_error, fmt::format("key '{}' is given twice", key));
-        const auto value = parse_rational(text);
-        if (!value) throw Failure(bad_input, fmt::format("{} = '{}' {}", key, text, why_not_rational(text)));
-        values[key] = *value;
-    }
-    const bool pair = values.contains("D") && values.contains("gamma");
-    if (surface && values.contains("G") && (values.contains("D") || values.contains("gamma")))
-        throw Failure(usage_error, "give either G or D and gamma, not both");
-    for (const auto& key : q.inputs)
-        if (!values.contains(key) && !(key == "G" && pair))
-            throw Failure(usage_error, fmt::format("missing key '{}'{}; {} takes {}", key,
-                                                   key == "G" ? " (or D and gamma)" : "", q.name, wanted));
-    return Inputs(values);
-}
+Rounding rounding_of(const EvalOptions& o) { return *rounding_named(o.round); }
 
 int evaluate_and_print(const EvalOptions& o)
 {
     const Quantity& q = quantity_named(o.quantity);
-    const Inputs in = read_inputs(q, o.assignments);
-    const Evaluation e = evaluate(q, in, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision});
+    const NamedTexts named = key_values(q, o.assignments);
+    if (!o.rows.empty() || std::any_of(named.begin(), named.end(), [](const auto& n) { return is_range(n.second); })) return evaluate_rows(o, q, named);
+    if (o.resume || o.binary64 || !o.out.empty()) throw Failure(usage_error, "--out, --resume and --binary64 go with --rows or a range such as load=0.1:0.9:0.1");
+    const Inputs in = read_inputs(q, named);
+    const Evaluation e = evaluate(q, in, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, rounding_of(o));
     const bool proven = e.status == Status::certified; // else there is no proof to explain
     if (o.json) {
         nlohmann::ordered_json inputs = nlohmann::ordered_json::object();
@@ -81,6 +36,7 @@ int evaluate_and_print(const EvalOptions& o)
         j["error"] = e.error_bound;
         j["equation"] = q.equation;
         j["unit"] = q.unit;
+        if (o.round != "nearest") j["rounding"] = o.round;
         if (!e.note.empty()) j["note"] = e.note;
         if (o.explain && proven && q.explain) j["explain"] = q.explain(in, o.digits);
         fmt::print("{}\n", j.dump());
@@ -106,11 +62,17 @@ void add_eval(CLI::App& app, Run& run)
     auto* command = app.add_subcommand("eval", "One value, correctly rounded: touchstone eval archard.K n=3 --digits 30");
     auto o = std::make_shared<EvalOptions>();
     command->add_option("quantity", o->quantity, "Name, as `touchstone list` gives it")->required();
-    command->add_option("inputs", o->assignments, "KEY=VALUE, exact: 12, 0.1, 1e-300, 1/3, 0x1.8p-3");
+    command->add_option("inputs", o->assignments, "KEY=VALUE, exact: 12, 0.1, 1e-300, 1/3, 0x1.8p-3, G=sqrt(10), 2^-5; ranges: 0.1:0.9:0.1, log:1e-9:1:50, 1,2,3");
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000")->capture_default_str();
     command->add_option("--start-precision", o->start_precision, "First precision tried, in bits (the result is the same)")->check(CLI::Range(2L, 1L << 30));
     command->add_option("--max-precision", o->max_precision, "No precision above this is tried, in bits")->check(CLI::Range(2L, 1L << 30));
-    command->add_flag("--json", o->json, "One JSON object");
+    command->add_flag("--json", o->json, "One JSON object (rows: one a line)");
+    command->add_option("--round", o->round, "nearest, up, down, zero or away: a bound instead of the nearest decimal")->check(CLI::IsMember(rounding_names()))->capture_default_str();
+    command->add_option("--rows", o->rows, "File of rows, or - for standard input: inputs by column names; the others as KEY=VALUE");
+    command->add_option("--out", o->out, "With rows or ranges: file for the table (default: standard output)");
+    command->add_flag("--resume", o->resume, "Keep the rows that the file given to --out has already");
+    command->add_flag("--binary64", o->binary64, "Rows: round each input to the nearest binary64 number first");
+    command->add_option("--jobs", o->jobs, "Rows: threads")->check(CLI::Range(1u, 1024u));
     command->add_flag("--explain", o->explain, "How the value was proven");
     command->callback([&run, o] { run = [o] { return evaluate_and_print(*o); }; });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/catalogue/named_inputs.hpp"
 #include "touchstone/oracle/baseline.hpp"
 #include "touchstone/table/format.hpp"
 #include "touchstone/table/rows.hpp"
@@ -47,6 +48,9 @@ int guarded(const Run& run)
     catch (const Failure& f) {
         return complain(f.code(), f.what());
     }
+    catch (const WrongKeys& e) {
+        return complain(usage_error, e.what());
+    }
     catch (const DomainError& e) {
         return complain(bad_input, e.what());
     }
@@ -86,6 +90,8 @@ int main(int argc, char** argv)
     Run run;
     add_list(app, run);
     add_eval(app, run);
+    add_check(app, run);
+    add_formula(app, run);
     add_table(app, run);
     add_paper(app, run);
     add_judge(app, run);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone table`: certified tables, written whole or not at all.
 #include "touchstone/table/format.hpp"
+#include "touchstone/table/own_table.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
@@ -15,6 +16,7 @@
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <list>
 #include <optional>
 #include <sstream>
 #include <thread>
@@ -65,12 +67,18 @@ std::string first_difference(const std::string& expected, const std::string& fou
     }
 }
 
-std::vector<const TableSpec*> chosen(const std::vector<std::string>& names)
+/// \param own keeps the tables that are described in files
+std::vector<const TableSpec*> chosen(const std::vector<std::string>& names, std::list<TableSpec>& own)
 {
     std::vector<const TableSpec*> specs;
     for (const auto& name : names) {
         if (name == "all") {
             for (const auto& t : table_specs()) specs.push_back(&t);
+            continue;
+        }
+        if (name.ends_with(".json")) {
+            own.push_back(own_table(read_file(name), name));
+            specs.push_back(&own.back());
             continue;
         }
         const TableSpec* t = find_table(name);
@@ -101,7 +109,8 @@ nlohmann::ordered_json with_entries(const std::string& stored, const nlohmann::o
 
 int make_tables(const TableOptions& o)
 {
-    auto specs = chosen(o.names);
+    std::list<TableSpec> own;
+    auto specs = chosen(o.names, own);
     if (o.skip_slow) std::erase_if(specs, [](const TableSpec* t) { return t->slow; });
     if (o.digits && (*o.digits < 1 || *o.digits > 10'000)) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
     if (o.out.empty() && (specs.size() > 1 || o.check))
@@ -113,7 +122,7 @@ int make_tables(const TableOptions& o)
         if (error) throw Failure(cannot_write, fmt::format("cannot write into {}: {}", o.out, error.message()));
     }
     const bool terminal = ::isatty(2) != 0;
-    const bool whole_set = specs.size() == table_specs().size();
+    const bool whole_set = own.empty() && specs.size() == table_specs().size();
     nlohmann::ordered_json manifest = nlohmann::ordered_json::array();
     std::vector<std::string> changed;
     bool any_undecided = false;
@@ -148,8 +157,8 @@ int make_tables(const TableOptions& o)
         std::fflush(stdout); // minutes may pass until the next
     }
     const fs::path manifest_path = fs::path(o.out) / ("manifest." + o.format + ".json");
-    if (!o.out.empty() && (whole_set || (!o.check && fs::exists(manifest_path)))) {
-        if (!whole_set) manifest = with_entries(read_file(manifest_path), manifest, manifest_path.string());
+    if (!o.out.empty() && (whole_set || (!o.check && (!own.empty() || fs::exists(manifest_path))))) {
+        if (!whole_set && fs::exists(manifest_path)) manifest = with_entries(read_file(manifest_path), manifest, manifest_path.string());
         const std::string text = nlohmann::ordered_json{{"version", std::string(version())}, {"tables", manifest}}.dump(1) + "\n";
         if (!o.check) write_file(manifest_path, text);
         else if (const std::string stored = read_file(manifest_path); stored != text)
@@ -165,7 +174,7 @@ void add_table(CLI::App& app, Run& run)
 {
     auto* command = app.add_subcommand("table", "Certified tables: touchstone table archard_K, touchstone table all --out DIR");
     auto o = std::make_shared<TableOptions>();
-    command->add_option("names", o->names, "Table names, or all: " + fmt::format("{}", fmt::join(table_names(), " ")))->required();
+    command->add_option("names", o->names, "Table names, files FILE.json that describe a table of your own, or all: " + fmt::format("{}", fmt::join(table_names(), " ")))->required();
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000 (default: each table's own)");
     command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")->check(CLI::IsMember(table_formats()))->capture_default_str();
     command->add_option("--out", o->out, "Folder for the files; without it one table goes to standard output")->check(not_empty());

@@ -121,7 +121,8 @@ void RowsReader::find_columns()
         if (is_comment(line)) {
             const auto words = words_of(line.substr(1));
             if (words.empty() || !std::any_of(words.begin(), words.end(), is_known)) continue;
-            Candidate& seen = std::all_of(words.begin(), words.end(), is_known) ? complete : partial;
+            const auto named = format_.free_last && words.size() > 1 ? words.end() - 1 : words.end();
+            Candidate& seen = std::all_of(words.begin(), named, is_known) ? complete : partial;
             seen = {std::string(line.substr(1)), line_};
             continue;
         }
@@ -147,7 +148,8 @@ void RowsReader::name_columns(std::string_view line, std::size_t at)
     const auto wrong = [&](const std::string& what) { return BadRows(fmt::format("{}:{}: {}", file_, at, what)); };
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const std::string& name = columns_[k];
-        if (!among(format_.known, name) && !among(format_.ignored, name))
+        const bool any_name = format_.free_last && k > 0 && k + 1 == columns_.size();
+        if (!any_name && !among(format_.known, name) && !among(format_.ignored, name))
             throw wrong(fmt::format("unknown column {}; columns may be {}", quoted(name), fmt::join(format_.known, ", ")));
         if (std::find(columns_.begin(), columns_.begin() + static_cast<long>(k), name) != columns_.begin() + static_cast<long>(k))
             throw wrong(fmt::format("column '{}' is there twice", name));
@@ -163,8 +165,9 @@ std::optional<std::size_t> RowsReader::column(std::string_view name) const
 bool RowsReader::next(Row& row)
 {
     for (; waiting_ || read_line(); waiting_ = false) {
-        const std::string_view line = trimmed(text_);
-        if (line.empty() || is_comment(line)) continue;
+        const std::string_view whole = trimmed(text_);
+        if (whole.empty() || is_comment(whole)) continue;
+        const std::string_view line = trimmed(whole.substr(0, whole.find('#')));
         waiting_ = false;
         row.number = ++rows_;
         row.line = line_;

@@ -5,6 +5,7 @@
 ///     # x load answer            a `#` (or `%`) line names the columns; so does a first line of bare names, as CSV has it
 ///     0.1  0x1.8p-3  0.41        blanks or commas between; numbers exact as on the command line (1/3, 1e-300, 0x1p-3, Fortran's 1D-3)
 ///     0.2, 1/3, 0.52             other `#` lines and empty lines are passed over; line ends LF, CR LF or CR, also mixed; a UTF-8 mark too
+///     0.3 1 0.63 # why          what follows a `#` in a row is no part of it
 ///
 /// A canonical table is such a file. How to use it:
 ///
@@ -42,6 +43,7 @@ public:
     struct Format {
         std::vector<std::string> known;                 ///< columns that may be there; any other name is a mistake
         std::vector<std::string> ignored{};             ///< columns that may be there and are of no interest
+        bool free_last = false;                         ///< the last column may have any name
         std::size_t longest_line = std::size_t{1} << 20; ///< a line beyond this is refused, and never held whole
     };
     struct Row {

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/formula/formulas.hpp"
+
+#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/paper/archard.hpp"
+#include "touchstone/paper/as_printed.hpp"
+#include "touchstone/paper/gap.hpp"
+#include "touchstone/paper/peaks.hpp"
+#include "touchstone/paper/segments.hpp"
+#include "touchstone/paper/weierstrass.hpp"
+#include "touchstone/paper/westergaard.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+namespace touchstone::formula {
+namespace {
+
+constexpr long most_scales = 30; ///< written out one after another
+
+using Build = std::function<Term(const std::function<Term(const char*)>& in, long n)>;
+
+struct Entry {
+    Build stable, printed;
+};
+
+Term by_load(const Term& load, const Term& partial, const Term& full) { return select(load, Term(1), partial, full); }
+
+/// The density inside its support; 0 outside, as the library decides it.
+Term density(const Term& p, const Term& load)
+{
+    const Term root = sqrt_minus_square(Term(4 * load), p);
+    const Term partial = select(Term(0), root, westergaard::density_partial(p, load, root), Term(0));
+    const Term low = westergaard::above_lowest(p, load), high = westergaard::below_highest(p, load);
+    return by_load(load, partial, select(low, Term(0), Term(0), select(high, Term(0), Term(0), westergaard::density_full(p, load))));
+}
+
+const std::map<std::string, Entry>& entries()
+{
+    static const std::map<std::string, Entry> all{
+        {"westergaard.half_width", {[](auto in, long) { return westergaard::half_width(in("load")); }, [](auto in, long) { return as_printed::half_width(in("load")); }}},
+        {"westergaard.pressure",
+         {[](auto in, long) { return westergaard::pressure(in("x"), in("load")); },
+          [](auto in, long) { return by_load(in("load"), as_printed::pressure_partial(in("x"), in("load")), as_printed::pressure_full(in("x"), in("load"))); }}},
+        {"westergaard.exceedance",
+         {[](auto in, long) { return westergaard::exceedance(in("p"), in("load")); },
+          [](auto in, long) { return by_load(in("load"), as_printed::exceedance_partial(in("p"), in("load")), as_printed::exceedance_full(in("p"), in("load"))); }}},
+        {"westergaard.density",
+         {[](auto in, long) { return density(in("p"), in("load")); },
+          [](auto in, long) { return by_load(in("load"), as_printed::density_partial(in("p"), in("load")), as_printed::density_full(in("p"), in("load"))); }}},
+        {"westergaard.energy", {[](auto in, long) { return westergaard::energy(in("load")); }, {}}},
+        {"hertz.half_width", {[](auto in, long) { return hertz::half_width(in("load")); }, {}}},
+        {"hertz.pressure", {[](auto in, long) { return hertz::pressure(in("x"), in("load")); }, [](auto in, long) { return as_printed::hertz_pressure(in("x"), in("load")); }}},
+        {"weierstrass.bound",
+         {[](auto in, long) { return weierstrass::bound(in("D"), in("gamma")); }, [](auto in, long) { return 1 / (1 - pow(in("gamma"), in("D") - 2)); }}},
+        {"peaks.f", {[](auto in, long) { return peaks::f(in("x")); }, {}}},
+        {"peaks.fixed_point", {[](auto in, long) { return peaks::fixed_point(in("G")); }, [](auto in, long) { return select(in("G"), Term(2), 1 / (in("G") - 1), 4 / (in("G") * in("G"))); }}},
+        {"peaks.iterate", {[](auto in, long n) { return peaks::iterate(n, in("load"), in("G")); }, {}}},
+        {"archard.K", {[](auto, long n) { return archard::K_by_recursion<Term>(n); }, {}}},
+        {"archard.delta", {[](auto, long n) { return archard::delta<Term>(n); }, {}}},
+        {"archard.alpha", {[](auto in, long n) { return archard::alpha<Term>(n, in("D")); }, {}}},
+        {"archard.area", {[](auto in, long n) { return archard::area(n, in("load"), in("G"), archard::K_by_recursion<Term>(n)); }, {}}},
+        {"segments.max_half_width", {[](auto in, long n) { return segments::max_half_width(n, in("load"), in("G")); }, {}}},
+    };
+    return all;
+}
+
+/// (a - (pi x)^2) with pi x carried to twice the precision
+Term minus_pi_square(const Term& a, const Term& x) { return Term::call("minus_pi_square", {a, x}); }
+Term minus_sin_square(const Term& a, const Term& x) { return Term::call("minus_sin_square", {a, x}); }
+Term fma(const Term& a, const Term& b, const Term& c) { return Term::call("fma", {a, b, c}); }
+Term absolute(const Term& x) { return Term::call("abs", {x}); }
+Term positive(const Term& x) { return sqrt(at_least(x, Term(0))); }
+/// The power of two by which numbers whose square is near tiny a are scaled.
+Term scale(const Term& a) { return select(a, Term::literal("1.499696813895631e-241"), Term::literal("3.273390607896142e+150"), Term(1)); } // 2^-800, 2^500
+/// x less its nearest even number, exactly: an angle in half turns.
+Term turn(const Term& x) { return x - 2 * Term::call("nearest", {x / 2}); }
+
+std::map<std::string, Helper> make_helpers()
+{
+    const Term a = Term::input("a"), b = Term::input("b"), c = Term::input("c"), x = Term::input("x"), y = Term::input("y");
+    const Term pi_ = pi<Term>(), half = ratio<1, 2, Term>(), quarter = ratio<1, 4, Term>();
+    std::map<std::string, Helper> h;
+    const Term t = turn(x), m = absolute(t), r = select(half, m, 1 - m, m);
+    const Term s = select(quarter, r, cos(pi_ * (half - r)), sin(pi_ * r));
+    h["sin_pi"] = {{"x"}, select(t, Term(0), -s, s)};
+    const Term k = select(quarter, r, sin(pi_ * (half - r)), cos(pi_ * r));
+    h["cos_pi"] = {{"x"}, select(half, m, -k, k)};
+    h["powm1"] = {{"x", "y"}, Term::call("expm1", {y * log(x)})};
+    h["sqrt_positive_part"] = {{"x"}, positive(x)};
+    const Term f = scale(a);
+    h["sqrt_minus_square"] = {{"a", "b"}, positive(fma(-(b * f), b * f, a * f * f)) / f};
+    h["sqrt_minus_pi_square"] = {{"a", "x"}, positive(minus_pi_square(a * f * f, x * f)) / f};
+    const Term z = pi_ * x;
+    const Term low = fma(pi_, x, -z) + Term::literal("1.2246467991473532e-16") * x; // sin of the binary64 pi: what it lacks of pi
+    h["minus_pi_square"] = {{"a", "x"}, fma(-z, z, a) - 2 * z * low};
+    const Term square = (pi_ * x) * (pi_ * x);
+    Term tail = Term(1);
+    for (long j = 11; j >= 2; --j) tail = 1 - square * tail * 4 / Term((2 * j + 1) * (2 * j + 2));
+    h["minus_sin_square"] = {{"a", "x"}, minus_pi_square(a, x) + square * square * tail / 3};
+    const Term size = absolute(x);
+    h["sqrt_minus_sin_pi_square"] = {{"a", "x"}, select(quarter, size, positive(-minus_sin_square(1 - a, half - size)),
+                                                        select(a, Term::literal("1.499696813895631e-241"), ScalarTraits<Term>::sqrt_minus_pi_square(a, x), positive(minus_sin_square(a, size))))};
+    // for languages without it: a product in two parts (Veltkamp and Dekker) and a sum in two parts (Knuth)
+    const auto high = [](const Term& v) {
+        const Term g = Term(134217729) * v;
+        return g - (g - v);
+    };
+    const Term ah = high(a), al = a - ah, bh = high(b), bl = b - bh, p = a * b;
+    const Term rest = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
+    const Term sum = p + c, part = sum - p;
+    h["fma"] = {{"a", "b", "c"}, sum + (((p - (sum - part)) + (c - part)) + rest)};
+    return h;
+}
+
+} // namespace
+
+const std::map<std::string, Helper>& helpers()
+{
+    static const std::map<std::string, Helper> all = make_helpers();
+    return all;
+}
+
+Term mathematical(const Term& t)
+{
+    if (t->op != Op::call) return t;
+    const auto& a = t->arguments;
+    const auto root_of = [](const Term& x) { return sqrt(x); };
+    const auto square = [](const Term& x) { return pow(x, Term(2)); };
+    if (t->text == "sin_pi") return sin(pi<Term>() * a[0]);
+    if (t->text == "cos_pi") return cos(pi<Term>() * a[0]);
+    if (t->text == "powm1") return pow(a[0], a[1]) - 1;
+    if (t->text == "sqrt_positive_part") return root_of(at_least(a[0], Term(0)));
+    if (t->text == "sqrt_minus_square") return root_of(at_least(a[0] - square(a[1]), Term(0)));
+    if (t->text == "sqrt_minus_pi_square") return root_of(at_least(a[0] - square(pi<Term>() * a[1]), Term(0)));
+    if (t->text == "sqrt_minus_sin_pi_square") return root_of(at_least(a[0] - square(sin(pi<Term>() * a[1])), Term(0)));
+    if (t->text == "hypot") return root_of(square(a[0]) + square(a[1]));
+    return t;
+}
+
+Formula formula_of(std::string_view name, std::optional<long> n)
+{
+    const Quantity* q = find_quantity(name);
+    if (q == nullptr) throw DomainError(fmt::format("unknown quantity '{}'; nearest is '{}'", name, nearest_name(name, quantity_names())));
+    const auto entry = entries().find(q->name);
+    if (entry == entries().end()) {
+        std::string all;
+        for (const auto& [other, unused] : entries()) all += (all.empty() ? "" : ", ") + other;
+        throw DomainError(fmt::format("{} is no closed formula in elementary functions; these are: {}", name, all));
+    }
+    Formula f{q->name, {}, Term(0), std::nullopt};
+    bool scale = false;
+    for (const auto& input : q->inputs) {
+        if (input == "n") scale = true;
+        else f.inputs.push_back(input);
+    }
+    if (scale && !n) throw DomainError(fmt::format("{} is written out for one scale: give n=0, 1, ... {}", name, most_scales));
+    if (!scale && n) throw DomainError(fmt::format("{} has no n", name));
+    if (n && (*n < 0 || *n > most_scales)) throw DomainError(fmt::format("n = {}: must be an integer from 0 to {}", *n, most_scales));
+    std::map<std::string, Term> inputs; // the same node wherever it occurs
+    for (const auto& input : f.inputs) inputs.emplace(input, Term::input(input));
+    const auto in = [&inputs](const char* key) { return inputs.at(key); };
+    f.stable = entry->second.stable(in, n.value_or(0));
+    if (entry->second.printed) f.printed = entry->second.printed(in, n.value_or(0));
+    return f;
+}
+
+} // namespace touchstone::formula

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Emitted formulas are compiled, run and judged by the oracle: they reach the library's own accuracy.
+
+usage: test_formula.py TOUCHSTONE LIBRARY_FORMS
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, LIBRARY_FORMS = sys.argv.pop(1), sys.argv.pop(1)
+# quantities whose formula takes the inputs of a table, and what they may be worse than the library on any row (another order of fma)
+JUDGED = {"westergaard.half_width": 2, "westergaard.pressure": 3, "hertz.pressure": 3, "westergaard.exceedance": 4, "westergaard.density": 4, "westergaard.energy": 3,
+          "hertz.half_width": 2, "weierstrass.bound": 2, "peaks.f": 1.5, "peaks.fixed_point": 2}
+INPUTS = {name: count for name, count in (("westergaard.half_width", 1), ("westergaard.pressure", 2), ("hertz.pressure", 2), ("westergaard.exceedance", 2),
+                                          ("westergaard.density", 2), ("westergaard.energy", 1), ("hertz.half_width", 1), ("weierstrass.bound", 2), ("peaks.f", 1), ("peaks.fixed_point", 1))}
+
+
+def run(*words):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=300)
+
+
+def formula(quantity, language, *words):
+    r = run("formula", quantity, *words, "--as", language)
+    assert r.returncode == 0, r.stderr
+    return r.stdout
+
+
+def name_of(quantity):
+    return quantity.replace(".", "_")
+
+
+class Formula(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.scratch.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def worst(self, quantity, *command, expected=0):
+        r = run("judge", name_of(quantity), "--ulps", "4", "--json", "--", *command)
+        self.assertIn(r.returncode, (0, 1) if expected is None else (expected,), (quantity, command, r.stdout[:400], r.stderr))
+        return json.loads(r.stdout)["ulps"][1]
+
+    def judge_all(self, command):
+        for quantity, margin in JUDGED.items():
+            with self.subTest(quantity=quantity):
+                mine = self.worst(quantity, *command(quantity))
+                self.assertLessEqual(mine, self.worst(quantity, LIBRARY_FORMS, quantity) + margin)
+
+    def test_c_reaches_the_library(self):
+        def command(quantity):
+            source, binary = self.folder / f"{quantity}.c", self.folder / f"{quantity}_c"
+            count = INPUTS[quantity]
+            main = ("#include <stdio.h>\nint main(void)\n{\n  double x[2];\n" + f"  while (scanf(\"%lf\", x) == 1{' && scanf(' + chr(34) + '%lf' + chr(34) + ', x + 1) == 1' if count == 2 else ''})\n"
+                    + f"    printf(\"%a\\n\", {name_of(quantity)}({', '.join(f'x[{k}]' for k in range(count))}));\n  return 0;\n}}\n")
+            source.write_text(formula(quantity, "c") + main)
+            subprocess.run(["cc", "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-o", binary, source, "-lm"], check=True)
+            return [str(binary)]
+        self.judge_all(command)
+
+    def test_c_as_printed_loses_digits(self):
+        source, binary = self.folder / "printed.c", self.folder / "printed"
+        source.write_text(formula("westergaard.pressure", "c") + '#include <stdio.h>\nint main(void) { double x, s; while (scanf("%lf %lf", &x, &s) == 2) printf("%a\\n", westergaard_pressure_as_printed(x, s)); return 0; }\n')
+        subprocess.run(["cc", "-O2", "-o", binary, source, "-lm"], check=True)
+        self.assertGreater(self.worst("westergaard.pressure", str(binary), expected=1), 100)
+
+    @unittest.skipUnless(shutil.which("gfortran"), "no gfortran")
+    def test_fortran_reaches_the_library(self):
+        def command(quantity):
+            source, binary = self.folder / f"{quantity}.f90", self.folder / f"{quantity}_f"
+            count = INPUTS[quantity]
+            arguments = ", ".join(f"x({k + 1})" for k in range(count))
+            main = (f"program answers\n  use {name_of(quantity)}_formula\n  implicit none\n  character(len=400) :: line\n  real(dp) :: x({count})\n  integer :: status\n  do\n"
+                    f"    read (*, '(a)', iostat=status) line\n    if (status /= 0) exit\n    read (line, *) x\n    write (*, '(es25.17e3)') {name_of(quantity)}({arguments})\n  end do\nend program\n")
+            source.write_text(formula(quantity, "fortran") + main)
+            subprocess.run(["gfortran", "-std=f2018", "-O2", "-Wall", "-Wno-unused-function", "-ffp-contract=off", "-J", self.folder, "-o", binary, source], check=True)
+            # list-directed READ knows no hexadecimal: the pipe in between writes shortest decimals, which read back as the same numbers
+            bridge = self.folder / "bridge.py"
+            bridge.write_text("import subprocess, sys\nrows = [[float.fromhex(w) for w in line.split()] for line in sys.stdin]\n"
+                              "r = subprocess.run(sys.argv[1:], input=''.join(' '.join(map(repr, x)) + '\\n' for x in rows), capture_output=True, text=True)\nsys.stdout.write(r.stdout)\nsys.exit(r.returncode)\n")
+            return [sys.executable, str(bridge), str(binary)]
+        self.judge_all(command)
+
+    def test_python_reaches_the_library(self):
+        def command(quantity):
+            source = self.folder / f"{name_of(quantity)}.py"
+            source.write_text(formula(quantity, "python") + f"\nimport sys\nfor line in sys.stdin:\n    print(float({name_of(quantity)}(*map(float.fromhex, line.split()))).hex())\n")
+            return [sys.executable, str(source)]
+        self.judge_all(command)
+
+    @unittest.skipUnless(shutil.which("octave-cli"), "no octave")
+    def test_octave_agrees(self):
+        scope = {}
+        exec(formula("westergaard.pressure", "python"), scope)
+        (self.folder / "westergaard_pressure.m").write_text(formula("westergaard.pressure", "octave"))
+        points = [(x / 16, load / 8) for x in range(8) for load in (1, 3, 7, 8, 12)]
+        r = subprocess.run(["octave-cli", "--no-init-file", "--eval", f"cd('{self.folder}'); " + "".join(f"printf('%.17g\\n', westergaard_pressure({x!r}, {load!r}));" for x, load in points)],
+                           capture_output=True, text=True, timeout=120)
+        self.assertEqual(r.returncode, 0, r.stderr)
+        for answer, point in zip(map(float, r.stdout.split()), points):
+            expected = scope["westergaard_pressure"](*point)
+            self.assertLessEqual(abs(answer - expected), 4e-16 * abs(expected), point)
+
+    def test_scales_written_out(self):
+        for quantity, words, inputs in (("archard.K", ("n=3",), {}), ("peaks.iterate", ("n=4",), {"load": 0.5, "G": 3.0}), ("archard.area", ("n=2",), {"load": 0.25, "G": 4.0}),
+                                        ("segments.max_half_width", ("n=2",), {"load": 0.5, "G": 3.0}), ("archard.alpha", ("n=2",), {"D": 1.5}), ("archard.delta", ("n=5",), {})):
+            scope = {}
+            exec(formula(quantity, "python", *words), scope)
+            found = scope[name_of(quantity)](**inputs)
+            right = json.loads(run("eval", quantity, *words, *(f"{k}={v.hex()}" for k, v in inputs.items()), "--json").stdout)
+            self.assertLessEqual(abs(found - float.fromhex(right["binary64"])), 8e-16 * abs(found), quantity)
+
+    def test_mathematics(self):
+        text = formula("westergaard.half_width", "latex")
+        self.assertIn("\\frac{\\operatorname{arctan2}\\left(\\sqrt{\\tilde p}", text)
+        self.assertIn("\\arcsin", text)
+        for quantity in JUDGED:
+            for language in ("latex", "fpcore", "sympy", "julia", "octave"):
+                text = formula(quantity, language)
+                for opening, closing in ("()", "{}", "[]"):
+                    if not (language == "octave" and opening == "["):
+                        self.assertEqual(text.count(opening), text.count(closing), (quantity, language))
+        self.assertTrue(formula("peaks.f", "fpcore").splitlines()[1].startswith("(FPCore (x)"))
+
+    def test_what_has_no_formula(self):
+        for words, code, reason in ((("contact.area",), 65, "no closed formula"), (("archard.K",), 65, "give n=0"), (("archard.K", "n=31"), 65, "from 0 to 30"), (("archard.K", "n=x"), 65, "not an integer"),
+                                    (("archard.K", "m=1"), 64, "only n"), (("peaks.f", "n=1"), 65, "has no n"), (("peaks.g",), 64, "nearest is 'peaks.f'")):
+            r = run("formula", *words, "--as", "c")
+            self.assertEqual((r.returncode, r.stdout), (code, ""), (words, r.stderr))
+            self.assertIn(reason, r.stderr)
+        self.assertEqual(run("formula", "peaks.f", "--as", "cobol").returncode, 64)
+        self.assertEqual(run("formula", "peaks.f").returncode, 64)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)

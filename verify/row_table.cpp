@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/row_table.hpp"
+
+#include "touchstone/table/format.hpp"
+#include "verify/exit_codes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <openssl/evp.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace touchstone::program {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view status_mark = " # "; ///< what stands after it is no number of the row
+const std::vector<std::string> statuses{"exact", "certified", "estimated", "undecided", "refused"}; // the weakest last
+
+Json description(const RowTableKind& k)
+{
+    const Quantity& q = *k.quantity;
+    return {{"name", "own rows"}, {"quantity", q.name}, {"equation", q.equation}, {"unit", q.unit}, {"description", q.description}, {"inputs", k.columns},
+            {"input_format", k.binary64 ? "binary64" : "exact"}, {"digits", k.digits}, {"rounding", rounding_names()[static_cast<std::size_t>(k.rounding)]}};
+}
+
+/// Whether a file's JSON line describes the same kind of table.
+bool same_kind(const std::string& line, const RowTableKind& k)
+{
+    const Json found = Json::parse(line, nullptr, false);
+    if (!found.is_object()) return false;
+    const Json right = description(k);
+    for (const char* key : {"quantity", "inputs", "input_format", "digits", "rounding"})
+        if (!found.contains(key) || found.at(key) != right.at(key)) return false;
+    return true;
+}
+
+/// What is there to go on from: the longer of the table and of one that was cut off before it became the table.
+std::string longest_of(const std::vector<std::string>& paths)
+{
+    std::string longest;
+    std::uintmax_t most = 0;
+    for (const auto& path : paths) {
+        std::error_code error;
+        const auto size = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
+        if (!error && size > most) {
+            most = size;
+            longest = path;
+        }
+    }
+    return longest;
+}
+
+Failure not_written(const std::string& path) { return Failure(cannot_write, fmt::format("cannot write {}: {}", path, std::strerror(errno))); }
+
+} // namespace
+
+struct RowTable::Hash {
+    EVP_MD_CTX* context = EVP_MD_CTX_new();
+    Hash() { EVP_DigestInit_ex(context, EVP_sha256(), nullptr); }
+    ~Hash() { EVP_MD_CTX_free(context); }
+    Hash(const Hash&) = delete;
+    Hash& operator=(const Hash&) = delete;
+    void add(const std::string& bytes) { EVP_DigestUpdate(context, bytes.data(), bytes.size()); }
+    std::string text() const
+    {
+        std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+        unsigned size = 0;
+        EVP_MD_CTX* copy = EVP_MD_CTX_new();
+        EVP_MD_CTX_copy_ex(copy, context);
+        EVP_DigestFinal_ex(copy, digest.data(), &size);
+        EVP_MD_CTX_free(copy);
+        std::string hex;
+        for (unsigned i = 0; i < size; ++i) hex += fmt::format("{:02x}", digest[i]);
+        return hex;
+    }
+};
+
+std::string row_line(const RowTableKind& k, std::size_t number, const std::vector<std::string>& words, const RowOutcome& o)
+{
+    const std::string status = o.refusal.empty() ? std::string(to_string(o.result.status)) : "refused";
+    const std::string& reason = !o.refusal.empty() ? o.refusal : o.result.note;
+    const bool told = status == "refused" || status == "undecided";
+    if (k.json) {
+        Json inputs = Json::object();
+        for (std::size_t i = 0; i < words.size(); ++i) inputs[k.columns[i]] = words[i];
+        Json j{{"row", number}, {"quantity", k.quantity->name}, {"inputs", inputs}};
+        if (o.refusal.empty()) {
+            j["value"] = o.result.value;
+            j["error"] = o.result.error_bound;
+            j["digits"] = o.result.digits;
+        }
+        j["status"] = status;
+        if (o.refusal.empty() && o.result.binary64) j["binary64"] = hexfloat(*o.result.binary64);
+        if (!reason.empty()) j["note"] = reason;
+        return j.dump() + "\n";
+    }
+    const std::string value = o.refusal.empty() ? o.result.value + " " + o.result.error_bound : "nan inf";
+    return fmt::format("{} {}{}{}{}\n", fmt::join(words, " "), value, status_mark, status, told ? ": " + reason : "");
+}
+
+RowTable::RowTable(RowTableKind kind, std::string out, bool resume) : kind_(std::move(kind)), out_(std::move(out)), hash_(std::make_unique<Hash>())
+{
+    std::error_code error;
+    stream_ = out_.empty() || (fs::exists(out_, error) && !fs::is_regular_file(out_, error));
+    if (stream_) {
+        file_ = out_.empty() ? stdout : std::fopen(out_.c_str(), "wb");
+        if (file_ == nullptr) throw not_written(out_);
+    }
+    else {
+        if (fs::is_symlink(out_, error)) out_ = fs::canonical(out_, error).string();
+        part_ = out_ + ".part";
+        if (resume) open_before(longest_of({out_, part_, out_ + ".part2"}));
+        file_ = std::fopen(part_.c_str(), "wb");
+        if (file_ == nullptr) throw not_written(part_);
+    }
+    if (!kind_.json) put(header(""));
+    if (before_ && !next_kept()) before_.reset();
+}
+
+void RowTable::open_before(const std::string& path)
+{
+    if (path.empty()) return;
+    before_ = std::make_unique<std::ifstream>(path, std::ios::binary);
+    bool same = false;
+    std::string line;
+    while (before_->peek() == '#' && std::getline(*before_, line)) same = same || (line.starts_with("# {") && same_kind(line.substr(2), kind_));
+    if (!same)
+        throw Failure(usage_error, fmt::format("{} is not a table of {} with these columns, digits and rounding: nothing to resume", path, kind_.quantity->name));
+    if (path == part_) part_ = out_ + ".part2";
+}
+
+RowTable::~RowTable()
+{
+    if (file_ != stdout && file_ != nullptr) std::fclose(file_);
+}
+
+void RowTable::put(const std::string& bytes)
+{
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) throw not_written(place());
+}
+
+std::string RowTable::header(const std::string& summary) const
+{
+    const Quantity& q = *kind_.quantity;
+    Json h = description(kind_);
+    h["version"] = std::string(version());
+    if (!summary.empty()) h.update(Json::parse(summary));
+    const char* direction = kind_.rounding == Rounding::nearest ? "to nearest" : kind_.rounding == Rounding::up ? "up" : kind_.rounding == Rounding::down ? "down"
+                          : kind_.rounding == Rounding::zero ? "towards zero" : "away from zero";
+    return fmt::format(
+        "# Touchstone values of {}\n"
+        "# {}; equation {}; unit {}\n"
+        "# {}\n"
+        "# value: the true value rounded {}, {} significant digits (fewer if exact). error: bound of |value - true value|. After #: the row's status;\n"
+        "# exact and certified are proven, estimated is not (nor is its error), undecided and refused say why.\n"
+        "# {}\n# {} value error\n",
+        q.name, q.description, q.equation, q.unit,
+        kind_.binary64 ? "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to."
+                       : "Inputs are exact: 0.1 is 1/10.",
+        direction, kind_.digits, h.dump(), fmt::join(kind_.columns, " "));
+}
+
+std::string RowTable::summary(bool complete) const
+{
+    std::string weakest = "exact";
+    for (const auto& s : statuses)
+        if (counts_.contains(s)) weakest = s;
+    return Json{{"rows", rows_}, {"status", weakest}, {"statuses", counts_}, {"complete", complete}, {"sha256", hash_->text()}}.dump();
+}
+
+/// The next whole row of the table that is taken up again.
+bool RowTable::next_kept()
+{
+    while (std::getline(*before_, kept_line_)) {
+        if (before_->eof()) return false; // no line end: the run was killed in it
+        const auto mark = kept_line_.find(status_mark);
+        if (kept_line_.starts_with("#") || mark == std::string::npos) continue;
+        kept_status_ = kept_line_.substr(mark + status_mark.size());
+        kept_status_ = kept_status_.substr(0, kept_status_.find(':'));
+        if (kept_status_ == "refused") continue; // cheap, and perhaps no longer
+        std::size_t end = mark;
+        for (int word = 0; word < 2; ++word) end = kept_line_.rfind(' ', end - 1);
+        kept_words_ = kept_line_.substr(0, end);
+        kept_line_ += "\n";
+        return true;
+    }
+    return false;
+}
+
+std::optional<RowTable::Kept> RowTable::kept(const std::vector<std::string>& words)
+{
+    if (!before_ || kept_words_ != fmt::format("{}", fmt::join(words, " "))) return std::nullopt;
+    Kept row{kept_line_, kept_status_};
+    if (!next_kept()) before_.reset();
+    return row;
+}
+
+void RowTable::write(const std::string& line, const std::string& status)
+{
+    put(line);
+    hash_->add(line);
+    ++counts_[status];
+    ++rows_;
+}
+
+void RowTable::flush()
+{
+    if (std::fflush(file_) != 0) throw not_written(place());
+}
+
+void RowTable::finish(bool complete)
+{
+    const std::string said = summary(complete);
+    if (stream_) {
+        if (!kind_.json) put("# " + said + "\n");
+        flush();
+        return;
+    }
+    if (std::fclose(std::exchange(file_, nullptr)) != 0) throw not_written(part_);
+    if (!kind_.json) { // the same rows under a first page that knows them
+        const std::string whole = part_ + ".whole";
+        std::ifstream rows(part_, std::ios::binary);
+        rows.seekg(static_cast<std::streamoff>(header("").size()));
+        std::ofstream to(whole, std::ios::binary);
+        to << header(said);
+        if (rows_ > 0) to << rows.rdbuf();
+        to.close();
+        if (!to || !rows) throw not_written(whole);
+        fs::rename(whole, part_);
+    }
+    std::error_code error;
+    fs::rename(part_, out_, error);
+    if (error) throw Failure(cannot_write, fmt::format("cannot write {}: {}", out_, error.message()));
+    for (const char* ending : {".part", ".part2"}) fs::remove(out_ + ending, error);
+}
+
+} // namespace touchstone::program
