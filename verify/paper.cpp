@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone paper`: the ledger, one verdict for each equation, table entry and sentence.
+#include "proofs/errata.hpp"
 #include "proofs/ledger.hpp"
 #include "proofs/mutation/survivors.hpp"
+#include "proofs/severity.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/paper.hpp"
@@ -27,6 +29,7 @@ struct PaperOptions {
     bool controls = false;
     std::string svg, pdf, csv;
     bool mutate = false;
+    std::string errata; ///< md, tex, html
 };
 
 std::string corrected_form(const Entry& e)
@@ -62,9 +65,10 @@ nlohmann::ordered_json json_of(const Entry& e)
     nlohmann::ordered_json j = {
         {"id", e.claim->id}, {"verdict", name(e.finding.verdict)}, {"method", e.finding.method}, {"statement", e.claim->statement},
         {"reason", e.finding.reason}, {"correction", corrected_form(e)}, {"assumptions", e.claim->assumptions},
-        {"print", e.print.tex.empty() ? e.print.quote : e.print.tex}, {"rests_on", e.claim->rests_on}, {"steps", e.finding.steps}};
+        {"print", e.print.tex.empty() ? e.print.quote : e.print.tex}, {"rests_on", e.claim->rests_on}, {"steps", e.finding.steps}, {"caveat", caveat(e.claim->id)}, {"same_as", same_as(e.claim->id)}};
     if (c) {
         j["fault"] = c->fault;
+        j["severity"] = severity(*c);
         j["wrong"] = c->wrong;
         j["consequence"] = c->consequence;
         j["correction_verdict"] = name(e.corrected->verdict);
@@ -112,6 +116,7 @@ int print_ledger(const std::vector<Entry>& entries)
         return key(a) < key(b);
     });
     std::map<Verdict, int> count;
+    std::map<std::string, int> refuted, again; // by severity; of these the ones that say what another entry said
     int controls = 0, failed = 0;
     for (const std::string& s : sections) {
         fmt::print("{}\n", heading(s));
@@ -125,12 +130,18 @@ int print_ledger(const std::vector<Entry>& entries)
             for (const Entry* e : by_section[s]) {
                 if (e->finding.verdict != v) continue;
                 const auto& c = e->claim->correction;
-                if (v == Verdict::refuted && c) fmt::print("  refuted     {}  {}: {}\n              holds ({}): {}\n", e->claim->id, c->fault, c->wrong, name(e->corrected->verdict), c->corrected);
+                if (v == Verdict::refuted && c) fmt::print("  refuted     {}  {}{}: {}\n              holds ({}): {}\n", e->claim->id, severity(*c), same_as(e->claim->id).empty() ? "" : ", as " + same_as(e->claim->id), c->wrong, name(e->corrected->verdict), c->corrected);
                 else fmt::print("  {:<11} {}  {}\n", name(v), e->claim->id, e->finding.reason);
             }
+        for (const Entry* e : by_section[s])
+            if (!caveat(e->claim->id).empty()) fmt::print("  caveat      {}  {}\n", e->claim->id, caveat(e->claim->id));
     }
     for (const Entry& e : entries) {
         ++count[e.finding.verdict];
+        if (e.finding.verdict == Verdict::refuted && e.claim->correction) {
+            ++refuted[std::string(severity(*e.claim->correction))];
+            if (!same_as(e.claim->id).empty()) ++again[std::string(severity(*e.claim->correction))];
+        }
         controls += static_cast<int>(e.controls.size()) + (e.corrected ? 1 : 0);
         for (const std::string& f : failures(e)) {
             fmt::print("FAILED {}: {}\n", e.claim->id, f);
@@ -144,6 +155,16 @@ int print_ledger(const std::vector<Entry>& entries)
         comma = ", ";
     }
     fmt::print("; {} controls and corrected forms judged\n", controls);
+    if (!refuted.empty()) {
+        fmt::print("of the refuted:");
+        comma = " ";
+        for (const char* kind : {"misprint", "imprecise", "false"}) {
+            fmt::print("{}{} {}", comma, refuted[kind] - again[kind], kind);
+            if (again[kind] > 0) fmt::print(" (said {} times more)", again[kind]);
+            comma = ", ";
+        }
+        fmt::print("\n");
+    }
     if (failed == 0) fmt::print("every verdict is the recorded one and every control was caught; `touchstone paper 7.17` explains one entry\n");
     return failed == 0 ? holds : fails;
 }
@@ -203,8 +224,10 @@ int explain(const Entry& e)
     section("assuming", e.claim->assumptions);
     section("verdict", std::string(name(e.finding.verdict)));
     section("reason", e.finding.reason);
+    section("caveat", caveat(e.claim->id));
+    section("same as", same_as(e.claim->id));
     if (const auto& c = e.claim->correction) {
-        section("goes wrong", fmt::format("{}: {}", c->fault, c->wrong));
+        section("goes wrong", fmt::format("{}: {}", severity(*c), c->wrong));
         section("holds", fmt::format("{} ({})", c->corrected, name(e.corrected->verdict)));
         section("consequence", c->consequence);
     }
@@ -239,6 +262,10 @@ int run_paper(const PaperOptions& options)
         return failures(e).empty() ? holds : fails;
     }
     if (options.mutate) return print_mutation("");
+    if (!options.errata.empty()) {
+        fmt::print("{}", errata(options.errata));
+        return holds;
+    }
     const std::vector<Entry> entries = judge_all();
     if (options.json) {
         nlohmann::ordered_json out = nlohmann::ordered_json::array();
@@ -272,6 +299,7 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("--svg", options->svg, "Draw a figure: touchstone paper figure5 --svg FILE");
     command->add_option("--pdf", options->pdf, "Draw a figure");
     command->add_option("--csv", options->csv, "The points of a figure, each with its error and status");
+    command->add_option("--errata", options->errata, "The erratum, from the proved corrections of the equations")->check(CLI::IsMember({"md", "tex", "html"}));
     command->add_flag("--mutate", options->mutate, "What a typesetter could change in the print, and what no judge would see");
     command->callback([&run, options, command] {
         if (command->count("entry") > 0 && options->id.empty()) throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");

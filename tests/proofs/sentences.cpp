@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A judge of a sentence judges what is said: a weaker true bound is not refuted, a false one is.
+#include "proofs/ledger.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace touchstone::proofs;
+
+namespace {
+
+Verdict verdict_of(const char* id, const std::vector<Edit>& edits)
+{
+    const auto claim = std::find_if(claims().begin(), claims().end(), [id](const Claim& c) { return c.id == id; });
+    return judge_whole(*claim, prints().at(id).edited(edits)).verdict;
+}
+
+} // namespace
+
+TEST_CASE("a bound that is weaker than the proved one is true")
+{
+    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(5*G^2)"}}) == Verdict::proved);
+    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(4*G^3)"}}) == Verdict::proved);
+    CHECK(verdict_of("text.several-scales", {{"rhs", "-2*m", "-3*m"}}) == Verdict::proved);
+    CHECK(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "1/(2*G^2)"}}) == Verdict::proved);
+    CHECK(verdict_of("text.increasingly-hertzian", {{"relation", "=", "<"}, {"rhs", "1", "2"}}) == Verdict::proved);
+    CHECK(verdict_of("text.full-contact-vanishes", {{"relation", "=", ">="}}) == Verdict::proved);
+    CHECK(verdict_of("text.defines-limit", {{"relation", "=", "<"}, {"rhs", "1", "100"}}) == Verdict::proved);
+}
+
+TEST_CASE("a bound that is false is refuted")
+{
+    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "2*(1+G)"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "-1/(4*G^2)"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.several-scales", {{"rhs", "gamma^(-2*m)", "1"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "10/G^2"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.increasingly-hertzian", {{"relation", "=", "<"}, {"rhs", "1", "0"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.increasingly-hertzian", {{"relation", "=", ">"}, {"rhs", "1", "2"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.full-contact-vanishes", {{"relation", "=", "<"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.full-contact-vanishes", {{"relation", "=", ">"}, {"rhs", "0", "2"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.defines-limit", {{"relation", "=", ">"}, {"rhs", "1", "100"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.area-decreases", {{"relation", "<=", "<"}}) == Verdict::refuted); // not while contact is full
+    CHECK(verdict_of("text.area-decreases", {{"relation", "<=", ">"}}) == Verdict::refuted);
+}
+
+TEST_CASE("between what is proved and what is refuted nothing is claimed")
+{
+    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(3*G^2)"}}) == Verdict::undecided);
+    CHECK(verdict_of("text.defines-limit", {{"relation", "=", ">"}, {"rhs", "1", "2"}}) == Verdict::undecided);
+}
