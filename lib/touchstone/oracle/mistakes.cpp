@@ -27,13 +27,21 @@ struct Factor {
 std::vector<Factor> convention_factors(bool width)
 {
     const Rational pi = rational_pi();
-    const std::string two = width ? "full width for half width" : "2: peak-to-valley for amplitude, or 2E* for E*";
-    const std::string half = width ? "quarter width for half width" : "1/2: amplitude for peak-to-valley, or E* for 2E*";
+    const std::string two = width ? "2: full width for half width" : "2: peak-to-valley for amplitude, or 2E* for E*";
+    const std::string half = width ? "1/2: quarter width for half width" : "1/2: amplitude for peak-to-valley, or E* for 2E*";
     return {{two, 2}, {half, Rational(1, 2)}, {"pi", pi}, {"1/pi", 1 / pi}, {"2 pi", 2 * pi}, {"1/(2 pi)", 1 / (2 * pi)},
             {"4", 4}, {"1/4", Rational(1, 4)}, {"1 - nu^2: E for E/(1 - nu^2), nu = 0.3", Rational(91, 100)},
             {"1/(1 - nu^2): E/(1 - nu^2) for E, nu = 0.3", Rational(100, 91)},
             {"2 (1 - nu^2): E for 2E*, nu = 0.3", Rational(182, 100)}, {"1/(2 (1 - nu^2)): 2E* for E, nu = 0.3", Rational(100, 182)},
             {"sqrt 2", Rational(1855077841, 1311738121)}, {"1/sqrt 2", Rational(1311738121, 1855077841)}};
+}
+
+/// Factors that positions along the wave differ by.
+std::vector<Factor> position_factors()
+{
+    const Rational pi = rational_pi();
+    return {{"2", 2}, {"1/2: pi x where 2 pi x is right", Rational(1, 2)}, {"4", 4}, {"1/4", Rational(1, 4)}, {"pi", pi}, {"1/pi", 1 / pi},
+            {"2 pi: x where the phase 2 pi x is right", 2 * pi}, {"1/(2 pi): the phase 2 pi x where x is right", 1 / (2 * pi)}};
 }
 
 bool takes(const Quantity& q, const std::string& key) { return std::find(q.inputs.begin(), q.inputs.end(), key) != q.inputs.end(); }
@@ -64,8 +72,9 @@ std::vector<InputMistake> input_mistakes(const Quantity& q)
         if (takes(q, "load") && takes(q, "p")) scaled("load and p (that is, p*)", {"load", "p"}, f, 2);
         if (takes(q, "load")) scaled("load", {"load"}, f, 2);
         if (takes(q, "p")) scaled("p", {"p"}, f, 2);
-        if (takes(q, "x")) scaled("x (that is, lambda)", {"x"}, f, 2);
     }
+    if (takes(q, "x"))
+        for (const Factor& f : position_factors()) scaled("x (that is, lambda)", {"x"}, f, 2);
     if (takes(q, "a")) // the half-width of a contact
         for (const Factor& f : convention_factors(true)) scaled("a (that is, lambda)", {"a"}, f, 2);
     if (takes(q, "p") && takes(q, "load")) {

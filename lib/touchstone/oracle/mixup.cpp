@@ -111,10 +111,13 @@ public:
         for (const auto& row : truth_) {
             right_.push_back(row && alike(*row, 1, t));
             right_count_ += right_.back();
+            const bool tells = row && row->value != 0; // a zero outside the contact is right in every unit
+            telling_ += tells;
+            right_telling_ += tells && right_.back();
         }
     }
-    /// Share of the rows that are right as they are.
-    double right() const { return truth_.empty() ? 0 : static_cast<double>(right_count_) / static_cast<double>(truth_.size()); }
+    /// Share of the rows other than zero that are right as they are.
+    double right() const { return telling_ == 0 ? 0 : static_cast<double>(right_telling_) / static_cast<double>(telling_); }
     Score score(const Explanation& e) const
     {
         Score s;
@@ -136,7 +139,7 @@ private:
     const std::vector<std::optional<Candidate>>& truth_;
     Tolerance tolerance_;
     std::vector<bool> right_;
-    std::size_t right_count_ = 0;
+    std::size_t right_count_ = 0, telling_ = 0, right_telling_ = 0;
 };
 
 double quantile(std::vector<double> v, double part)
