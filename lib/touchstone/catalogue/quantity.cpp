@@ -54,6 +54,27 @@ int Inputs::compare_G(const Rational& with) const
     }
 }
 
+Plan plan_of(const Quantity& q, const Inputs& in, Accuracy wanted)
+{
+    if (q.plan) return q.plan(in, wanted);
+    Plan plan;
+    for (const Route& r : q.routes)
+        plan.proofs.push_back({r.name, [&r, &in](Accuracy a) {
+                                   const WorkingPrecision precision(working_bits(a));
+                                   return r.ball(in);
+                               }});
+    return plan;
+}
+
+Ball first_ball(const Quantity& q, const Inputs& in)
+{
+    if (!q.plan) return q.routes.front().ball(in);
+    const Accuracy wanted = accuracy_of(WorkingPrecision::bits());
+    const Plan plan = plan_of(q, in, wanted);
+    if (plan.proofs.empty()) throw BeyondReach(plan.refusal);
+    return plan.proofs.front().ball({std::min(wanted.digits, plan.most_digits)});
+}
+
 const std::vector<Quantity>& catalogue()
 {
     static const std::vector<Quantity> all = [] {

@@ -195,7 +195,7 @@ std::optional<Ball> value_of(const Quantity& q, const Inputs& in)
 {
     try {
         q.check(in);
-        return q.routes.front().ball(in);
+        return first_ball(q, in);
     }
     catch (const DomainError&) {
         return std::nullopt;

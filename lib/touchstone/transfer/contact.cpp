@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/contact.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <algorithm>
 #include <atomic>

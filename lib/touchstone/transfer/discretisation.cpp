@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/discretisation.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <flint/fmpz_mat.h>
 #include <fmt/format.h>

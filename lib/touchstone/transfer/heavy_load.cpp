@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/heavy_load.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <fmt/format.h>
 
