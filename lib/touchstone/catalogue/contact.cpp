@@ -123,9 +123,11 @@ Plan plan(Ask ask, Factor factor, const Inputs& in, Accuracy wanted)
     return result;
 }
 
-/// One quantity of the recursion.
-Quantity quantity(Quantity q, Ask ask, Factor factor = one)
+/// One quantity of the recursion: `asked` of scale n - before.
+Quantity quantity(Quantity q, Asked asked, Ask ask, Factor factor = one, long before = 0)
 {
+    for (recursion::Reach& r : recursion::reach(asked))
+        q.certified.push_back({before ? fmt::format("n - {} for n: {}", before, r.where) : r.where, r.digits, r.proof, r.second_look, r.shares});
     q.explain = [ask](const Inputs& in, long digits) {
         const Problem p = ask(in);
         const recursion::Choice choice = recursion::choose(p, {digits});
@@ -147,8 +149,9 @@ void add_contact(std::vector<Quantity>& all)
                             .inputs = {"n", "load", "G"},
                             .description = "total contact area at scale n in one wavelength of the largest scale",
                             .check = check_contact,
-                            .exact = [](const Inputs& in) { return contact_exact::area(in, in.integer("n")); }},
-                           of_area));
+                            .exact = [](const Inputs& in) { return contact_exact::area(in, in.integer("n")); },
+                            .routes = {}},
+                           Asked::area, of_area));
 
     all.push_back(quantity({.name = "contact.exceedance",
                             .equation = "6.1",
@@ -157,8 +160,9 @@ void add_contact(std::vector<Quantity>& all)
                             .inputs = {"n", "p", "load", "G"},
                             .description = "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)",
                             .check = check_pressure,
-                            .exact = contact_exact::exceedance},
-                           of_exceedance));
+                            .exact = contact_exact::exceedance,
+                            .routes = {}},
+                           Asked::exceedance, of_exceedance));
 
     all.push_back(quantity({.name = "contact.density",
                             .equation = "6.1",
@@ -167,8 +171,9 @@ void add_contact(std::vector<Quantity>& all)
                             .inputs = {"n", "p", "load", "G"},
                             .description = "density q_n of the pressure at scale n, at p (in p*_0)",
                             .check = check_pressure,
-                            .exact = contact_exact::density},
-                           of_density));
+                            .exact = contact_exact::density,
+                            .routes = {}},
+                           Asked::density, of_density));
 
     all.push_back(quantity({.name = "segments.density",
                             .equation = "9.3",
@@ -177,8 +182,9 @@ void add_contact(std::vector<Quantity>& all)
                             .inputs = {"n", "a", "load", "G"},
                             .description = "density of segments by half-width a (in lambda_n), N^_n lambda_n",
                             .check = check_half_width,
-                            .exact = contact_exact::segment_density},
-                           of_segments, pressure_by_half_width));
+                            .exact = contact_exact::segment_density,
+                            .routes = {}},
+                           Asked::density, of_segments, pressure_by_half_width, 1));
 
     all.push_back(quantity({.name = "segments.count",
                             .equation = "8.1",
@@ -187,8 +193,9 @@ void add_contact(std::vector<Quantity>& all)
                             .inputs = {"n", "load", "D", "gamma"},
                             .description = "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
                             .check = check_segments,
-                            .exact = contact_exact::segment_count},
-                           of_count, potential_segments));
+                            .exact = contact_exact::segment_count,
+                            .routes = {}},
+                           Asked::area, of_count, potential_segments, 1));
 }
 
 } // namespace touchstone

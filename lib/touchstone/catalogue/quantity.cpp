@@ -66,6 +66,12 @@ Plan plan_of(const Quantity& q, const Inputs& in, Accuracy wanted)
     return plan;
 }
 
+std::vector<Certified> certified_where(const Quantity& q)
+{
+    if (!q.certified.empty()) return q.certified;
+    return {{"everywhere in its domain", "any", q.routes.at(0).name, "proof " + q.routes.at(1).name, {}}};
+}
+
 Ball first_ball(const Quantity& q, const Inputs& in)
 {
     if (!q.plan) return q.routes.front().ball(in);

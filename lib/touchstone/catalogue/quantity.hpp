@@ -82,6 +82,15 @@ struct Plan {
     bool dear = false;
 };
 
+/// What is certified where, for a reader: a line of `touchstone list QUANTITY`.
+struct Certified {
+    std::string where;       ///< in words
+    std::string digits;      ///< "any", or how many
+    std::string proof;       ///< name; empty: only estimated there
+    std::string second_look; ///< "proof NAME" or "witness NAME"
+    std::string shares;      ///< what the two have in common; empty where that was not written down
+};
+
 struct Quantity {
     std::string name;        ///< as typed: "westergaard.half_width"
     std::string equation;    ///< number in the paper
@@ -101,6 +110,8 @@ struct Quantity {
     bool costly = false;
     /// What serves these inputs, where that is not the same everywhere. Empty: the routes. See plan_of().
     std::function<Plan(const Inputs&, Accuracy)> plan = {};
+    /// The plan in words. Empty: all routes, everywhere in the domain. See certified_where().
+    std::vector<Certified> certified = {};
 };
 
 /// All quantities, in the order of the paper's sections.
@@ -108,6 +119,8 @@ const std::vector<Quantity>& catalogue();
 
 /// What serves these inputs: the quantity's own plan, or all of its routes as proofs. Refers to both arguments.
 Plan plan_of(const Quantity&, const Inputs&, Accuracy);
+/// What is proven where, and what is independent of what.
+std::vector<Certified> certified_where(const Quantity&);
 /// By the first proof alone, to what the thread's precision is meant for. \throws BeyondReach
 Ball first_ball(const Quantity&, const Inputs&);
 

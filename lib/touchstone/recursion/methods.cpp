@@ -34,12 +34,12 @@ double about_G(const Problem& p)
 }
 
 bool G_above(const Problem& p, const Rational& least) { return p.compare_G(least) > 0; }
+bool G_below_10_9(const Problem& p) { return p.compare_G(1'000'000'000) < 0; }
 
-/// log(p_n^max/p), in double: for costs and choices between proofs only.
-double distance_from_edge(const Problem& p)
+bool above_support(const Problem& p)
 {
-    const WorkingPrecision precision(128);
-    return arf_get_d(arb_midref(log(highest_pressure(p) / p.p.ball()).get()), ARF_RND_NEAR);
+    const WorkingPrecision precision(256);
+    return certainly(less(highest_pressure(p), p.p.ball()));
 }
 
 /// f at the precision that a formula needs for this accuracy.
@@ -103,7 +103,7 @@ bool infinite_first_density(const Rational& p, const Rational& load)
 
 Method single_wave_density()
 {
-    const auto off_support = [](const Problem& p) { return certainly(less(p.p.ball(), Ball(p.load) - 1)) || certainly(less(highest_pressure(p), p.p.ball())); };
+    const auto off_support = [](const Problem& p) { return certainly(less(p.p.ball(), Ball(p.load) - 1)) || above_support(p); };
     return {
         .name = "cancellation-free",
         .asked = {Asked::density},
@@ -141,7 +141,7 @@ Ball scale_one(Variable v, const Problem& p, Accuracy a)
         if (p.asked == Asked::area) return transfer::scale_one_exceedance(v, {[] { return Ball(0); }, p.load, p.G.ball, Rational(0), p.G.exact});
         const transfer::ScaleOne q{p.p.ball, p.load, p.G.ball, p.p.exact, p.G.exact};
         if (p.asked == Asked::exceedance) return transfer::scale_one_exceedance(v, q);
-        return certainly(less(highest_pressure(p), p.p.ball())) ? Ball(0) : transfer::scale_one_density(v, q);
+        return above_support(p) ? Ball(0) : transfer::scale_one_density(v, q);
     });
 }
 
@@ -168,22 +168,25 @@ Method one_integral()
 Method partial_area()
 {
     const auto by = [](Scheme s) {
-        return [s](const Problem& p, Accuracy a) { return with_precision(a, [&] { return transfer::area(s, p.n, arguments(p)); }); };
+        return [s](const Problem& p, Accuracy a) { return transfer::area(s, p.n, arguments(p), a); };
     };
     return {
         .name = "force-weighted-chebyshev",
         .asked = {Asked::area},
-        .reach = "load <= 1, G >= 2.000001",
+        .reach = "load <= 1, 2.000001 <= G < 10^9",
         .refusal = [](const Problem& p) -> std::string {
             if (p.load > 1) return "no proof for load > 1, where the first scale is in full contact";
+            if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
             return p.compare_G(Rational(2'000'001, 1'000'000)) < 0 ? "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale" : "";
+        },
+        .fewer_digits = [](const Problem& p) {
+            const WorkingPrecision precision(128);
+            return transfer::most_digits_of_area(Ball(p.load), p.G.ball());
         },
         .cost = [](const Problem&, Accuracy a) { return 0.2 * growth(a, 2.5); },
         .enclose = by(Scheme::force_weighted),
         .budget = [](const Problem& p, Accuracy a) {
-            return with_precision(a, [&] {
-                return Budget{transfer::area_certificate(Scheme::force_weighted, p.n, arguments(p)) + transfer::area_certificate(Scheme::area, p.n, arguments(p))};
-            });
+            return Budget{"", {{transfer::area_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::area_certificate(Scheme::area, p.n, arguments(p), a)}}};
         },
         .second = "area-gauss-panels",
         .enclose_again = by(Scheme::area),
@@ -205,11 +208,9 @@ bool edges_clear_of_1(const Problem& p)
 Method partial_distribution()
 {
     const auto by = [](Law law) {
-        return [law](const Problem& p, Accuracy a) {
-            return with_precision(a, [&] {
-                if (p.asked == Asked::exceedance) return transfer::exceedance(law, p.n, p.p.ball, arguments(p));
-                return certainly(less(highest_pressure(p), p.p.ball())) ? Ball(0) : transfer::density(law, p.n, p.p.ball, arguments(p));
-            });
+        return [law](const Problem& p, Accuracy a) -> Ball {
+            if (above_support(p)) return Ball(0);
+            return p.asked == Asked::exceedance ? transfer::exceedance(law, p.n, p.p.ball, arguments(p), a) : transfer::density(law, p.n, p.p.ball, arguments(p), a);
         };
     };
     return {
@@ -224,15 +225,21 @@ Method partial_distribution()
             if (p_is_0(p)) return no_density_at_0;
             return edges_clear_of_1(p) ? "" : "some scale's highest pressure is too near p*: the region of analyticity is too narrow";
         },
-        .digits = 280, // accuracy_for(), forward.cpp: 700 nats
+        .digits = 290,
+        .fewer_digits = [](const Problem& p) {
+            try {
+                return above_support(p) ? any_digits : transfer::most_digits_of_distribution(p.n, p.p.ball, arguments(p), p.asked == Asked::density);
+            }
+            catch (const BeyondReach&) { // p cannot be told from the edge: enclose() says so
+                return any_digits;
+            }
+        },
         .cost = [](const Problem& p, Accuracy a) { return 0.25 * static_cast<double>(p.n) * growth(a, 2); },
         .enclose = by(Law::density),
         .budget = [](const Problem& p, Accuracy a) {
-            return with_precision(a, [&] {
-                if (!certainly(less(p.p.ball(), highest_pressure(p)))) return Budget{"above the support"};
-                return Budget{transfer::distribution_certificate(Law::density, p.n, p.p.ball, arguments(p))
-                              + transfer::distribution_certificate(Law::exceedance, p.n, p.p.ball, arguments(p))};
-            });
+            if (above_support(p)) return Budget{"above the support"};
+            return Budget{"", {{transfer::distribution_certificate(Law::density, p.n, p.p.ball, arguments(p), a)},
+                               {transfer::distribution_certificate(Law::exceedance, p.n, p.p.ball, arguments(p), a)}}};
         },
         .second = "forward-exceedance",
         .enclose_again = by(Law::exceedance),
@@ -246,7 +253,7 @@ Method partial_distribution()
 Method heavy_load()
 {
     const auto by = [](Scheme s) {
-        return [s](const Problem& p, Accuracy a) { return with_precision(a, [&] { return transfer::area_at_heavy_load(s, p.n, arguments(p)); }); };
+        return [s](const Problem& p, Accuracy a) { return transfer::area_at_heavy_load(s, p.n, arguments(p), a); };
     };
     return {
         .name = "heavy-load-force-weighted",
@@ -260,9 +267,7 @@ Method heavy_load()
         .cost = [](const Problem& p, Accuracy a) { return 6 * std::pow(1.2 / (about_G(p) - 2), 2) * growth(a, 2.5); },
         .enclose = by(Scheme::force_weighted),
         .budget = [](const Problem& p, Accuracy a) {
-            return with_precision(a, [&] {
-                return Budget{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p)) + transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p))};
-            });
+            return Budget{"", {{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p), a)}}};
         },
         .second = "heavy-load-area",
         .enclose_again = by(Scheme::area),
@@ -276,7 +281,7 @@ Ball by_proven_levels(const Problem& p, Accuracy a)
     const auto ratio = [&p] { return p.p.ball() / unit_pressure(p); };
     if (p.asked == Asked::area) return transfer::area_by_proven_levels(p.n, arguments(p), a);
     if (p.asked == Asked::exceedance) return transfer::exceedance_by_proven_levels(p.n, ratio, arguments(p), a);
-    if (certainly(less(highest_pressure(p), p.p.ball()))) return Ball(0);
+    if (above_support(p)) return Ball(0);
     return transfer::density_by_proven_levels(p.n, ratio, arguments(p), a) / unit_pressure(p);
 }
 
@@ -421,12 +426,13 @@ Choice choose(const Problem& p, Accuracy a)
     double least = 0;
     for (const Method& m : methods()) {
         if (std::find(m.asked.begin(), m.asked.end(), p.asked) == m.asked.end()) continue;
-        const std::string refused = m.refusal(p);
+        std::string refused = m.refusal(p);
+        const long digits = refused.empty() ? std::min(m.most_digits(p), a.digits) : 0;
+        if (refused.empty() && digits < 1) refused = fmt::format("'{}' proves no digit of this: the inputs are too near an end of its reach", m.name);
         if (!refused.empty()) { // the last method is the one that reaches farthest: its reason counts
             if (!best.method) best.refusal = refused;
             continue;
         }
-        const long digits = std::min(m.most_digits(p), a.digits);
         const double cost = m.cost(p, {digits});
         if (best.method && (digits < best.digits || (digits == best.digits && cost >= least))) continue;
         best = {&m, digits, {}};
@@ -434,7 +440,7 @@ Choice choose(const Problem& p, Accuracy a)
     }
     if (best.method) {
         best.digits = best.method->most_digits(p);
-        best.refusal = fmt::format("'{}' proves at most {} digits here", best.method->name, best.digits);
+        if (best.digits < a.digits) best.refusal = fmt::format("'{}' proves at most {} digits here", best.method->name, best.digits);
     }
     return best;
 }
@@ -451,19 +457,26 @@ std::string reach_in_words(Asked asked)
     return text + fmt::format("; else estimated (to {} digits) for {}", observed_digits, observers_reach(asked));
 }
 
+std::vector<Reach> reach(Asked asked)
+{
+    std::vector<Reach> rows;
+    for (const Method& m : methods()) {
+        if (std::find(m.asked.begin(), m.asked.end(), asked) == m.asked.end()) continue;
+        rows.push_back({m.reach, m.digits == any_digits ? "any" : fmt::format("{}", m.digits), m.name,
+                        m.second.empty() ? "witness " + observers().front().name : "proof " + m.second, m.shares});
+    }
+    rows.push_back({observers_reach(asked), fmt::format("{}", observed_digits), "", fmt::format("estimates {} and {}", observers()[0].name, observers()[1].name),
+                    "the wave (2.2), (2.4) and nothing else: neither grid nor splitting rule nor quadrature"});
+    return rows;
+}
+
 std::string reach_as_table()
 {
-    std::string text = "| value | proof | where | digits | second look | what the two share |\n|---|---|---|---|---|---|\n";
+    std::string text = "| value | where | digits | proof | second look | what the two share |\n|---|---|---|---|---|---|\n";
     constexpr const char* names[] = {"area", "exceedance", "density"};
-    for (const Asked asked : {Asked::area, Asked::exceedance, Asked::density}) {
-        for (const Method& m : methods()) {
-            if (std::find(m.asked.begin(), m.asked.end(), asked) == m.asked.end()) continue;
-            text += fmt::format("| {} | `{}` | {} | {} | {} | {} |\n", names[static_cast<int>(asked)], m.name, m.reach, m.digits == any_digits ? "any" : fmt::format("{}", m.digits),
-                                m.second.empty() ? fmt::format("witness `{}`", observers().front().name) : fmt::format("proof `{}`", m.second), m.shares);
-        }
-        text += fmt::format("| {} | none: estimated by `{}` and `{}` | {} | {} | each is the other's | the wave and, apart from it, nothing |\n", names[static_cast<int>(asked)],
-                            observers()[0].name, observers()[1].name, observers_reach(asked), observed_digits);
-    }
+    for (const Asked asked : {Asked::area, Asked::exceedance, Asked::density})
+        for (const Reach& r : reach(asked))
+            text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", names[static_cast<int>(asked)], r.where, r.digits, r.proof.empty() ? "none" : "`" + r.proof + "`", r.second_look, r.shares);
     return text;
 }
 

@@ -55,7 +55,13 @@ Choice choose(const Problem&, Accuracy);
 
 /// What is certified where, and what only estimated, in one sentence.
 std::string reach_in_words(Asked);
-/// The same as rows of a table in Markdown, with what each second look shares with its proof.
+
+/// A row of the table, for readers.
+struct Reach {
+    std::string where, digits, proof, second_look, shares; ///< no proof: only estimated
+};
+std::vector<Reach> reach(Asked);
+/// All rows, in Markdown: docs/certified.md.
 std::string reach_as_table();
 
 } // namespace touchstone::recursion
