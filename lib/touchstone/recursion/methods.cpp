@@ -258,13 +258,14 @@ Method heavy_load()
     return {
         .name = "heavy-load-force-weighted",
         .asked = {Asked::area},
-        .reach = "1 < load < 1000, G > 2.02",
+        .reach = "1 < load < 1000, 2.02 < G < 10^9",
         .refusal = [](const Problem& p) -> std::string {
             if (p.load <= 1 || p.load >= 1000) return "load must be above 1 and below 1000";
+            if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
             return G_above(p, Rational(101, 50)) ? "" : "for load > 1 so near G = 2 it would take hours: many scales have ratios about 1";
         },
         .digits = 60, // 160 nats, heavy_load.cpp
-        .cost = [](const Problem& p, Accuracy a) { return 6 * std::pow(1.2 / (about_G(p) - 2), 2) * growth(a, 2.5); },
+        .cost = [](const Problem& p, Accuracy a) { return (0.5 + 6.5 * std::pow(1.2 / (about_G(p) - 2), 2)) * growth(a, 2.5); },
         .enclose = by(Scheme::force_weighted),
         .budget = [](const Problem& p, Accuracy a) {
             return Budget{"", {{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p), a)}}};

@@ -5,7 +5,7 @@
 /// Two discretisations of one operator (chain.hpp, wave.hpp) that share neither grid nor splitting rule nor quadrature:
 /// blind halving (piecewise.hpp) and a grid graded towards the tracked singular points (graded.hpp). All levels and loads of one G
 /// share the work; it is kept for later calls. See full_contact.md for what is known about the functions.
-/// Areas and exceedances are certified by proven_levels.hpp; what is here is the value it must overlap, and the densities.
+/// What proven_levels.hpp certifies is witnessed by a value from here.
 #pragma once
 
 #include "touchstone/scalar/accuracy.hpp"
