@@ -17,6 +17,27 @@ namespace {
 
 Rounding rounding_of(const EvalOptions& o) { return *rounding_named(o.round); }
 
+/// What looked at a proven value beside its proof.
+nlohmann::ordered_json as_json(const SecondLook& look)
+{
+    nlohmann::ordered_json j{{"name", look.name}, {"kind", look.is_proof ? "proof" : "witness"}, {"agrees", look.agrees}, {"digits", look.digits}};
+    if (!look.shares.empty()) j["shares"] = look.shares;
+    return j;
+}
+
+/// For --explain: on what the digits rest.
+std::string grounds(const Evaluation& e)
+{
+    if (!e.proven) return fmt::format("no proof; {}\n", e.routes.empty() ? "nothing computed" : fmt::format("from {}", fmt::join(e.routes, ", ")));
+    std::string text = fmt::format("'{}' proves the digits", e.routes.empty() ? "" : e.routes.front());
+    if (const auto& look = e.second_look) {
+        text += look->is_proof ? fmt::format("; '{}', another proof, alone proves the same", look->name)
+                               : fmt::format("; '{}', a witness without proof, {} to {} digits", look->name, look->agrees ? "agrees" : "DISAGREES: equal", look->digits);
+        if (!look->shares.empty()) text += fmt::format("\n  the two share {}", look->shares);
+    }
+    return text + "\n";
+}
+
 int evaluate_and_print(const EvalOptions& o)
 {
     const Quantity& q = quantity_named(o.quantity);
@@ -25,7 +46,7 @@ int evaluate_and_print(const EvalOptions& o)
     if (o.resume || o.binary64 || !o.out.empty()) throw Failure(usage_error, "--out, --resume and --binary64 go with --rows or a range such as load=0.1:0.9:0.1");
     const Inputs in = read_inputs(q, named);
     const Evaluation e = evaluate(q, in, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, rounding_of(o));
-    const bool proven = e.status == Status::certified; // else there is no proof to explain
+    const bool explained = e.status == Status::certified && q.explain; // else there is no proof to explain
     if (o.json) {
         nlohmann::ordered_json inputs = nlohmann::ordered_json::object();
         for (const auto& word : o.assignments) inputs[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
@@ -33,23 +54,23 @@ int evaluate_and_print(const EvalOptions& o)
                                  {"status", std::string(to_string(e.status))}};
         if (e.binary64) j["binary64"] = hexfloat(*e.binary64);
         j["routes"] = e.routes;
-        j["error"] = e.error_bound;
+        if (e.second_look) j["second_look"] = as_json(*e.second_look);
+        j[e.proven ? "error" : "error_estimate"] = e.error_bound;
         j["equation"] = q.equation;
         j["unit"] = q.unit;
         if (o.round != "nearest") j["rounding"] = o.round;
         if (!e.note.empty()) j["note"] = e.note;
-        if (o.explain && proven && q.explain) j["explain"] = q.explain(in, o.digits);
+        if (o.explain && explained) j["explain"] = q.explain(in, o.digits);
         fmt::print("{}\n", j.dump());
     }
     else {
-        fmt::print("{}\n  {} {}: {}, {} digits, |error| <= {}, unit {}, equation {}\n", e.value, q.name,
-                   fmt::join(o.assignments, " "), to_string(e.status), e.digits, e.error_bound, q.unit, q.equation);
+        fmt::print("{}\n  {} {}: {}, {} digits, {} {}, unit {}, equation {}\n", e.value, q.name, fmt::join(o.assignments, " "), to_string(e.status), e.digits,
+                   e.proven ? "|error| <=" : "error, not proven, about", e.error_bound, q.unit, q.equation);
         if (e.binary64) fmt::print("  nearest binary64 {} = {}\n", hexfloat(*e.binary64), shortest(*e.binary64));
         if (!e.note.empty()) fmt::print("  {}\n", e.note);
         if (o.explain) {
-            const char* what = !proven ? "" : q.limits && q.limits(in).first_decides ? ", the first of which proves the digits" : ", each of which alone proves the digits";
-            fmt::print("  routes{}: {}\n", what, fmt::join(e.routes, ", "));
-            if (proven && q.explain) fmt::print("{}", q.explain(in, o.digits));
+            fmt::print("  {}", grounds(e));
+            if (explained) fmt::print("{}", q.explain(in, o.digits));
         }
     }
     return e.status == Status::undecided ? undecided : holds;

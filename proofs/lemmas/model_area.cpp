@@ -12,6 +12,9 @@
 
 namespace touchstone::proofs {
 
+/// What the precision of these balls is meant for.
+static Accuracy wanted() { return {accuracy_of(WorkingPrecision::bits()).digits + 1}; }
+
 const std::vector<Rational>& loads_tried()
 {
     static const std::vector<Rational> loads{Rational(1, 1000), Rational(1, 100), Rational(1, 10), Rational(1)};
@@ -20,7 +23,7 @@ const std::vector<Rational>& loads_tried()
 
 Ball model_area(long n, const Rational& load, long gamma)
 {
-    return transfer::area(transfer::Scheme::force_weighted, n, {[load] { return Ball(load); }, [gamma] { return sqrt(Ball(gamma)); }});
+    return transfer::area(transfer::Scheme::force_weighted, n, {[load] { return Ball(load); }, [gamma] { return sqrt(Ball(gamma)); }}, wanted());
 }
 
 Ball hertz_area(long n, const Rational& load, long gamma)
@@ -29,6 +32,7 @@ Ball hertz_area(long n, const Rational& load, long gamma)
 }
 
 namespace {
+
 
 /// The hull of f over the loads tried.
 template <class F>
@@ -60,14 +64,14 @@ Ball normalised_density(long n, const Rational& load, const Rational& share)
         return unit * peaks::iterate(n, Ball(load), sqrt(Ball(10)));
     };
     const auto p = [&] { return highest() * Ball(share); };
-    const Ball q = n == 0 ? westergaard::density(p(), Ball(load)) : transfer::density(transfer::Law::density, n, p, figure_5(load));
+    const Ball q = n == 0 ? westergaard::density(p(), Ball(load)) : transfer::density(transfer::Law::density, n, p, figure_5(load), wanted());
     return q * highest() / model_area(n, load, 10);
 }
 
 Ball under_normalised_density(long n, const Rational& load)
 {
     const WorkingPrecision precision(figure_5_bits);
-    return transfer::mass(n, figure_5(load)) / model_area(n, load, 10);
+    return transfer::mass(n, figure_5(load), wanted()) / model_area(n, load, 10);
 }
 
 namespace {

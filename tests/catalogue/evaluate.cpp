@@ -70,7 +70,7 @@ TEST_CASE("every quantity answers at 1, 50 and 1000 digits, by two routes")
 {
     for (const auto& q : catalogue()) {
         CAPTURE(q.name);
-        CHECK(q.routes.size() >= 2);
+        CHECK(plan_of(q, typical(q), {20}).proofs.size() >= 2);
         CHECK_FALSE(q.description.empty());
         std::string longest;
         const long most = costly(q) ? 70 : 1000;
@@ -143,6 +143,7 @@ TEST_CASE("what cannot be decided within the limit is undecided, with what is kn
     const Evaluation e = eval("peaks.iterate", in, {.digits = 1, .start_bits = 64, .limit_bits = 256});
     CHECK(e.status == Status::undecided);
     CHECK_FALSE(e.note.empty());
+    CHECK(e.proven); // and every route has been asked for the digits there are
     const Evaluation decided = eval("peaks.iterate", in, {.digits = 1, .limit_bits = 4000});
     CHECK(decided.status == Status::certified);
     CHECK(decided.value == "0.3"); // from above
@@ -218,6 +219,133 @@ TEST_CASE("routes that disagree are a hard failure")
         return b;
     };
     CHECK(evaluate(broken, inputs({{"load", "0.3"}})).status == Status::undecided);
+}
+
+namespace {
+
+/// A value with what the test says of it; other routes than the test's are gone.
+Quantity known_by(Plan plan)
+{
+    Quantity q = *find_quantity("archard.K_inf");
+    q.routes.clear();
+    q.plan = [plan](const Inputs&, Accuracy) { return plan; };
+    return q;
+}
+Proof proves(const Rational& value, const Rational& radius = 0, std::vector<long>* asked = nullptr)
+{
+    return {"a proof", [=](Accuracy a) {
+                if (asked) asked->push_back(a.digits);
+                const WorkingPrecision precision(working_bits(a) + 200);
+                Ball b(value);
+                arb_add_error(b.get(), Ball(radius + power(Rational(10), -a.digits - 3)).get());
+                return b;
+            }};
+}
+Look sees(const Rational& value, const Rational& error)
+{
+    return {"an estimate", [=](Accuracy) { return Witness{Ball(value), Ball(error)}; }};
+}
+const Rational third(1, 3), tiny = power(Rational(10), -18);
+
+} // namespace
+
+TEST_CASE("a witness that agrees is a second look; one that does not is said loudly and leaves the proof alone")
+{
+    const Evaluation agreed = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + tiny, tiny)}, .shares = "nothing"}), inputs({}), {.digits = 12});
+    CHECK(agreed.status == Status::certified);
+    REQUIRE(agreed.second_look);
+    CHECK_FALSE(agreed.second_look->is_proof);
+    CHECK(agreed.second_look->agrees);
+    CHECK(agreed.second_look->digits == 17);
+    CHECK(agreed.second_look->shares == "nothing");
+    CHECK(agreed.note.empty());
+    CHECK(agreed.routes == std::vector<std::string>{"a proof", "an estimate (witness)"});
+
+    const Evaluation apart = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + power(Rational(10), -9), tiny)}}), inputs({}), {.digits = 12});
+    CHECK(apart.status == Status::certified);
+    CHECK(apart.value == "0.333333333333");
+    CHECK(apart.proven);
+    REQUIRE(apart.second_look);
+    CHECK_FALSE(apart.second_look->agrees);
+    CHECK(apart.note.find("DISAGREES") != std::string::npos);
+    CHECK(apart.note.find("an estimate") != std::string::npos);
+
+    // an error that the witness knows of is no disagreement, and one that cannot look is missed
+    CHECK(evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + power(Rational(10), -9), power(Rational(10), -10))}}), inputs({}), {.digits = 12}).second_look->agrees);
+    const Look blind{"blind", [](Accuracy) -> Witness { throw BeyondReach("no grid"); }};
+    const Evaluation alone = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {blind}}), inputs({}), {.digits = 12});
+    CHECK(alone.status == Status::certified);
+    CHECK(alone.note == "no second look: no grid");
+}
+
+TEST_CASE("two proofs have to agree, and two estimates never make one")
+{
+    CHECK_THROWS_AS(evaluate(known_by({.proofs = {proves(third), proves(third + Rational(1, 1000))}}), inputs({})), RoutesDisagree);
+    const Evaluation both = evaluate(known_by({.proofs = {proves(third), proves(third)}}), inputs({}));
+    REQUIRE(both.second_look);
+    CHECK(both.second_look->is_proof);
+    const Evaluation guessed = evaluate(known_by({.witnesses = {sees(third, tiny), sees(third, tiny)}, .refusal = "nobody tried"}), inputs({}), {.digits = 10});
+    CHECK(guessed.status == Status::estimated);
+    CHECK_FALSE(guessed.proven);
+    CHECK_FALSE(guessed.second_look);
+    const Evaluation nothing = evaluate(known_by({.refusal = "nobody tried"}), inputs({}), {.digits = 10});
+    CHECK(nothing.status == Status::undecided);
+    CHECK(nothing.note == "nobody tried");
+    CHECK_FALSE(nothing.proven);
+}
+
+TEST_CASE("more digits than are certified: those that are, and the reason; never unproven ones")
+{
+    const std::vector<Look> witnesses{sees(third, tiny), sees(third, tiny)};
+    const Evaluation e = evaluate(known_by({.proofs = {proves(third)}, .witnesses = witnesses, .most_digits = 12, .refusal = "the mesh ends there"}), inputs({}), {.digits = 25});
+    CHECK(e.status == Status::undecided);
+    CHECK(e.value == "0.333333333333");
+    CHECK(e.digits == 12);
+    CHECK(e.proven);
+    CHECK(e.note == "12 digits are certified here, 25 were asked for: the mesh ends there");
+    // a proof that refuses so many only when it is asked
+    const Proof refuses{"a proof", [](Accuracy a) {
+                            if (a.digits > 20) throw BeyondReach("too dear");
+                            return proves(third).ball(a);
+                        }};
+    const Evaluation fewer = evaluate(known_by({.proofs = {refuses}, .witnesses = witnesses}), inputs({}), {.digits = 25});
+    CHECK(fewer.digits == 15);
+    CHECK(fewer.proven);
+    CHECK(fewer.note == "15 digits are certified here, 25 were asked for: too dear");
+}
+
+TEST_CASE("fewer digits never cost more: nothing dear is computed for the sake of binary64")
+{
+    const Rational tie = 1 + power(Rational(2), -53) + power(Rational(10), -40); // next to the middle of two binary64 numbers
+    for (const bool dear : {false, true})
+        for (const Rational& value : {third, tie}) {
+            CAPTURE(dear);
+            CAPTURE(value.get_str());
+            long most = 0;
+            for (const long digits : {30L, 20L, 12L, 5L, 1L}) {
+                std::vector<long> asked;
+                const Evaluation e = evaluate(known_by({.proofs = {proves(value, 0, &asked)}, .dear = dear}), inputs({}), {.digits = digits});
+                CHECK(e.status == Status::certified);
+                REQUIRE_FALSE(asked.empty());
+                if (dear) CHECK(asked == std::vector<long>{digits});
+                else if (value == third) CHECK(asked.size() == 1);
+                if (dear || value == third) {
+                    if (digits < 30) CHECK(asked.back() <= most);
+                    most = asked.back();
+                }
+                if (!dear) CHECK(e.binary64 == nearest_double(value));
+            }
+        }
+}
+
+TEST_CASE("what is shown undecided, and binary64, rest on every proof")
+{
+    // the second proof knows 4 digits at any accuracy: no more are shown, and no double
+    const Evaluation e = evaluate(known_by({.proofs = {proves(third), proves(third, power(Rational(10), -6))}}), inputs({}), {.digits = 10, .limit_bits = 400});
+    CHECK(e.status == Status::undecided);
+    CHECK(e.digits <= 5);
+    CHECK(e.value.starts_with("0.333"));
+    CHECK_FALSE(e.binary64);
 }
 
 TEST_CASE("G is compared exactly")

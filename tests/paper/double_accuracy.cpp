@@ -59,7 +59,7 @@ double forced(const Quantity& q, const Row& row, const Rational& unit)
     const WorkingPrecision precision(300);
     std::map<std::string, Rational> at;
     for (std::size_t i = 0; i < row.size(); ++i) at[q.inputs[i]] = exact_rational(row[i]);
-    const Ball here = q.routes.front().ball(Inputs(at));
+    const Ball here = first_ball(q, Inputs(at));
     double total = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
         if (q.inputs[i] == "n") continue; // an integer is not rounded
@@ -69,7 +69,7 @@ double forced(const Quantity& q, const Row& row, const Rational& unit)
             moved[q.inputs[i]] += side * ulp(at[q.inputs[i]]) / 2;
             try {
                 q.check(Inputs(moved));
-                worst = std::max(worst, as_double((q.routes.front().ball(Inputs(moved)) - here) / Ball(unit)));
+                worst = std::max(worst, as_double((first_ball(q, Inputs(moved)) - here) / Ball(unit)));
             }
             catch (const DomainError&) { // no such neighbour
             }

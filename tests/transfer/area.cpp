@@ -14,6 +14,9 @@ using namespace touchstone::transfer;
 
 namespace {
 
+/// What the precision of these balls is meant for.
+Accuracy wanted() { return {accuracy_of(WorkingPrecision::bits()).digits + 1}; }
+
 Rational exactly(const char* text) { return *parse_rational(text); }
 
 Arguments at(const char* load, const char* G)
@@ -35,7 +38,7 @@ TEST_CASE("the two discretisations overlap, tightly")
             for (const long n : {0L, 1L, 2L, 3L, 10L, 100L}) {
                 CAPTURE(G); CAPTURE(load); CAPTURE(n);
                 const WorkingPrecision precision(128);
-                const Ball a = area(Scheme::force_weighted, n, at(load, G)), b = area(Scheme::area, n, at(load, G));
+                const Ball a = area(Scheme::force_weighted, n, at(load, G), wanted()), b = area(Scheme::area, n, at(load, G), wanted());
                 CHECK(a.overlaps(b));
                 CHECK(a.relative_bits() > 44);
                 CHECK(b.relative_bits() > 44);
@@ -46,7 +49,7 @@ TEST_CASE("very near G = 2")
 {
     const WorkingPrecision precision(128);
     for (const char* load : {"1", "0.3"}) {
-        const Ball a = area(Scheme::force_weighted, 20, at(load, "2.0001")), b = area(Scheme::area, 20, at(load, "2.0001"));
+        const Ball a = area(Scheme::force_weighted, 20, at(load, "2.0001"), wanted()), b = area(Scheme::area, 20, at(load, "2.0001"), wanted());
         CHECK(a.overlaps(b));
         CHECK(a.relative_bits() > 44);
         CHECK(b.relative_bits() > 44);
@@ -61,7 +64,7 @@ TEST_CASE("a ball at low precision holds the value known from a high one, and is
                 CAPTURE(G); CAPTURE(n);
                 const auto at_bits = [&](slong bits) {
                     const WorkingPrecision precision(bits);
-                    return area(scheme, n, at("0.3", G));
+                    return area(scheme, n, at("0.3", G), wanted());
                 };
                 const Ball rough = at_bits(100), fine = at_bits(160);
                 CHECK(rough.contains(fine));
@@ -96,7 +99,7 @@ TEST_CASE("A_2 against a nested integral taken elsewhere")
 {
     // A_2 at load 1/10, G = sqrt 10, by PARI's intnum of an intnum at 57 digits (tests/bench/nested_area.gp)
     const WorkingPrecision precision(bits_for_digits(50) + 48);
-    const Ball a = area(Scheme::force_weighted, 2, {[] { return Ball(exactly("0.1")); }, [] { return sqrt(Ball(10)); }});
+    const Ball a = area(Scheme::force_weighted, 2, {[] { return Ball(exactly("0.1")); }, [] { return sqrt(Ball(10)); }}, wanted());
     Ball peer(exactly("0.0147826773391939139551944598126151115015416602963043804"));
     arb_add_error(peer.get(), Ball(exactly("1e-54")).get());
     CHECK(a.overlaps(peer));
@@ -110,7 +113,7 @@ TEST_CASE("the exact power series, a route without quadrature or interpolation")
             for (long n = 0; n <= 2; ++n) {
                 CAPTURE(G); CAPTURE(load); CAPTURE(n);
                 const Ball series = area_series(n, Ball(exactly(load)), Ball(exactly(G)));
-                CHECK(series.overlaps(area(Scheme::force_weighted, n, at(load, G))));
+                CHECK(series.overlaps(area(Scheme::force_weighted, n, at(load, G), wanted())));
                 CHECK(series.relative_bits() > 80);
             }
 }
@@ -133,16 +136,16 @@ TEST_CASE("areas increase with the load, decrease with the scale, and force is c
     for (const char* load : {"1e-12", "1e-6", "0.001", "0.01", "0.1", "0.3", "0.7", "0.9", "1"}) {
         Ball last(2);
         for (const long n : {0L, 1L, 2L, 5L, 20L}) {
-            const Ball a = area(Scheme::force_weighted, n, at(load, "2.25"));
+            const Ball a = area(Scheme::force_weighted, n, at(load, "2.25"), wanted());
             CHECK(certainly(less(a, last)));
             last = a;
         }
-        const Ball a5 = area(Scheme::force_weighted, 5, at(load, "2.25"));
+        const Ball a5 = area(Scheme::force_weighted, 5, at(load, "2.25"), wanted());
         CHECK(certainly(less(below_all, a5)));
         below_all = a5;
     }
     // A_n G^n/load tends to one constant for all loads
-    const Ball heavy = area(Scheme::force_weighted, 100, at("1", "2.25")), light = area(Scheme::force_weighted, 100, at("0.001", "2.25"));
+    const Ball heavy = area(Scheme::force_weighted, 100, at("1", "2.25"), wanted()), light = area(Scheme::force_weighted, 100, at("0.001", "2.25"), wanted());
     const Ball ratio = heavy / light / 1000;
     CHECK(certainly(less(abs(ratio - 1), Ball(exactly("1e-20")))));
 }
@@ -154,7 +157,7 @@ TEST_CASE("light loads: Archard's law (7.18), with the ratio enclosed")
         Ball last_gap(1);
         for (const char* G : {"1e2", "1e4", "1e6"}) { // the whole chain is Hertzian only as G grows as well
             const Ball load = Ball(exactly("1e-12")), g(exactly(G));
-            const Ball ratio = area(Scheme::force_weighted, n, at("1e-12", G)) / archard::area(n, load, g, archard::K_gamma_product(n));
+            const Ball ratio = area(Scheme::force_weighted, n, at("1e-12", G), wanted()) / archard::area(n, load, g, archard::K_gamma_product(n));
             const Ball gap = abs(ratio - 1);
             CHECK(certainly(less(gap, last_gap)));
             last_gap = gap;
@@ -171,11 +174,6 @@ TEST_CASE("the first scale is (6.6), exact where it is rational")
 
 TEST_CASE("out of reach is said, not guessed")
 {
-    for (const char* G : {"2", "1.5"}) { // refused before anything is computed
-        const auto e = eval("contact.area", {{"n", 1}, {"load", exactly("0.5")}, {"G", exactly(G)}}, 21);
-        CHECK(e.status == Status::undecided);
-        CHECK(e.digits <= 15);
-    }
     for (const char* G : {"2", "1.0000001"}) {
         const auto e = eval("contact.area", {{"n", 500}, {"load", exactly("0.5")}, {"G", exactly(G)}}, 10);
         CHECK(e.status == Status::undecided);

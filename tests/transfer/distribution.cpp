@@ -11,6 +11,9 @@ using namespace touchstone::transfer;
 
 namespace {
 
+/// What the precision of these balls is meant for.
+Accuracy wanted() { return {accuracy_of(WorkingPrecision::bits()).digits + 1}; }
+
 Rational exactly(const char* text) { return *parse_rational(text); }
 
 Arguments at(const char* load, const char* G)
@@ -50,9 +53,9 @@ TEST_CASE("the two laws overlap, tightly, from small p up to the edge")
             for (const char* share : {"0.01", "0.3", "0.9", "0.99999999999999999999"}) {
                 CAPTURE(G); CAPTURE(load); CAPTURE(n); CAPTURE(share);
                 const auto p_at = share_of_highest(n, share, load, G);
-                const Ball q = density(Law::density, n, p_at, at(load, G)), Q = exceedance(Law::exceedance, n, p_at, at(load, G));
-                CHECK(q.overlaps(density(Law::exceedance, n, p_at, at(load, G))));
-                CHECK(Q.overlaps(exceedance(Law::density, n, p_at, at(load, G))));
+                const Ball q = density(Law::density, n, p_at, at(load, G), wanted()), Q = exceedance(Law::exceedance, n, p_at, at(load, G), wanted());
+                CHECK(q.overlaps(density(Law::exceedance, n, p_at, at(load, G), wanted())));
+                CHECK(Q.overlaps(exceedance(Law::density, n, p_at, at(load, G), wanted())));
                 CHECK(q.relative_bits() > 60);
                 CHECK(Q.relative_bits() > 60);
             }
@@ -64,11 +67,11 @@ TEST_CASE("force and length are conserved at every scale, in balls: int p q_n dp
     for (const auto& [G, load] : {std::pair{"2.05", "1"}, {"3.1622776601683795", "0.1"}, {"100", "1e-12"}})
         for (const long n : {1L, 2L}) {
             CAPTURE(G); CAPTURE(load); CAPTURE(n);
-            const Ball A = area(Scheme::force_weighted, n, at(load, G)), length = mass(n, at(load, G));
+            const Ball A = area(Scheme::force_weighted, n, at(load, G), wanted()), length = mass(n, at(load, G), wanted());
             CHECK(length.overlaps(A));
             CHECK(length.relative_bits() > 50);
             for (const Law law : {Law::density, Law::exceedance}) {
-                const Ball p = force(law, n, at(load, G));
+                const Ball p = force(law, n, at(load, G), wanted());
                 CHECK(p.contains(exactly(load)));
                 CHECK(p.relative_bits() > 50);
             }
@@ -81,7 +84,7 @@ TEST_CASE("a ball at few digits holds the value known from more")
     for (const Law law : {Law::density, Law::exceedance}) {
         const auto with = [&](slong bits) {
             const WorkingPrecision precision(bits);
-            return std::pair{density(law, 2, p_at, at("0.3", "3")), exceedance(law, 2, p_at, at("0.3", "3"))};
+            return std::pair{density(law, 2, p_at, at("0.3", "3"), wanted()), exceedance(law, 2, p_at, at("0.3", "3"), wanted())};
         };
         const auto rough = with(100), fine = with(150);
         CHECK(rough.first.contains(fine.first));
@@ -94,9 +97,9 @@ TEST_CASE("all regions in contact have p > 0: Q_n tends to A_n, which another op
     const WorkingPrecision precision(bits_for_digits(20) + 48);
     for (const long n : {1L, 3L}) {
         const auto p_at = share_of_highest(n, "1e-60", "0.3", "2.5"); // A_n - Q_n ~ p^2; far enough that both laws leave a far end out
-        const Ball A = area(Scheme::force_weighted, n, at("0.3", "2.5"));
+        const Ball A = area(Scheme::force_weighted, n, at("0.3", "2.5"), wanted());
         for (const Law law : {Law::density, Law::exceedance}) {
-            const Ball Q = exceedance(law, n, p_at, at("0.3", "2.5"));
+            const Ball Q = exceedance(law, n, p_at, at("0.3", "2.5"), wanted());
             CHECK(certainly(less(abs(Q / A - 1), Ball(exactly("1e-24")))));
         }
     }
@@ -107,7 +110,7 @@ TEST_CASE("q_n goes with p, also where the far end is left out")
     const WorkingPrecision precision(bits_for_digits(30) + 48);
     const auto slope = [](const char* share) {
         const auto p_at = share_of_highest(2, share, "0.9", "3");
-        return density(Law::density, 2, p_at, at("0.9", "3")) / p_at();
+        return density(Law::density, 2, p_at, at("0.9", "3"), wanted()) / p_at();
     };
     const Ball reference = slope("1e-20");
     for (const char* share : {"1e-27", "1e-29", "1e-40", "1e-300"})
@@ -119,7 +122,7 @@ TEST_CASE("small p by the exceedance law: its own limit of q_n/p, which the dens
     const WorkingPrecision precision(bits_for_digits(30) + 48);
     const auto slope = [](Law law, const char* share) {
         const auto p_at = share_of_highest(2, share, "0.1", "3");
-        return density(law, 2, p_at, at("0.1", "3")) / p_at();
+        return density(law, 2, p_at, at("0.1", "3"), wanted()) / p_at();
     };
     const Ball small = slope(Law::exceedance, "1e-300");
     CHECK(small.relative_bits() > 104);
@@ -127,7 +130,7 @@ TEST_CASE("small p by the exceedance law: its own limit of q_n/p, which the dens
     CHECK(certainly(less(abs(slope(Law::exceedance, "1e-200") / small - 1), Ball(exactly("1e-31")))));
     // gp: (1/(2 pi G^4)) <<y^(-1/2) (1-y)^(-3/2)>>, y the load ratio two waves on, each an intnum over its angle; 60 digits
     CHECK(near(small, "0.000346796744484476749706120767893088557403448", "1e-31"));
-    const auto refused = [] { return density(Law::exceedance, 1, [] { return Ball(exactly("1e-300")); }, at("0.1", "3")); };
+    const auto refused = [] { return density(Law::exceedance, 1, [] { return Ball(exactly("1e-300")); }, at("0.1", "3"), wanted()); };
     CHECK_THROWS_AS(refused(), BeyondReach); // scale 1: the catalogue knows a better route
 }
 
@@ -138,10 +141,10 @@ TEST_CASE("small p by the exceedance law: both sides of where its two forms meet
     std::string form[2];
     for (const int side : {0, 1}) {
         const auto p_at = share_of_highest(2, side == 0 ? "1e-8" : "1e-9", "0.1", "3.1622776601683795");
-        const Ball q = density(Law::exceedance, 2, p_at, a);
+        const Ball q = density(Law::exceedance, 2, p_at, a, wanted());
         CHECK(q.relative_bits() > 57);
-        CHECK(q.overlaps(density(Law::density, 2, p_at, a)));
-        form[side] = distribution_certificate(Law::exceedance, 2, p_at, a);
+        CHECK(q.overlaps(density(Law::density, 2, p_at, a, wanted())));
+        form[side] = distribution_certificate(Law::exceedance, 2, p_at, a, wanted());
     }
     CHECK(form[0].find("by parts") == std::string::npos);
     CHECK(form[1].find("by parts over E_2") != std::string::npos);
@@ -157,10 +160,10 @@ TEST_CASE("n = 1 against nested quadrature, n = 2 against another program's")
     const Arguments b{[] { return Ball(exactly("0.1")); }, [] { return sqrt(Ball(10)); }};
     for (const Law law : {Law::density, Law::exceedance}) {
         const Arguments a = at("0.1", "3.1622776601683795");
-        CHECK(near(density(law, 1, p_1, a), "0.01754937144660158405091275", "1e-21"));
-        CHECK(near(exceedance(law, 1, p_1, a), "0.04010037050850863148585203", "1e-21"));
-        CHECK(near(density(law, 2, p_2, b), "0.0014695860132234507792429895970742645311", "1e-21"));
-        CHECK(near(exceedance(law, 2, p_2, b), "0.011215306086010659841210644188124502203", "1e-21"));
+        CHECK(near(density(law, 1, p_1, a, wanted()), "0.01754937144660158405091275", "1e-21"));
+        CHECK(near(exceedance(law, 1, p_1, a, wanted()), "0.04010037050850863148585203", "1e-21"));
+        CHECK(near(density(law, 2, p_2, b, wanted()), "0.0014695860132234507792429895970742645311", "1e-21"));
+        CHECK(near(exceedance(law, 2, p_2, b, wanted()), "0.011215306086010659841210644188124502203", "1e-21"));
     }
 }
 

@@ -100,7 +100,7 @@ TEST_CASE("distributions everywhere: no nan, no refusal, each grid off by no mor
                 for (const Ball& p : pressures)
                     for (const bool density : {false, true}) {
                         CAPTURE(G_text); CAPTURE(load_text); CAPTURE(n); CAPTURE(number(p)); CAPTURE(density);
-                        Estimate e[2];
+                        Witness e[2];
                         for (const Grid grid : {Grid::blind, Grid::tracked})
                             e[grid == Grid::tracked] = density ? estimated_density(grid, n, p, load, G) : estimated_exceedance(grid, n, p, load, G);
                         const double off = number(abs(e[0].value - e[1].value)), claimed = number(e[0].error + e[1].error), size = std::fabs(number(e[0].value));

@@ -11,6 +11,9 @@ using namespace touchstone::transfer;
 
 namespace {
 
+/// What the precision of these balls is meant for.
+Accuracy wanted() { return {accuracy_of(WorkingPrecision::bits()).digits + 1}; }
+
 using Traits = ScalarTraits<Ball>;
 constexpr slong bits = 56 + 64; // about 19 digits
 
@@ -42,7 +45,7 @@ TEST_CASE("two grids, two schemes, one area, and tight balls")
     for (const auto& [load, G] : {std::pair{"10", "4"}, {"1.5", "16"}, {"100", "12"}})
         for (const long n : {1L, 2L, 3L, 7L, 20L}) {
             CAPTURE(load); CAPTURE(G); CAPTURE(n);
-            const Ball a = area_at_heavy_load(Scheme::force_weighted, n, at(load, G)), b = area_at_heavy_load(Scheme::area, n, at(load, G));
+            const Ball a = area_at_heavy_load(Scheme::force_weighted, n, at(load, G), wanted()), b = area_at_heavy_load(Scheme::area, n, at(load, G), wanted());
             CHECK(a.overlaps(b));
             CHECK(a.relative_bits() > 62);
             CHECK(b.relative_bits() > 62);
@@ -53,23 +56,23 @@ TEST_CASE("nested by hand, n = 1 and 2")
 {
     const WorkingPrecision precision(bits);
     // x_1 in (0.31, 0.94) of 16: load 10, all of scale 1 below 1, nothing singular on the way
-    const Ball one = area_at_heavy_load(Scheme::force_weighted, 1, at("10", "16"));
+    const Ball one = area_at_heavy_load(Scheme::force_weighted, 1, at("10", "16"), wanted());
     CHECK(near(one, nested(1, Ball(10), Ball(16), 80), "1e-19"));
-    const Ball two = area_at_heavy_load(Scheme::force_weighted, 2, at("10", "4"));
+    const Ball two = area_at_heavy_load(Scheme::force_weighted, 2, at("10", "4"), wanted());
     CHECK(near(two, nested(2, Ball(10), Ball(4), 80), "1e-17"));
     // ratio 1, a point of S, is crossed: mpmath's quad over the last angle, split where the ratio is 1, midpoint sum over the first
-    CHECK(near(area_at_heavy_load(Scheme::area, 1, at("1.5", "2.2")), Ball(exactly("0.65525095502097439462")), "2e-19"));
-    CHECK(near(area_at_heavy_load(Scheme::force_weighted, 2, at("10", "3.2")), Ball(exactly("0.8447896421110701457823348")), "2e-19"));
+    CHECK(near(area_at_heavy_load(Scheme::area, 1, at("1.5", "2.2"), wanted()), Ball(exactly("0.65525095502097439462")), "2e-19"));
+    CHECK(near(area_at_heavy_load(Scheme::force_weighted, 2, at("10", "3.2"), wanted()), Ball(exactly("0.8447896421110701457823348")), "2e-19"));
 }
 
 TEST_CASE("load -> 1 from above meets the partial-contact route, no faster than Lemma 4 allows")
 {
     const WorkingPrecision precision(bits);
     for (const long n : {1L, 5L}) {
-        const Ball below = area(Scheme::force_weighted, n, at("1", "4"));
+        const Ball below = area(Scheme::force_weighted, n, at("1", "4"), wanted());
         for (const char* beyond : {"1.0000000001", "1.0001"}) {
             CAPTURE(n); CAPTURE(beyond);
-            const Ball rise = area_at_heavy_load(Scheme::force_weighted, n, at(beyond, "4")) - below;
+            const Ball rise = area_at_heavy_load(Scheme::force_weighted, n, at(beyond, "4"), wanted()) - below;
             CHECK_FALSE(certainly(less(rise, Ball(0))));
             CHECK(certainly(less(rise, sqrt((Ball(exactly(beyond)) - 1) / pow(Ball(4), Ball(n))))));
         }
@@ -80,9 +83,9 @@ TEST_CASE("areas increase with the load")
 {
     const WorkingPrecision precision(bits);
     for (const long n : {2L, 10L}) {
-        Ball last = area(Scheme::force_weighted, n, at("1", "16"));
+        Ball last = area(Scheme::force_weighted, n, at("1", "16"), wanted());
         for (const char* load : {"1.5", "5", "10"}) {
-            const Ball a = area_at_heavy_load(Scheme::force_weighted, n, at(load, "16"));
+            const Ball a = area_at_heavy_load(Scheme::force_weighted, n, at(load, "16"), wanted());
             CHECK(certainly(less(last, a)));
             last = a;
         }
@@ -116,7 +119,7 @@ TEST_CASE("(1.5, 16) and (1.25, 256) give the same area, digit for digit")
 
 TEST_CASE("out of reach is said")
 {
-    CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("10", "2")), std::runtime_error);
-    CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("1", "4")), std::runtime_error);
-    CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("1e6", "4")), std::runtime_error);
+    CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("10", "2"), wanted()), std::runtime_error);
+    CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("1", "4"), wanted()), std::runtime_error);
+    CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("1e6", "4"), wanted()), std::runtime_error);
 }

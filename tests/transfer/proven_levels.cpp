@@ -15,6 +15,9 @@ using transfer::ProvenLevels;
 
 namespace {
 
+/// What the precision of these balls is meant for.
+Accuracy wanted() { return {accuracy_of(WorkingPrecision::bits()).digits + 1}; }
+
 Ball G_of(const char* D, const char* gamma)
 {
     return Inputs({{"D", *parse_rational(D)}, {"gamma", *parse_rational(gamma)}}).G_ball();
@@ -68,7 +71,7 @@ TEST_CASE("where both apply, partial contact's own proof gives the same areas")
         for (const char* text : {"1/1000", "1/10", "1"})
             for (const long n : {1L, 2L, 7L, 20L}) {
                 const Ball load(*parse_rational(text)), proven = levels.share(n, load);
-                const Ball known = transfer::area(transfer::Scheme::area, n, {[&] { return load; }, [&] { return G_of(D, gamma); }});
+                const Ball known = transfer::area(transfer::Scheme::area, n, {[&] { return load; }, [&] { return G_of(D, gamma); }}, wanted());
                 INFO(gamma, " load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
                 CHECK(proven.contains(known));
                 CHECK(proven.radius_bound() < 1e-7);
@@ -135,7 +138,7 @@ TEST_CASE("to fifteen digits: against partial contact's proof, and under load 10
     for (const auto& [text, n] : {std::pair{"1/10", 1L}, {"1/10", 20L}, {"1", 3L}, {"10", 1L}, {"10", 2L}, {"10", 20L}}) {
         const Ball load(*parse_rational(text)), proven = levels.share(n, load);
         const transfer::Arguments at{[&] { return load; }, [&] { return G; }};
-        const Ball known = n > 0 && text == std::string("10") ? transfer::area_at_heavy_load(transfer::Scheme::area, n, at) : transfer::area(transfer::Scheme::area, n, at);
+        const Ball known = n > 0 && text == std::string("10") ? transfer::area_at_heavy_load(transfer::Scheme::area, n, at, wanted()) : transfer::area(transfer::Scheme::area, n, at, wanted());
         INFO("load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
         CHECK(proven.overlaps(known));
         CHECK(proven.radius_bound() < 1e-14);
@@ -158,7 +161,7 @@ TEST_CASE("above a pressure: against the forward chain in partial contact, and s
                 INFO("P ", P, " G ", G, " load ", load, " n ", n, ": ", share.to_string());
                 Ball known(0);
                 try {
-                    known = partial ? transfer::exceedance(transfer::Law::density, n, p_at, {[&] { return Ball(*parse_rational(load)); }, [&] { return ratio; }})
+                    known = partial ? transfer::exceedance(transfer::Law::density, n, p_at, {[&] { return Ball(*parse_rational(load)); }, [&] { return ratio; }}, wanted())
                                     : transfer::scale_one_exceedance(transfer::Variable::angle, {p_at, *parse_rational(load), [&] { return ratio; }, {}, {}});
                 }
                 catch (const BeyondReach&) { // above the support
@@ -223,7 +226,7 @@ TEST_CASE("densities: partial contact's proof, and an estimate's third route in 
             Ball unit(1);
             for (long k = 0; k < n; ++k) unit *= G;
             const Ball share = levels.share(n - 1, load);
-            const Ball known = transfer::density(transfer::Law::density, n, [&] { return P * unit; }, {[&] { return load; }, [&] { return G; }}) * unit;
+            const Ball known = transfer::density(transfer::Law::density, n, [&] { return P * unit; }, {[&] { return load; }, [&] { return G; }}, wanted()) * unit;
             INFO("n ", n, ": ", share.to_string(), " ", known.to_string());
             CHECK(share.overlaps(known));
             CHECK(share.radius_bound() < 1e-6);

@@ -10,6 +10,9 @@
 using namespace touchstone;
 using transfer::ProvenLevels;
 
+/// What the precision of these balls is meant for.
+static Accuracy wanted() { return {accuracy_of(WorkingPrecision::bits()).digits + 1}; }
+
 TEST_CASE("to twenty digits: areas against partial contact's proof at sqrt 10, figure 5's case")
 {
     const auto G_at = [] { return sqrt(Ball(10)); };
@@ -18,7 +21,7 @@ TEST_CASE("to twenty digits: areas against partial contact's proof at sqrt 10, f
     for (const char* text : {"1/1000", "1/10", "1"})
         for (const long n : {1L, 2L, 3L, 7L, 20L}) {
             const Ball load(*parse_rational(text)), proven = levels.share(n, load);
-            const Ball known = transfer::area(transfer::Scheme::area, n, {[&] { return load; }, G_at});
+            const Ball known = transfer::area(transfer::Scheme::area, n, {[&] { return load; }, G_at}, wanted());
             INFO("load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
             CHECK(proven.contains(known));
             CHECK(certainly(less(Ball::exactly(proven.radius_bound()), known * Ball(*parse_rational("1e-20")))));
@@ -37,7 +40,7 @@ TEST_CASE("to twenty digits: a share above a pressure")
             for (long k = 0; k < n; ++k) p *= G_at();
             return p;
         };
-        const Ball proven = levels.share(n, Ball(1)), known = transfer::exceedance(transfer::Law::density, n, p_at, {[] { return Ball(1); }, G_at});
+        const Ball proven = levels.share(n, Ball(1)), known = transfer::exceedance(transfer::Law::density, n, p_at, {[] { return Ball(1); }, G_at}, wanted());
         INFO("n ", n, ": ", proven.to_string(), " ", known.to_string());
         CHECK(proven.overlaps(known));
         CHECK(proven.radius_bound() < 1e-20);

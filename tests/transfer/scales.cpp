@@ -8,6 +8,9 @@
 using namespace touchstone;
 using namespace touchstone::transfer;
 
+/// What the precision of these balls is meant for.
+static Accuracy wanted() { return {accuracy_of(WorkingPrecision::bits()).digits + 1}; }
+
 namespace {
 
 const char* const G_text = "3.1622776601683795";
@@ -34,17 +37,17 @@ TEST_CASE("scale 20: two laws, all of the area above p -> 0, and the order of th
     const WorkingPrecision precision(bits_for_digits(16) + 48);
     for (const long n : {5L, 20L}) {
         CAPTURE(n);
-        const Ball A = area(Scheme::force_weighted, n, figure_5);
+        const Ball A = area(Scheme::force_weighted, n, figure_5, wanted());
         Ball last = A;
         for (const char* share : {"1e-12", "0.01", "0.3", "0.9", "0.999999999999"}) {
             CAPTURE(share);
             const auto p = share_of_highest(n, Ball(*parse_rational(share)));
-            const Ball Q = exceedance(Law::density, n, p, figure_5);
-            CHECK(Q.overlaps(exceedance(Law::exceedance, n, p, figure_5)));
+            const Ball Q = exceedance(Law::density, n, p, figure_5, wanted());
+            CHECK(Q.overlaps(exceedance(Law::exceedance, n, p, figure_5, wanted())));
             CHECK(Q.relative_bits() > 55);
             if (share[1] == 'e') CHECK(certainly(less(abs(Q / A - 1), Ball(*parse_rational("1e-18")))));
             else {
-                CHECK(density(Law::density, n, p, figure_5).overlaps(density(Law::exceedance, n, p, figure_5)));
+                CHECK(density(Law::density, n, p, figure_5, wanted()).overlaps(density(Law::exceedance, n, p, figure_5, wanted())));
                 CHECK(certainly(less(Q, last)));
             }
             last = Q;
@@ -58,11 +61,11 @@ TEST_CASE("force and length are conserved at the scales 1 to 20, in balls")
     const Rational load = *parse_rational("0.001");
     for (long n = 1; n <= 20; ++n) {
         CAPTURE(n);
-        const Ball length = mass(n, figure_5);
-        CHECK(length.overlaps(area(Scheme::force_weighted, n, figure_5)));
+        const Ball length = mass(n, figure_5, wanted());
+        CHECK(length.overlaps(area(Scheme::force_weighted, n, figure_5, wanted())));
         CHECK(length.relative_bits() > 35);
         for (const Law law : {Law::density, Law::exceedance}) {
-            const Ball p = force(law, n, figure_5);
+            const Ball p = force(law, n, figure_5, wanted());
             CHECK(p.contains(load));
             CHECK(p.relative_bits() > 35);
         }

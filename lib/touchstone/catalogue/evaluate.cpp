@@ -18,6 +18,7 @@ Evaluation from_rational(const Rational& r, long digits, std::vector<std::string
     e.error_bound = whole ? "0" : d.half_unit();
     e.digits = d.digits.empty() ? 1 : static_cast<long>(d.digits.size());
     e.status = whole ? Status::exact : Status::certified;
+    e.proven = true;
     e.binary64 = nearest_double(r);
     e.routes = std::move(routes);
     const WorkingPrecision precision(bits_for_digits(digits) + 32);
@@ -36,33 +37,47 @@ std::optional<Exact> exact_result(const Quantity& q, const Inputs& in)
     }
 }
 
-/// The other routes' balls: computed on threads of their own beside the first route where that pays
-/// (many digits), on demand where it does not.
-class OtherRoutes {
-public:
-    OtherRoutes(const Quantity& q, const Inputs& in, bool at_once)
-    {
-        const auto policy = at_once ? std::launch::async : std::launch::deferred;
-        for (std::size_t i = 1; i < q.routes.size(); ++i)
-            balls_.push_back(std::async(policy, [&route = q.routes[i], &in, at_once, bits = WorkingPrecision::bits()] {
-                const WorkingPrecision precision(bits);
-                Ball b = route.ball(in);
-                if (at_once) flint_cleanup(); // the thread's caches of constants end with it
-                return b;
-            }));
-    }
-    Ball get(std::size_t route) { return balls_[route - 1].get(); }
+/// At this accuracy a binary64 number is decided unless the value is next to a tie of two of them.
+constexpr long binary64_digits = 18;
+/// Where a proof refuses the digits asked for, it is asked for these before anything unproven is shown.
+constexpr long fewer_digits = 15;
+/// A witness disagrees when it is off by so many times its own error, and by so much of the value.
+constexpr long witness_error_factor = 64;
+constexpr long witness_digits = 15;
 
-private:
-    std::vector<std::future<Ball>> balls_;
-};
+template <class F>
+auto start(bool own_thread, F f)
+{
+    return std::async(own_thread ? std::launch::async : std::launch::deferred, [own_thread, f] {
+        auto result = f();
+        if (own_thread) flint_cleanup(); // the thread's caches of constants end with it
+        return result;
+    });
+}
 
-/// As many digits as the ball decides, up to `digits`; may be none.
-void show_what_is_known(Evaluation& e, long digits)
+/// The decimal that all of these balls round to.
+std::optional<Decimal> common_digits(const std::vector<Ball>& balls, long digits)
+{
+    const auto first = round_to_digits(balls.front(), digits);
+    for (const Ball& b : balls)
+        if (!first || round_to_digits(b, digits) != first) return std::nullopt;
+    return first;
+}
+
+std::optional<double> common_double(const std::vector<Ball>& balls)
+{
+    const auto first = nearest_double(balls.front());
+    for (const Ball& b : balls)
+        if (!first || nearest_double(b) != first) return std::nullopt;
+    return first;
+}
+
+/// As many digits as the balls decide, each alone, up to `digits`; may be none.
+void show_what_is_known(Evaluation& e, const std::vector<Ball>& balls, long digits, long width)
 {
     for (long n = digits; n >= 1; --n)
-        if (const auto d = round_to_digits(e.ball, n)) {
-            e.value = d->text(digits);
+        if (const auto d = common_digits(balls, n)) {
+            e.value = d->text(width);
             e.error_bound = d->half_unit();
             e.digits = n;
             return;
@@ -72,55 +87,200 @@ void show_what_is_known(Evaluation& e, long digits)
     e.digits = 0;
 }
 
-/// The certified routes refused, for the reason in e.note: what the estimates agree on, if there are any.
-void estimate(const Quantity& q, const Inputs& in, long digits, Evaluation& e)
+/// The accuracies at which digits are searched for: a formula's precision is doubled, a dear proof is asked for few digits more.
+/// The last is always the limit, whatever the first was: what is decided does not depend on the start.
+class Ladder {
+public:
+    Ladder(const EvaluationOptions& o, long digits, bool dear) : digits_(digits), dear_(dear)
+    {
+        limit_ = o.limit_bits > 0 ? accuracy_of(o.limit_bits).digits : accuracy_of(16 * working_bits({digits}) + 8192).digits;
+        at_ = std::min(limit_, o.start_bits > 0 ? accuracy_of(o.start_bits).digits : dear ? digits : std::max(digits, binary64_digits));
+    }
+    Accuracy at() const { return {at_}; }
+    bool last() const { return at_ >= limit_; }
+    void raise()
+    {
+        const long next = dear_ ? at_ + step_ : accuracy_of(2 * working_bits({at_})).digits;
+        at_ = std::min({limit_, next, at_ < digits_ ? digits_ : next}); // from below, what was asked for is tried before more
+        step_ *= 2;
+    }
+
+private:
+    long digits_, at_ = 0, limit_ = 0, step_ = 2;
+    bool dear_;
+};
+
+/// What all attempts to prove one value share.
+class Search {
+public:
+    Search(const Quantity& q, const Plan& plan, const std::optional<Exact>& exact, const EvaluationOptions& options)
+        : q_(q), plan_(plan), exact_(exact), options_(options), own_threads_(plan.dear || q.costly || options.digits >= 300)
+    {
+        if (plan.proofs.size() == 1 && second_look())
+            witness_ = start(own_threads_, [look = second_look()] { return look->witness({witness_digits}); });
+    }
+
+    /// \returns whether e is decided, as far as proofs go: if not, nothing is proven, and e.note says why.
+    bool prove(Evaluation& e)
+    {
+        long digits = std::min(options_.digits, plan_.most_digits);
+        if (digits < options_.digits) reason_ = plan_.refusal;
+        for (Ladder ladder(options_, digits, plan_.dear);;) {
+            try {
+                if (attempt(e, ladder, digits)) break;
+                if (ladder.last()) break;
+                ladder.raise();
+            }
+            catch (const BeyondReach& refusal) {
+                e.note = refusal.what();
+                if (!balls_.empty()) break; // what the last accuracy gave stays proven
+                if (digits <= fewer_digits || options_.digits <= fewer_digits) return false;
+                reason_ = refusal.what();
+                digits = fewer_digits;
+                ladder = Ladder(options_, digits, plan_.dear);
+            }
+        }
+        finish(e, digits);
+        return true;
+    }
+
+private:
+    /// \returns whether all digits, and binary64 where that is cheap, are decided
+    bool attempt(Evaluation& e, const Ladder& ladder, long digits)
+    {
+        const Accuracy accuracy = ladder.at();
+        const WorkingPrecision precision(working_bits(accuracy));
+        e.bits = working_bits(accuracy);
+        std::vector<std::future<Ball>> others;
+        for (std::size_t i = 1; i < plan_.proofs.size(); ++i)
+            others.push_back(start(own_threads_, [&proof = plan_.proofs[i], accuracy] { return proof.ball(accuracy); }));
+        const Ball first = plan_.proofs.front().ball(accuracy);
+        point_ = exact_value(first); // radius zero: the value itself, which the other proofs must contain
+        balls_ = {first};
+        decided_ = point_ || round_to_digits(first, digits);
+        if (!decided_ && !ladder.last()) return false;
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            balls_.push_back(others[i].get());
+            if (!balls_.back().overlaps(first))
+                throw RoutesDisagree(fmt::format("{}: proofs '{}' and '{}' give disjoint balls {} and {}", q_.name, plan_.proofs[0].name,
+                                                 plan_.proofs[i + 1].name, first.to_string(), balls_.back().to_string()));
+        }
+        if (point_) return true;
+        if (exact_ && !exact_->ball().overlaps(first))
+            throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q_.name, first.to_string()));
+        decided_ = common_digits(balls_, digits).has_value(); // each alone decides the digits
+        return decided_ && (plan_.dear || common_double(balls_));
+    }
+
+    void finish(Evaluation& e, long digits)
+    {
+        if (point_) {
+            Evaluation exact = from_rational(*point_, options_.digits, e.routes);
+            exact.bits = e.bits;
+            e = std::move(exact);
+        }
+        else {
+            e.ball = balls_.front();
+            e.proven = true;
+            e.binary64 = common_double(balls_);
+            show_what_is_known(e, balls_, digits, options_.digits);
+            e.status = decided_ && digits == options_.digits ? Status::certified : Status::undecided;
+            if (e.status == Status::certified) e.note.clear();
+            else explain_missing_digits(e, digits);
+        }
+        look_again(e);
+    }
+
+    void explain_missing_digits(Evaluation& e, long digits) const
+    {
+        if (digits < options_.digits)
+            e.note = fmt::format("{} digits are certified here, {} were asked for: {}", e.digits, options_.digits, reason_.empty() ? "no method proves more" : reason_);
+        else if (plan_.most_digits < 10'000) e.note = "no more digits are certified here";
+        else if (e.note.empty()) e.note = fmt::format("not decided at {} bits; a larger --max-precision may", e.bits);
+        if (plan_.proofs.size() > 1 && balls_.size() == 1 && e.digits > 0) e.note += fmt::format("; the digits shown rest on '{}' alone", plan_.proofs.front().name);
+    }
+
+    const Look* second_look() const { return plan_.own_witness ? &*plan_.own_witness : plan_.witnesses.empty() ? nullptr : &plan_.witnesses.front(); }
+
+    void look_again(Evaluation& e)
+    {
+        if (balls_.size() > 1) e.second_look = SecondLook{plan_.proofs[1].name, true, true, e.digits, plan_.shares};
+        if (!witness_) return;
+        const std::string& name = second_look()->name;
+        const auto add = [&e](const std::string& text) { e.note += (e.note.empty() ? "" : "; ") + text; };
+        try {
+            const WorkingPrecision precision(256);
+            const Witness seen = witness_->get();
+            const Ball off = abs(seen.value - e.ball), size = abs(e.ball), allowed = witness_error_factor * seen.error + size * pow(Ball(10), Ball(-witness_digits));
+            SecondLook look{name, false, !certainly(less(allowed, off)), 0, plan_.shares};
+            while (look.digits < most_estimated_digits + 5 && certainly(less(2 * off * pow(Ball(10), Ball(look.digits)), size))) ++look.digits;
+            if (!look.agrees)
+                add(fmt::format("the witness '{}' DISAGREES: it gives {}, and {} digits agree; the proof stands, but one of the two has a fault: please report it", name,
+                                seen.value.to_string(), look.digits));
+            e.second_look = std::move(look);
+            e.routes.push_back(name + " (witness)");
+        }
+        catch (const BeyondReach& refusal) {
+            add(fmt::format("no second look: {}", refusal.what()));
+        }
+    }
+
+    const Quantity& q_;
+    const Plan& plan_;
+    const std::optional<Exact>& exact_;
+    const EvaluationOptions& options_;
+    bool own_threads_;
+    std::optional<std::future<Witness>> witness_;
+    std::vector<Ball> balls_; ///< of the last accuracy; the first alone if it decided nothing
+    std::optional<Rational> point_;
+    bool decided_ = false;
+    std::string reason_; ///< why fewer digits than asked for are tried
+};
+
+/// There is no proof, for the reason in e.note: what the witnesses agree on, if there are any.
+void estimate(const Plan& plan, long digits, Evaluation& e)
 {
-    std::vector<Estimate> found;
+    if (plan.witnesses.size() < 2) return;
+    std::vector<Witness> found;
     const WorkingPrecision precision(256);
     try {
-        std::vector<std::future<Estimate>> running;
-        for (const EstimateRoute& r : q.estimates) running.push_back(std::async(std::launch::deferred, [&] { return r.estimate(in); }));
-        for (auto& f : running) found.push_back(f.get());
+        for (const Look& look : plan.witnesses) found.push_back(look.witness({most_estimated_digits}));
     }
     catch (const BeyondReach& reason) {
         if (e.note != reason.what()) e.note += fmt::format("; no estimate: {}", reason.what());
         return;
     }
-    if (found.empty()) return;
     Ball hull = found.front().value, wide(0);
-    for (const Estimate& f : found) {
+    for (const Witness& f : found) {
         const Ball off = abs(f.value - found.front().value);
         for (const Ball& b : {off, f.error})
             if (certainly(less(wide, b))) wide = b;
         arb_union(hull.get(), hull.get(), f.value.get(), WorkingPrecision::bits());
     }
-    arb_add_error(hull.get(), Ball(8 * wide).get());
+    arb_add_error(hull.get(), Ball(8 * wide).get()); // believed, not proven: this ball only leaves as e.ball with e.proven false
     e.ball = hull;
     e.routes.clear();
-    for (const EstimateRoute& r : q.estimates) e.routes.push_back(r.name);
-    auto decimal = round_to_digits(hull, std::min(digits, most_estimated_digits));
-    const auto agreed = [&](long n) { return n < 1 ? std::string("no proof: two discretisations do not agree") : fmt::format("no proof: two discretisations agree to {} digits only", n); };
-    if (digits > most_estimated_digits) {
-        long n = most_estimated_digits;
-        while (n > 0 && !round_to_digits(hull, n)) --n;
-        e.note = (n == most_estimated_digits ? "no proof: two discretisations agree" : agreed(n)) + fmt::format("; at most {} digits are estimated", most_estimated_digits);
+    for (const Look& look : plan.witnesses) e.routes.push_back(look.name);
+
+    const long asked = digits;
+    digits = std::min(digits, most_estimated_digits);
+    auto decimal = round_to_digits(hull, digits);
+    const bool next_to_tie = !decimal && digits > 1 && round_to_digits(hull, digits - 1); // one digit fewer
+    if (next_to_tie && asked <= most_estimated_digits) decimal = round_to_digits(hull, --digits);
+    if (decimal && asked <= most_estimated_digits) {
+        e.value = decimal->text();
+        e.error_bound = decimal->half_unit();
+        e.digits = digits;
+        e.binary64 = nearest_double(hull);
+        e.status = Status::estimated;
+        e.note = fmt::format("no proof: two discretisations agree{}", next_to_tie ? ", to all digits but the last asked for" : "");
         return;
     }
-    e.note = "no proof: two discretisations agree";
-    if (!decimal && digits > 1) { // next to a tie of the last digit: one digit fewer
-        decimal = round_to_digits(hull, --digits);
-        if (decimal) e.note += ", to all digits but the last asked for";
-    }
-    if (!decimal) {
-        while (digits > 0 && !round_to_digits(hull, digits)) --digits;
-        e.note = agreed(digits);
-        return;
-    }
-    e.value = decimal->text();
-    e.error_bound = decimal->half_unit();
-    e.digits = digits;
-    e.binary64 = nearest_double(hull);
-    e.status = Status::estimated;
+    show_what_is_known(e, {hull}, digits, digits);
+    if (e.digits == 0) e.note = "no proof: two discretisations do not agree";
+    else if (e.digits < digits) e.note = fmt::format("no proof: two discretisations agree to {} digits only", e.digits);
+    else e.note = "no proof: two discretisations agree";
+    if (asked > most_estimated_digits) e.note += fmt::format("; at most {} digits are estimated", most_estimated_digits);
 }
 
 } // namespace
@@ -147,56 +307,12 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
 
     Evaluation e;
     e.ball = Ball::indeterminate();
-    long shown = options.digits; // digits of an undecided value
-    if (q.route_names) e.routes = q.route_names(in);
-    else for (const auto& r : q.routes) e.routes.push_back(r.name);
-    const Quantity::Limits limits = q.limits ? q.limits(in) : Quantity::Limits{};
-    const slong natural = bits_for_digits(options.digits) + 48;
-    const slong limit = options.limit_bits > 0 ? options.limit_bits : 16 * natural + 8192;
-    // The last precision tried is always `limit`, whatever the first was: what is decided does not depend on the start.
-    const slong start = std::min(options.start_bits > 0 ? options.start_bits : natural, limit);
-    for (slong bits = start, tried = 0; tried < limit; tried = bits, bits = std::min(2 * bits, limit)) {
-        const WorkingPrecision precision(bits);
-        try {
-            e.bits = bits;
-            if (options.digits > limits.digits) throw BeyondReach(fmt::format("certified to at most {} digits here", limits.digits));
-            OtherRoutes others(q, in, q.costly || options.digits >= 300);
-            e.ball = q.routes.front().ball(in);
-            const auto point = exact_value(e.ball); // radius zero: the value itself, which the other routes must contain
-            const auto decimal = round_to_digits(e.ball, options.digits);
-            if (!point && !decimal) continue;
-            bool agreed = true;
-            for (std::size_t i = 1; i < q.routes.size() && agreed; ++i) {
-                const Ball other = others.get(i);
-                if (!other.overlaps(e.ball))
-                    throw RoutesDisagree(fmt::format("{}: routes '{}' and '{}' give disjoint balls {} and {}", q.name,
-                                                     q.routes[0].name, q.routes[i].name, e.ball.to_string(), other.to_string()));
-                agreed = point || limits.first_decides || round_to_digits(other, options.digits) == decimal; // each alone decides the digits
-            }
-            if (point) return from_rational(*point, options.digits, e.routes);
-            if (exact && !exact->ball().overlaps(e.ball))
-                throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q.name, e.ball.to_string()));
-            if (!agreed) continue;
-            e.binary64 = nearest_double(e.ball);
-            if (!e.binary64 && !limits.first_decides && bits < limit) continue; // there it costs too much where it was not asked for
-            e.value = decimal->text();
-            e.error_bound = decimal->half_unit();
-            e.digits = options.digits;
-            e.status = Status::certified;
-            return e;
-        }
-        catch (const BeyondReach& reason) {
-            e.note = reason.what();
-            estimate(q, in, options.digits, e);
-            if (e.status == Status::estimated) return e;
-            if (!q.estimates.empty()) shown = std::min(shown, most_estimated_digits);
-            break;
-        }
-    }
-    if (e.note.empty() && limits.first_decides) e.note = "no more digits are certified here";
-    if (e.note.empty()) e.note = fmt::format("not decided at {} bits; a larger --max-precision may", e.bits);
-    e.status = Status::undecided;
-    show_what_is_known(e, shown);
+    show_what_is_known(e, {e.ball}, 0, 0);
+    const Plan plan = plan_of(q, in, {options.digits});
+    for (const Proof& p : plan.proofs) e.routes.push_back(p.name);
+    if (plan.proofs.empty()) e.note = plan.refusal;
+    else if (Search(q, plan, exact, options).prove(e)) return e;
+    estimate(plan, options.digits, e);
     return e;
 }
 

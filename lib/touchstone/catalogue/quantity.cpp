@@ -54,6 +54,34 @@ int Inputs::compare_G(const Rational& with) const
     }
 }
 
+Plan plan_of(const Quantity& q, const Inputs& in, Accuracy wanted)
+{
+    if (q.plan) return q.plan(in, wanted);
+    Plan plan;
+    for (const Route& r : q.routes)
+        plan.proofs.push_back({r.name, [&r, &in](Accuracy a) {
+                                   const WorkingPrecision precision(working_bits(a));
+                                   return r.ball(in);
+                               }});
+    return plan;
+}
+
+std::vector<Certified> certified_where(const Quantity& q)
+{
+    if (!q.certified.empty()) return q.certified;
+    return {{"everywhere in its domain", "any", q.routes.at(0).name, "proof " + q.routes.at(1).name, {}}};
+}
+
+Ball first_ball(const Quantity& q, const Inputs& in)
+{
+    if (!q.plan) return q.routes.front().ball(in);
+    constexpr long most = 20; // what binary64 codes are judged by
+    const Accuracy wanted{std::min(most, accuracy_of(WorkingPrecision::bits()).digits)};
+    const Plan plan = plan_of(q, in, wanted);
+    if (plan.proofs.empty()) throw BeyondReach(plan.refusal);
+    return plan.proofs.front().ball({std::min(wanted.digits, plan.most_digits)});
+}
+
 const std::vector<Quantity>& catalogue()
 {
     static const std::vector<Quantity> all = [] {

@@ -3,8 +3,10 @@
 /// A quantity by name: what `touchstone eval`, the tables and the oracle work with.
 #pragma once
 
+#include "touchstone/scalar/accuracy.hpp"
 #include "touchstone/scalar/ball.hpp"
 #include "touchstone/scalar/exact.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <functional>
 #include <map>
@@ -14,12 +16,6 @@
 #include <vector>
 
 namespace touchstone {
-
-/// A value that cannot be had at any precision in reach (series too long, regime not proven).
-/// Leads to the status `undecided`, never to a guess.
-class BeyondReach : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 /// The exact arguments of a quantity. Where D and gamma are asked, G may stand for both.
 class Inputs {
@@ -58,16 +54,42 @@ struct Route {
     bool takes_boxes = false;
 };
 
-/// A value found without proof, and how far off its own method thinks it is.
-struct Estimate {
-    Ball value; ///< radius zero
-    Ball error; ///< >= 0; no bound
+/// A proof of a value at certain inputs.
+struct Proof {
+    std::string name;
+    std::function<Ball(Accuracy)> ball; ///< encloses the value. \throws BeyondReach
 };
 
-/// One way to compute a quantity where no certified route reaches.
-struct EstimateRoute {
+/// A look at the value without proof.
+struct Look {
     std::string name;
-    std::function<Estimate(const Inputs&)> estimate;
+    std::function<Witness(Accuracy)> witness; ///< \throws BeyondReach
+};
+
+/// Dearer digits than this are not computed for the sake of binary64 alone.
+constexpr double dear_seconds = 0.5;
+
+/// What serves certain inputs: the proofs, and what looks at the value beside them.
+struct Plan {
+    /// The first decides the digits. A second one has to decide the same digits alone; disjoint balls are a hard failure.
+    std::vector<Proof> proofs = {};
+    /// Of one proof, the first of them is the second look; without a proof, two or more of them make an estimate.
+    std::vector<Look> witnesses = {};
+    std::optional<Look> own_witness = {}; ///< a second look made for the one proof, before any of `witnesses`
+    std::string shares = {};    ///< what a second look shares with the first proof, in words
+    long most_digits = 10'000;  ///< more are not certified
+    std::string refusal = {};   ///< why there is no proof, or why not of more digits
+    /// More digits take seconds: none is computed that was not asked for, not even for the sake of binary64.
+    bool dear = false;
+};
+
+/// What is certified where, for a reader: a line of `touchstone list QUANTITY`.
+struct Certified {
+    std::string where;       ///< in words
+    std::string digits;      ///< "any", or how many
+    std::string proof;       ///< name; empty: only estimated there
+    std::string second_look; ///< "proof NAME" or "witness NAME"
+    std::string shares;      ///< what the two have in common; empty where that was not written down
 };
 
 struct Quantity {
@@ -81,26 +103,27 @@ struct Quantity {
     std::function<void(const Inputs&)> check;
     /// The value in exact arithmetic; throws NotExact where there is none. May be empty.
     std::function<Exact(const Inputs&)> exact;
-    /// At least two, independent of one another; their balls must overlap.
+    /// At least two, independent of one another; their balls must overlap. Empty where there is a plan.
     std::vector<Route> routes;
     /// Prints how the error of a value is made up, for `eval --explain`. May be empty.
     std::function<std::string(const Inputs&, long digits)> explain = {};
     /// The routes are worth a thread each at any number of digits.
     bool costly = false;
-    /// Two or more, independent of one another, for what the certified routes refuse with BeyondReach. May be empty.
-    std::vector<EstimateRoute> estimates = {};
-    /// What the routes are at these inputs, where they are not the same everywhere. May be empty.
-    std::function<std::vector<std::string>(const Inputs&)> route_names = {};
-    /// What limits the certified routes at these inputs. May be empty: nothing does.
-    struct Limits {
-        long digits = 10'000;       ///< more are refused before anything is computed
-        bool first_decides = false; ///< the digits are the first route's alone; the others, of a wider ball, only have to overlap it
-    };
-    std::function<Limits(const Inputs&)> limits = {};
+    /// What serves these inputs, where that is not the same everywhere. Empty: the routes. See plan_of().
+    std::function<Plan(const Inputs&, Accuracy)> plan = {};
+    /// The plan in words. Empty: all routes, everywhere in the domain. See certified_where().
+    std::vector<Certified> certified = {};
 };
 
 /// All quantities, in the order of the paper's sections.
 const std::vector<Quantity>& catalogue();
+
+/// What serves these inputs: the quantity's own plan, or all of its routes as proofs. Refers to both arguments.
+Plan plan_of(const Quantity&, const Inputs&, Accuracy);
+/// What is proven where, and what is independent of what.
+std::vector<Certified> certified_where(const Quantity&);
+/// By the first proof alone, to what the thread's precision is meant for. \throws BeyondReach
+Ball first_ball(const Quantity&, const Inputs&);
 
 /// \returns the quantity of that name, or nullptr
 const Quantity* find_quantity(std::string_view name);

@@ -51,10 +51,10 @@ bool in_domain(const Quantity& q, const Inputs& in)
 }
 
 /// What cannot be had is an indeterminate ball here: it bounds nothing, and says so.
-Ball enclosure(const Route& route, const Inputs& in)
+Ball enclosure(const Quantity& q, const Inputs& in)
 {
     try {
-        return route.ball(in);
+        return first_ball(q, in);
     }
     catch (const BeyondReach&) {
         return Ball::indeterminate();
@@ -130,9 +130,8 @@ Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const
         sides.push_back(std::move(both));
     }
     const Rational unit = truth.is_zero() ? Rational(1) : ulp_at(truth.value);
-    const auto& route = q.routes.front();
     // from where it moves is computed here and not taken from the table: a wrong entry must not excuse itself
-    const Ball value = enclosure(route, centre);
+    const Ball value = enclosure(q, centre);
 
     Forced forced;
     if (!value.is_finite()) return forced;
@@ -145,7 +144,7 @@ Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const
             if (at[i] > 0) values[real[i]] = sides[i][at[i] - 1].end;
         const Inputs corner(std::move(values));
         if (!in_domain(q, corner)) return;
-        const Ball there = enclosure(route, corner);
+        const Ball there = enclosure(q, corner);
         if (!there.is_finite()) return;
         const Ball moved = abs((there - value) / Ball(unit));
         Ball low;
@@ -153,7 +152,7 @@ Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const
         forced.least = std::max(forced.least, arf_get_d(arb_midref(low.get()), ARF_RND_DOWN));
     });
 
-    if (!route.takes_boxes) return forced;
+    if (q.plan || !q.routes.front().takes_boxes) return forced;
     double most = 0;
     std::vector<std::size_t> cells;
     for (const auto& s : sides) cells.push_back(std::max<std::size_t>(1, s.size() * static_cast<std::size_t>(pieces)));
@@ -167,7 +166,7 @@ Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const
             values[real[i]] = middle;
             half_widths[real[i]] = half;
         }
-        const Ball moved = abs((enclosure(route, Inputs(std::move(values)).box(std::move(half_widths))) - value) / Ball(unit));
+        const Ball moved = abs((enclosure(q, Inputs(std::move(values)).box(std::move(half_widths))) - value) / Ball(unit));
         double here = infinity;
         if (moved.is_finite()) {
             Ball high;

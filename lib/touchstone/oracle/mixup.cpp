@@ -75,7 +75,7 @@ public:
         try {
             const Inputs in(std::move(values));
             q_.check(in);
-            return q_.routes.front().ball(in);
+            return first_ball(q_, in);
         }
         catch (const DomainError&) {
             return std::nullopt;

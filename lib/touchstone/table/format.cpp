@@ -55,7 +55,7 @@ Json header(const Table& t, std::string_view rows)
     const auto add = [&routes](const std::string& name) {
         if (name != "exact-arithmetic" && std::find(routes.begin(), routes.end(), name) == routes.end()) routes.push_back(name);
     };
-    if (t.quantity->route_names || t.status() == Status::estimated) // they differ from row to row: eval says which
+    if (t.quantity->plan || t.status() == Status::estimated) // they differ from row to row: eval says which
         for (const auto& row : t.rows)
             for (const auto& name : row.result.routes) add(name);
     else

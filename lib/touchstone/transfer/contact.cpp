@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/contact.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -63,10 +63,10 @@ std::shared_ptr<Discretisation> discretisation(Scheme scheme, double accuracy, c
     return mine->made;
 }
 
-/// The accuracy, in nats, that F is to be known with for the value to have the digits the thread's precision asks for.
-double accuracy_wanted(const Ball& load)
+/// The accuracy, in nats, that F is to be known with for the value to have these digits, and some to spare.
+double nats_of_F(const Ball& load, Accuracy wanted)
 {
-    const double base = std::max(20.0, static_cast<double>(WorkingPrecision::bits() - 48) * std::numbers::ln2);
+    const double base = std::max(20.0, static_cast<double>(bits_for_digits(wanted.digits)) * std::numbers::ln2);
     const Ball minus_log = -log(load);
     const double s = arf_get_d(arb_midref(minus_log.get()), ARF_RND_UP);
     // an error of F weighs load^(-1/4) in the value; and rows must reach load
@@ -79,12 +79,12 @@ struct Prepared {
     std::shared_ptr<Discretisation> on;
     Ball load, G;
 };
-Prepared prepare(Scheme scheme, const Arguments& a)
+Prepared prepare(Scheme scheme, const Arguments& a, Accuracy wanted)
 {
     const Ball load = a.load();
     if (!certainly(less(Ball(0), load)) || !certainly(less(load, Ball(2)))) throw BeyondReach("load must be above 0 and at most 1");
     Prepared p;
-    p.on = discretisation(scheme, accuracy_wanted(load), a.G);
+    p.on = discretisation(scheme, nats_of_F(load, wanted), a.G);
     const WorkingPrecision precision(p.on->bits());
     p.load = a.load();
     p.G = a.G();
@@ -94,9 +94,9 @@ Prepared prepare(Scheme scheme, const Arguments& a)
 
 } // namespace
 
-Ball area(Scheme scheme, long n, const Arguments& a)
+Ball area(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
 {
-    const Prepared p = prepare(scheme, a);
+    const Prepared p = prepare(scheme, a, wanted);
     const Ball F = p.on->force_share(n, p.load);
     const WorkingPrecision precision(p.on->bits());
     Ball scale;
@@ -104,9 +104,24 @@ Ball area(Scheme scheme, long n, const Arguments& a)
     return sqrt(p.load) * F / scale;
 }
 
-std::string area_certificate(Scheme scheme, long n, const Arguments& a)
+std::string area_certificate(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
 {
-    return prepare(scheme, a).on->certificate(n);
+    return prepare(scheme, a, wanted).on->certificate(n);
+}
+
+long most_digits_of_area(const Ball& load, const Ball& G)
+{
+    const WorkingPrecision precision(128);
+    const auto serves = [&](long digits) {
+        const double accuracy = nats_of_F(load, {digits});
+        return std::max(Discretisation::size_for(Scheme::force_weighted, G, accuracy), Discretisation::size_for(Scheme::area, G, accuracy)) <= Discretisation::most_nodes;
+    };
+    long least = 0, most = 10'001; // serves(least), not serves(most)
+    while (most - least > 1) {
+        const long middle = (least + most) / 2;
+        (serves(middle) ? least : most) = middle;
+    }
+    return least;
 }
 
 } // namespace touchstone::transfer

@@ -6,10 +6,9 @@
 /// A_n/lambda_0 = B_n(load) = load^(1/2) F_n(load)/G^n (chain.hpp). It depends on D and gamma through G alone.
 /// Two certified routes, the two schemes of discretisation.hpp. The discretisation of a G is kept for later calls
 /// (most recently used first, at most about 300 MB), so that further scales and loads cost little.
-///
-/// Working precision of b bits asks for a relative accuracy of about 2^-(b-48).
 #pragma once
 
+#include "touchstone/scalar/accuracy.hpp"
 #include "touchstone/transfer/discretisation.hpp"
 
 namespace touchstone::transfer {
@@ -21,10 +20,13 @@ struct Arguments {
 };
 
 /// (6.7)  A_n/lambda_0, n >= 0.
-/// \throws BeyondReach unless 0 < load <= 1 and G > 2 are proven, or where the digits would cost too much
-Ball area(Scheme, long n, const Arguments&);
+/// \throws BeyondReach unless 0 < load <= 1 and G > 2 are proven, or for more than most_digits_of_area()
+Ball area(Scheme, long n, const Arguments&, Accuracy);
 
-/// How the error of `area` is made up at the thread's precision, level by level.
-std::string area_certificate(Scheme, long n, const Arguments&);
+/// How the error of `area` is made up, level by level.
+std::string area_certificate(Scheme, long n, const Arguments&, Accuracy);
+
+/// The most digits for which neither scheme would need too many nodes: fewer next to G = 2, and where the load is tiny.
+long most_digits_of_area(const Ball& load, const Ball& G);
 
 } // namespace touchstone::transfer

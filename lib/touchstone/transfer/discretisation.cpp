@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/discretisation.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/binary64.hpp"
 
 #include <flint/fmpz_mat.h>
@@ -41,6 +41,46 @@ Ball larger(const Ball& a, const Ball& b) { return certainly(less(a, b)) ? b : a
 FixedFormat Discretisation::format_for(double accuracy) { return FixedFormat(static_cast<long>(accuracy / std::numbers::ln2 + 40 + 3 * std::log2(std::max(accuracy / 136, 1.0)))); }
 slong Discretisation::bits_for(double accuracy) { return format_for(accuracy).fraction() + 24; }
 
+double Discretisation::rule_end(Scheme scheme, const Ball& G, double accuracy)
+{
+    return cut_off({2 / G, false}, accuracy) * (scheme == Scheme::area ? 1.04 : 1);
+}
+
+/// From -log x = log(G/2), a little below, to s_last.
+std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Ball& G, double accuracy, double grid_accuracy, double V)
+{
+    std::vector<Block> all;
+    const double s0 = approximate(log(G / 2));
+    const double s_last = (scheme == Scheme::area ? 1.1 : 1) * std::max(2 * V, accuracy + 4) + 2 * s0 + 2;
+    const double s_first = s0 * (1 - std::ldexp(1.0, -40));
+    if (scheme == Scheme::force_weighted) {
+        const double t0 = std::log(s_first), t1 = std::log(s_last), half = (t1 - t0) / 2 * (1 + 1e-12);
+        const double b = std::numbers::pi / 2 / half; // semi-minor axis: |Im t| < pi/2 keeps Re s > 0
+        const double rho = (b + std::sqrt(1 + b * b)) * (1 - 1e-12);
+        const long p = static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
+        all.push_back({(t0 + t1) / 2, half, rho, p, 0});
+    }
+    else {
+        const double blocks = std::ceil(std::log(s_last / s_first) / std::log(4.0));
+        const double ratio = std::pow(s_last / s_first, 1 / blocks), root = std::sqrt(ratio);
+        const double rho = (root + 1) / (root - 1) * (1 - 1e-9); // the ellipse about [s, ratio s] that reaches 0
+        const long p = static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
+        double lo = s_first;
+        for (double k = 0; k < blocks; ++k) {
+            const double hi = k + 1 == blocks ? s_last : lo * ratio;
+            all.push_back({(lo + hi) / 2, (hi - lo) / 2, rho, p, all.size() * static_cast<std::size_t>(p)});
+            lo = hi;
+        }
+    }
+    return all;
+}
+
+std::size_t Discretisation::size_for(Scheme scheme, const Ball& G, double accuracy)
+{
+    const std::vector<Block> blocks = grid(scheme, G, accuracy, accuracy, rule_end(scheme, G, accuracy));
+    return blocks.back().first + static_cast<std::size_t>(blocks.back().points);
+}
+
 Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy)
     : scheme_(scheme), accuracy_(accuracy),
       format_(format_for(accuracy)), bits_(bits_for(accuracy))
@@ -51,7 +91,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     if (!certainly(less(Ball(2), G_))) throw BeyondReach("G = gamma^(D-1) must be above 2");
     if (!certainly(less(G_, Ball(1'000'000'000)))) throw BeyondReach("G = gamma^(D-1) must be below 10^9");
     log_half_G_ = log(G_ / 2);
-    const double s0 = approximate(log_half_G_);
+    const Ratios all{2 / G_, false};
 
     {
         // c_m increases to its limit within 64 levels up to a relative 2^-60; later ones are bounded by that
@@ -63,32 +103,10 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     }
     error_unit_ = static_cast<long>(accuracy / std::numbers::ln2);
 
-    // the grid: from -log x = log(G/2), a little below, to s_last
-    const Ratios all{2 / G_, false};
-    const double V = cut_off(all, accuracy) * (scheme == Scheme::area ? 1.04 : 1);
-    const double s_last = (scheme == Scheme::area ? 1.1 : 1) * std::max(2 * V, accuracy + 4) + 2 * s0 + 2;
-    const double s_first = s0 * (1 - std::ldexp(1.0, -40));
-    if (scheme == Scheme::force_weighted) {
-        const double t0 = std::log(s_first), t1 = std::log(s_last), half = (t1 - t0) / 2 * (1 + 1e-12);
-        const double b = std::numbers::pi / 2 / half; // semi-minor axis: |Im t| < pi/2 keeps Re s > 0
-        const double rho = (b + std::sqrt(1 + b * b)) * (1 - 1e-12);
-        const long p = static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
-        blocks_.push_back({(t0 + t1) / 2, half, rho, p, 0});
-    }
-    else {
-        const double blocks = std::ceil(std::log(s_last / s_first) / std::log(4.0));
-        const double ratio = std::pow(s_last / s_first, 1 / blocks), root = std::sqrt(ratio);
-        const double rho = (root + 1) / (root - 1) * (1 - 1e-9); // the ellipse about [s, ratio s] that reaches 0
-        const long p = static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
-        double lo = s_first;
-        for (double k = 0; k < blocks; ++k) {
-            const double hi = k + 1 == blocks ? s_last : lo * ratio;
-            blocks_.push_back({(lo + hi) / 2, (hi - lo) / 2, rho, p, blocks_.size() * static_cast<std::size_t>(p)});
-            lo = hi;
-        }
-    }
+    const double V = rule_end(scheme, G_, accuracy);
+    blocks_ = grid(scheme, G_, accuracy, grid_accuracy, V);
     const std::size_t N = blocks_.back().first + static_cast<std::size_t>(blocks_.back().points);
-    if (N > 4000) throw BeyondReach("so many digits this near G = 2 would need more than 4000 nodes");
+    if (N > most_nodes) throw BeyondReach("so many digits this near G = 2 would need more than 4000 nodes");
     for (const Block& b : blocks_) { // what the bounds assume of a block
         const WorkingPrecision coarse(96);
         const Ball half = Ball::exactly(b.half), rho = Ball::exactly(b.rho);

@@ -58,6 +58,10 @@ public:
     Discretisation(Scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy);
     Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy) : Discretisation(scheme, G_at, accuracy, accuracy) {}
 
+    static constexpr std::size_t most_nodes = 4000;
+    /// The nodes that a grid of this accuracy would have; above most_nodes it is refused.
+    static std::size_t size_for(Scheme, const Ball& G, double accuracy);
+
     /// The precision in bits that G and loads should be given with.
     slong bits() const { return bits_; }
     static slong bits_for(double accuracy);
@@ -105,6 +109,8 @@ private:
     };
 
     static FixedFormat format_for(double accuracy);
+    static std::vector<Block> grid(Scheme, const Ball& G, double accuracy, double grid_accuracy, double V);
+    static double rule_end(Scheme, const Ball& G, double accuracy);
     struct Step {
         std::string load;
         Functional row;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/forward.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/binary64.hpp"
 #include "touchstone/transfer/chain.hpp"
 #include "touchstone/transfer/fixed.hpp"
@@ -1501,43 +1501,53 @@ void require_proven(const Ball& G, const Ball& load)
 }
 
 /// Accuracies in use are few, so that levels are shared.
-double accuracy_for(slong wanted) { return 4 * std::ceil(std::max(30.0, static_cast<double>(wanted - 52) * std::numbers::ln2) / 4); }
+double accuracy_for(Accuracy wanted) { return 4 * std::ceil(std::max(30.0, static_cast<double>(bits_for_digits(wanted.digits) - 4) * std::numbers::ln2) / 4); }
+
+/// That of the levels, of a law, which a value at distance d = log(p_n^max/p) needs: it loses some of it.
+double accuracy_at(Law law, long n, double d, const Arguments& a, Accuracy wanted, bool for_density)
+{
+    const double accuracy = accuracy_for(wanted);
+    if (law == Law::density) return accuracy;
+    const double cancelling = 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
+    const double small = for_density && n >= 2 ? accuracy_for_small(accuracy, n, d, a.G(), a.load()) : 0;
+    return small > 0 ? small : accuracy + cancelling;
+}
 
 struct Asked {
     std::shared_ptr<Forward> levels;
     Ball p, d;
 };
 
-Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a, bool for_density)
+/// log(p_n^max/p), p_n^max = G^(n+1) e_{n+1}, log e_{k+1} = log(2/G) + log(e_k)/2
+Ball distance_from_edge(long n, const std::function<Ball()>& p_at, const Arguments& a, slong bits)
+{
+    const WorkingPrecision precision(bits);
+    const Ball G = a.G(), load = a.load();
+    require_proven(G, load);
+    Ball log_edge = log(load);
+    for (long k = 0; k <= n; ++k) log_edge = log(2 / G) + log_edge / 2;
+    return log_edge + (n + 1) * log(G) - log(p_at());
+}
+
+/// The same, once it is certainly > 0.
+double positive_distance(long n, const std::function<Ball()>& p_at, const Arguments& a)
+{
+    for (slong bits = 128;; bits *= 2) {
+        const Ball ball = distance_from_edge(n, p_at, a, bits);
+        if (certainly(less(Ball(0), ball))) return about(ball);
+        if (bits > 40'000) throw BeyondReach("p cannot be told from the upper edge of the support");
+    }
+}
+
+Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a, Accuracy wanted, bool for_density)
 {
     require_binary64_arithmetic();
-    const auto distance = [&](slong bits) {
-        const WorkingPrecision precision(bits);
-        const Ball G = a.G(), load = a.load();
-        require_proven(G, load);
-        // p_n^max = G^(n+1) e_{n+1}, log e_{k+1} = log(2/G) + log(e_k)/2
-        Ball log_edge = log(load);
-        for (long k = 0; k <= n; ++k) log_edge = log(2 / G) + log_edge / 2;
-        return log_edge + (n + 1) * log(G) - log(p_at());
-    };
-    const slong wanted = WorkingPrecision::bits();
-    double d = 0;
-    for (slong bits = 128; d == 0; bits *= 2) {
-        const Ball ball = distance(bits);
-        if (certainly(less(Ball(0), ball))) d = about(ball);
-        else if (bits > 40'000) throw BeyondReach("p cannot be told from the upper edge of the support");
-    }
-    double accuracy = accuracy_for(wanted);
-    if (law == Law::exceedance) {
-        const double cancelling = 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1); // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
-        const double small = for_density && n >= 2 ? accuracy_for_small(accuracy, n, d, a.G(), a.load()) : 0;
-        accuracy = small > 0 ? small : accuracy + cancelling;
-    }
+    const double d = positive_distance(n, p_at, a), accuracy = accuracy_at(law, n, d, a, wanted, for_density);
     if (accuracy > most_accuracy && accuracy_for(wanted) < most_accuracy - 100) throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
     if (accuracy > most_accuracy) throw BeyondReach("so many digits of a distribution would cost too much");
     Asked asked{levels_for(law, accuracy, a), {}, {}};
     const slong bits = asked.levels->bits();
-    asked.d = distance(bits + 40 + static_cast<slong>(std::max(0.0, -std::log2(d))));
+    asked.d = distance_from_edge(n, p_at, a, bits + 40 + static_cast<slong>(std::max(0.0, -std::log2(d))));
     const WorkingPrecision precision(bits);
     asked.p = p_at();
     return asked;
@@ -1545,33 +1555,45 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
 
 } // namespace
 
-Ball density(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
+Ball density(Law law, long n, const std::function<Ball()>& p, const Arguments& a, Accuracy wanted)
 {
-    const Asked asked = prepare(law, n, p, a, true);
+    const Asked asked = prepare(law, n, p, a, wanted, true);
     return asked.levels->density(n, asked.p, asked.d);
 }
 
-Ball exceedance(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
+Ball exceedance(Law law, long n, const std::function<Ball()>& p, const Arguments& a, Accuracy wanted)
 {
-    const Asked asked = prepare(law, n, p, a, false);
+    const Asked asked = prepare(law, n, p, a, wanted, false);
     return asked.levels->exceedance(n, asked.d);
 }
 
-Ball force(Law law, long n, const Arguments& a)
+long most_digits_of_distribution(long n, const std::function<Ball()>& p, const Arguments& a, bool for_density)
 {
-    require_proven(a.G(), a.load());
-    return levels_for(law, accuracy_for(WorkingPrecision::bits()) + (law == Law::exceedance ? 12 : 0), a)->force(n);
+    const WorkingPrecision precision(128);
+    const double d = positive_distance(n, p, a);
+    long least = 0, most = 400; // serves(least), not serves(most)
+    while (most - least > 1) {
+        const long middle = (least + most) / 2;
+        (accuracy_at(Law::exceedance, n, d, a, {middle}, for_density) <= most_accuracy ? least : most) = middle;
+    }
+    return least;
 }
 
-Ball mass(long n, const Arguments& a)
+Ball force(Law law, long n, const Arguments& a, Accuracy wanted)
 {
     require_proven(a.G(), a.load());
-    return levels_for(Law::density, accuracy_for(WorkingPrecision::bits()), a)->mass(n);
+    return levels_for(law, accuracy_for(wanted) + (law == Law::exceedance ? 12 : 0), a)->force(n);
 }
 
-std::string distribution_certificate(Law law, long n, const std::function<Ball()>& p, const Arguments& a)
+Ball mass(long n, const Arguments& a, Accuracy wanted)
 {
-    const Asked asked = prepare(law, n, p, a, true);
+    require_proven(a.G(), a.load());
+    return levels_for(Law::density, accuracy_for(wanted), a)->mass(n);
+}
+
+std::string distribution_certificate(Law law, long n, const std::function<Ball()>& p, const Arguments& a, Accuracy wanted)
+{
+    const Asked asked = prepare(law, n, p, a, wanted, true);
     return asked.levels->certificate(n, asked.p, asked.d);
 }
 

@@ -99,14 +99,16 @@ private:
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// (6.1)  q_n(p) p*_0, and the share of lambda_0 with p_n > p, for 0 < p < p_n^max, 1 <= n <= largest_n, to about the thread's precision.
+/// (6.1)  q_n(p) p*_0, and the share of lambda_0 with p_n > p, for 0 < p < p_n^max, 1 <= n <= largest_n, to about the accuracy wanted.
 /// The levels of a (G, load) are kept for later calls (most recently used first, at most about 300 MB).
 /// \throws BeyondReach unless G > 2, 0 < load <= 1 and p < p_n^max are proven, or where the digits would cost too much
-Ball density(Law, long n, const std::function<Ball()>& p, const Arguments&);
-Ball exceedance(Law, long n, const std::function<Ball()>& p, const Arguments&);
+Ball density(Law, long n, const std::function<Ball()>& p, const Arguments&, Accuracy);
+Ball exceedance(Law, long n, const std::function<Ball()>& p, const Arguments&, Accuracy);
+/// The most digits that cost little enough for both laws to give them: fewer where p is small.
+long most_digits_of_distribution(long n, const std::function<Ball()>& p, const Arguments&, bool for_density);
 /// int p q_n dp by the levels of this law, and int q_n dp by those of the density: see Forward.
-Ball force(Law, long n, const Arguments&);
-Ball mass(long n, const Arguments&);
-std::string distribution_certificate(Law, long n, const std::function<Ball()>& p, const Arguments&);
+Ball force(Law, long n, const Arguments&, Accuracy);
+Ball mass(long n, const Arguments&, Accuracy);
+std::string distribution_certificate(Law, long n, const std::function<Ball()>& p, const Arguments&, Accuracy);
 
 } // namespace touchstone::transfer

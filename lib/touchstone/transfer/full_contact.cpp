@@ -2,6 +2,7 @@
 #include "touchstone/transfer/full_contact.hpp"
 
 #include "touchstone/paper/peaks.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/graded.hpp"
 #include "touchstone/transfer/piecewise.hpp"
 #include "touchstone/transfer/progress.hpp"
@@ -257,7 +258,7 @@ void require_reach(long n, long most, const Ball& load, const Ball& G)
 
 /// What rounding does to a sum of n levels, measured (full_contact.md): the differences of the two grids are 3e-19 on average; and what the
 /// last terms of the series change at this very wave, noise and what they do not resolve next to a singular point included.
-Estimate estimate(const Levels::Mean& mean, long n)
+Witness estimate(const Levels::Mean& mean, long n)
 {
     const Ball exact = exact_ball(mean.value);
     return {exact, abs(exact) * Ball::exactly(5e-19 + 1e-19 * std::sqrt(static_cast<double>(n))) + 4 * abs(exact_ball(mean.change))};
@@ -265,7 +266,7 @@ Estimate estimate(const Levels::Mean& mean, long n)
 
 } // namespace
 
-Estimate estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
+Witness estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
 {
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_areas, load, G);
@@ -273,7 +274,7 @@ Estimate estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
     return estimate(n == 0 ? Levels::Mean{first_area(x), Real(0)} : areas_of(grid, G, load)->mean(n - 1, wave_from(x, extended_pair(G)), false), n);
 }
 
-Estimate estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
+Witness estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
 {
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_distributions, load, G);
@@ -282,13 +283,13 @@ Estimate estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load
     return estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), false), false), n);
 }
 
-Estimate estimated_density(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
+Witness estimated_density(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
 {
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_distributions, load, G);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-    const Estimate slope = estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n);
+    const Witness slope = estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n);
     return {-slope.value / unit, slope.error / unit};
 }
 

@@ -5,10 +5,10 @@
 /// Two discretisations of one operator (chain.hpp, wave.hpp) that share neither grid nor splitting rule nor quadrature:
 /// blind halving (piecewise.hpp) and a grid graded towards the tracked singular points (graded.hpp). All levels and loads of one G
 /// share the work; it is kept for later calls. See full_contact.md for what is known about the functions.
-/// Areas and exceedances are certified by proven_levels.hpp; what is here is the value it must overlap, and the densities.
+/// What proven_levels.hpp certifies is witnessed by a value from here.
 #pragma once
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/accuracy.hpp"
 
 #include <functional>
 
@@ -18,13 +18,13 @@ enum class Grid { blind, tracked };
 
 /// (6.7)  A_n/lambda_0, n >= 0, load > 0, G > 1. Accurate to about 1e-18, relative.
 /// \throws BeyondReach for n > 100, or loads not within 1e-300 and 1e6
-Estimate estimated_area(Grid, long n, const Ball& load, const Ball& G);
+Witness estimated_area(Grid, long n, const Ball& load, const Ball& G);
 
 /// Share of lambda_0 with p_n > p, and its density q_n p*_0 (6.1): n >= 1, p > 0 in p*_0. Absolute accuracy about 1e-18;
 /// towards the upper edge of the support fewer digits agree, next to a singular point of the density too.
 /// \throws BeyondReach as estimated_area, and for n > 40
-Estimate estimated_exceedance(Grid, long n, const Ball& p, const Ball& load, const Ball& G);
-Estimate estimated_density(Grid, long n, const Ball& p, const Ball& load, const Ball& G);
+Witness estimated_exceedance(Grid, long n, const Ball& p, const Ball& load, const Ball& G);
+Witness estimated_density(Grid, long n, const Ball& p, const Ball& load, const Ball& G);
 
 /// The first n for which min p_n > 0 does not hold, so that contact is lost: load >= 1 + G + ... + G^n is what
 /// keeps it, by (5.2), (5.4). Decided in balls; `tie` says where they cannot tell (load and the sum equal: contact is just kept).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/heavy_load.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <fmt/format.h>
 
@@ -568,9 +568,9 @@ std::list<std::shared_ptr<Kept>> kept;
 constexpr std::size_t most_kept = 8;
 
 template <class F>
-auto with_heavy_load(Scheme scheme, long n, const Arguments& a, F f)
+auto with_heavy_load(Scheme scheme, long n, const Arguments& a, Accuracy wanted, F f)
 {
-    const double accuracy = std::max(44.0, static_cast<double>(WorkingPrecision::bits() - 56) * std::numbers::ln2);
+    const double accuracy = std::max(44.0, static_cast<double>(bits_for_digits(wanted.digits) - 8) * std::numbers::ln2);
     if (accuracy > 160) throw BeyondReach("so many digits would cost too much for load > 1");
     const long scales = n <= 5 ? 5 : 20 * ((n + 19) / 20);
     const WorkingPrecision precision(1024);
@@ -595,14 +595,14 @@ auto with_heavy_load(Scheme scheme, long n, const Arguments& a, F f)
 
 } // namespace
 
-Ball area_at_heavy_load(Scheme scheme, long n, const Arguments& a)
+Ball area_at_heavy_load(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
 {
-    return with_heavy_load(scheme, n, a, [n](HeavyLoad& f) { return f.area(n); });
+    return with_heavy_load(scheme, n, a, wanted, [n](HeavyLoad& f) { return f.area(n); });
 }
 
-std::string heavy_load_certificate(Scheme scheme, long n, const Arguments& a)
+std::string heavy_load_certificate(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
 {
-    return with_heavy_load(scheme, n, a, [n](HeavyLoad& f) { return f.certificate(n); });
+    return with_heavy_load(scheme, n, a, wanted, [n](HeavyLoad& f) { return f.certificate(n); });
 }
 
 } // namespace touchstone::transfer

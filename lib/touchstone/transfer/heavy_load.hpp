@@ -52,11 +52,10 @@
 namespace touchstone::transfer {
 
 /// (6.7)  A_n/lambda_0 for load > 1, n >= 0. What one load needs beside n is kept for later calls, for a few loads.
-/// Working precision of b bits asks for a relative accuracy of about 2^-(b-56).
-/// \throws BeyondReach unless 1 < load < 1000 and G > 2.02 are proven, or where the digits would cost too much
-Ball area_at_heavy_load(Scheme, long n, const Arguments&);
+/// \throws BeyondReach unless 1 < load < 1000 and G > 2.02 are proven, or for more than 66 digits, which would cost too much
+Ball area_at_heavy_load(Scheme, long n, const Arguments&, Accuracy);
 
 /// How its error is made up.
-std::string heavy_load_certificate(Scheme, long n, const Arguments&);
+std::string heavy_load_certificate(Scheme, long n, const Arguments&, Accuracy);
 
 } // namespace touchstone::transfer

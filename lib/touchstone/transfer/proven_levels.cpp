@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/proven_levels.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/layer.hpp"
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/progress.hpp"
@@ -804,16 +804,11 @@ std::string ProvenLevels::certificate(long n, const Ball& load) const
 
 namespace {
 
-/// The tolerance of the mesh for the digits that the thread's precision is meant for: evaluate.cpp asks with digits + 48 bits, at most 20
-/// digits, and with twice as many bits where those were not decided.
-double tolerance_wanted(double spare)
+/// The tolerance of the mesh; \param spare digits it loses to the proven error
+double tolerance_for(Accuracy wanted, double spare)
 {
-    constexpr double finest = 25; // scale 20 loses up to two and a half
-    slong bits = WorkingPrecision::bits();
-    double more = 0;
-    for (; bits > bits_for_digits(20) + 48; bits /= 2) more += 1.5;
-    const double digits = static_cast<double>(bits - 48 - bits_for_digits(0)) / 3.322;
-    return std::pow(10.0, -min(finest, max(4.0, digits) + spare + more));
+    constexpr double least = 4, finest = 25; // scale 20 loses up to two and a half
+    return std::pow(10.0, -min(finest, max(least, static_cast<double>(wanted.digits)) + spare));
 }
 
 enum class Law { area, exceedance, density };
@@ -830,9 +825,9 @@ std::mutex meshes_mutex;
 std::list<std::shared_ptr<Mesh>> meshes; // most recently used first
 
 /// \param scales at least as many levels as these
-std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Arguments& a, const std::function<Ball()>& pressure = {})
+std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Arguments& a, Accuracy wanted, const std::function<Ball()>& pressure = {})
 {
-    const double tolerance = tolerance_wanted(law == Law::density ? 2 : 4.5);
+    const double tolerance = tolerance_for(wanted, law == Law::density ? 2 : 4.5);
     const WorkingPrecision precision(256);
     const Ball G = a.G(), P = law == Law::area ? Ball(0) : pressure();
     const double load = double(to_real(a.load()));
@@ -882,22 +877,22 @@ void require_level(long n)
 
 } // namespace
 
-Ball area_by_proven_levels(long n, const Arguments& a)
+Ball area_by_proven_levels(long n, const Arguments& a, Accuracy wanted)
 {
     require_level(n);
-    return share_at(*proven_levels(Law::area, n, a), n, a);
+    return share_at(*proven_levels(Law::area, n, a, wanted), n, a);
 }
 
-Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments& a)
+Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments& a, Accuracy wanted)
 {
     require_level(n);
-    return share_at(*proven_levels(Law::exceedance, n, a, pressure), n, a);
+    return share_at(*proven_levels(Law::exceedance, n, a, wanted, pressure), n, a);
 }
 
-Ball density_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments& a)
+Ball density_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments& a, Accuracy wanted)
 {
     require_level(n);
-    return share_at(*proven_levels(Law::density, n - 1, a, pressure), n - 1, a);
+    return share_at(*proven_levels(Law::density, n - 1, a, wanted, pressure), n - 1, a);
 }
 
 static std::string certificate(const std::shared_ptr<const ProvenLevels>& levels, long n, const Arguments& a)
@@ -906,14 +901,14 @@ static std::string certificate(const std::shared_ptr<const ProvenLevels>& levels
     return levels->certificate(n, a.load());
 }
 
-std::string area_by_proven_levels_certificate(long n, const Arguments& a) { return certificate(proven_levels(Law::area, n, a), n, a); }
-std::string exceedance_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a)
+std::string area_by_proven_levels_certificate(long n, const Arguments& a, Accuracy wanted) { return certificate(proven_levels(Law::area, n, a, wanted), n, a); }
+std::string exceedance_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a, Accuracy wanted)
 {
-    return certificate(proven_levels(Law::exceedance, n, a, pressure), n, a);
+    return certificate(proven_levels(Law::exceedance, n, a, wanted, pressure), n, a);
 }
-std::string density_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a)
+std::string density_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a, Accuracy wanted)
 {
-    return certificate(proven_levels(Law::density, n - 1, a, pressure), n - 1, a);
+    return certificate(proven_levels(Law::density, n - 1, a, wanted, pressure), n - 1, a);
 }
 
 } // namespace touchstone::transfer

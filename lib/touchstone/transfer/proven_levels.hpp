@@ -18,6 +18,7 @@
 /// Arithmetic: double_double.hpp, each operation within 2^-102, counted; the sums in wave_kernel.hpp.
 #pragma once
 
+#include "touchstone/scalar/accuracy.hpp"
 #include "touchstone/transfer/contact.hpp"
 
 #include <functional>
@@ -65,16 +66,15 @@ private:
     double unit_ = 1; ///< of the level's values and errors
 };
 
-/// A_n/lambda_0 (6.7), and the share above a pressure given in p*_n, to the digits that the thread's precision asks for; meshes are
-/// kept for later calls. 1 <= n <= 20, load <= 100.
-/// Or as far as 106 bits go, about 22. \throws BeyondReach as ProvenLevels
-Ball area_by_proven_levels(long n, const Arguments&);
-Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&);
+/// A_n/lambda_0 (6.7), and the share above a pressure given in p*_n, or as far as 106 bits go, about 22 digits; meshes are
+/// kept for later calls. 1 <= n <= 20, load <= 100. \throws BeyondReach as ProvenLevels
+Ball area_by_proven_levels(long n, const Arguments&, Accuracy);
+Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&, Accuracy);
 /// q_n p*_n at a pressure in p*_n, 2 <= n.
-Ball density_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&);
+Ball density_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&, Accuracy);
 /// The same, level by level.
-std::string area_by_proven_levels_certificate(long n, const Arguments&);
-std::string exceedance_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments&);
-std::string density_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments&);
+std::string area_by_proven_levels_certificate(long n, const Arguments&, Accuracy);
+std::string exceedance_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments&, Accuracy);
+std::string density_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments&, Accuracy);
 
 } // namespace touchstone::transfer

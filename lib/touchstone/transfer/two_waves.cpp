@@ -2,7 +2,7 @@
 // Compiled with -O3 -fno-math-errno -ffp-contract=off, as wave_kernel.cpp.
 #include "touchstone/transfer/two_waves.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/disc.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/recursion/first_steps/pieces.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #if __has_include(<flint/acb_calc.h>)
 #include <flint/acb_calc.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/recursion/first_steps/first_wave.hpp"
 
 namespace touchstone::transfer {

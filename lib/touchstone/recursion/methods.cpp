@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/recursion/methods.hpp"
+
+#include "touchstone/paper/as_printed.hpp"
+#include "touchstone/paper/peaks.hpp"
+#include "touchstone/paper/westergaard.hpp"
+#include "touchstone/recursion/first_steps/area_by_slope.hpp"
+#include "touchstone/recursion/first_steps/nested.hpp"
+#include "touchstone/recursion/first_steps/scale_one.hpp"
+#include "touchstone/scalar/refusal.hpp"
+#include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/forward.hpp"
+#include "touchstone/transfer/full_contact.hpp"
+#include "touchstone/transfer/heavy_load.hpp"
+#include "touchstone/transfer/proven_levels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::recursion {
+namespace {
+
+using transfer::Grid, transfer::Law, transfer::ProvenLevels, transfer::Scheme, transfer::Variable;
+
+transfer::Arguments arguments(const Problem& p)
+{
+    return {[&p] { return Ball(p.load); }, p.G.ball};
+}
+
+double about_G(const Problem& p)
+{
+    const WorkingPrecision precision(64);
+    return arf_get_d(arb_midref(p.G.ball().get()), ARF_RND_NEAR);
+}
+
+bool G_above(const Problem& p, const Rational& least) { return p.compare_G(least) > 0; }
+bool G_below_10_9(const Problem& p) { return p.compare_G(1'000'000'000) < 0; }
+
+bool above_support(const Problem& p)
+{
+    const WorkingPrecision precision(256);
+    return certainly(less(highest_pressure(p), p.p.ball()));
+}
+
+/// f at the precision that a formula needs for this accuracy.
+template <class F>
+auto with_precision(Accuracy a, F f)
+{
+    const WorkingPrecision precision(working_bits(a));
+    return f();
+}
+
+double growth(Accuracy a, double power) { return std::pow(static_cast<double>(std::max(a.digits, 10L)) / 20, power); }
+
+// ---- one scale: the closed forms of section 2
+
+const char* const n_not_0 = "n must be 0";
+
+Method single_wave_area()
+{
+    return {
+        .name = "arcsine",
+        .asked = {Asked::area},
+        .reach = "n = 0",
+        .refusal = [](const Problem& p) -> std::string { return p.n == 0 ? "" : n_not_0; },
+        .cost = [](const Problem&, Accuracy a) { return 1e-5 * growth(a, 1); },
+        .enclose = [](const Problem& p, Accuracy a) { return with_precision(a, [&] { return p.load >= 1 ? Ball(1) : 2 * westergaard::half_width(Ball(p.load)); }); },
+        .budget = [](const Problem&, Accuracy) { return Budget{"A_0 = (2/pi) arcsin sqrt(load), (6.6), in balls"}; },
+        .second = "arctangent",
+        .enclose_again = [](const Problem& p, Accuracy a) {
+            return with_precision(a, [&] { return p.load >= 1 ? Ball(1) : 2 * atan2(sqrt(Ball(p.load)), sqrt(1 - Ball(p.load))) / pi<Ball>(); });
+        },
+        .shares = "(6.6), by another inverse function",
+    };
+}
+
+Method single_wave_exceedance()
+{
+    return {
+        .name = "cancellation-free",
+        .asked = {Asked::exceedance},
+        .reach = "n = 0",
+        .refusal = [](const Problem& p) -> std::string { return p.n == 0 ? "" : n_not_0; },
+        .cost = [](const Problem&, Accuracy a) { return 1e-5 * growth(a, 1); },
+        .enclose = [](const Problem& p, Accuracy a) { return with_precision(a, [&] { return westergaard::exceedance(p.p.ball(), Ball(p.load)); }); },
+        .budget = [](const Problem&, Accuracy) { return Budget{"(2.14), (2.17), in balls"}; },
+        .second = "as-printed",
+        .enclose_again = [](const Problem& p, Accuracy a) {
+            return with_precision(a, [&] {
+                const Ball pressure = p.p.ball(), load(p.load);
+                return p.load < 1 ? as_printed::exceedance_partial(pressure, load) : as_printed::exceedance_full(pressure, load);
+            });
+        },
+        .shares = "(2.14), (2.17), in another algebraic form",
+    };
+}
+
+/// At p_0^max, and at p_0^min > 0 and load = 1, p = 0, where (2.19) goes with p^(-1/2).
+bool infinite_first_density(const Rational& p, const Rational& load)
+{
+    return load < 1 ? p * p == 4 * load : p == load + 1 || p == load - 1;
+}
+
+Method single_wave_density()
+{
+    const auto off_support = [](const Problem& p) { return certainly(less(p.p.ball(), Ball(p.load) - 1)) || above_support(p); };
+    return {
+        .name = "cancellation-free",
+        .asked = {Asked::density},
+        .reach = "n = 0",
+        .refusal = [](const Problem& p) -> std::string {
+            if (p.n != 0) return n_not_0;
+            return p.p.exact && infinite_first_density(*p.p.exact, p.load) ? "q_0 is infinite at this pressure, an end of its support" : "";
+        },
+        .cost = [](const Problem&, Accuracy a) { return 1e-5 * growth(a, 1); },
+        .enclose = [off_support](const Problem& p, Accuracy a) {
+            return with_precision(a, [&] { return off_support(p) ? Ball(0) : westergaard::density(p.p.ball(), Ball(p.load)); });
+        },
+        .budget = [](const Problem&, Accuracy) { return Budget{"(2.15), (2.19), in balls"}; },
+        .second = "as-printed",
+        .enclose_again = [off_support](const Problem& p, Accuracy a) {
+            return with_precision(a, [&] {
+                const Ball pressure = p.p.ball(), load(p.load);
+                if (off_support(p)) return Ball(0);
+                return p.load < 1 ? as_printed::density_partial(pressure, load) : as_printed::density_full(pressure, load);
+            });
+        },
+        .shares = "(2.15), (2.19), in another algebraic form",
+    };
+}
+
+// ---- one integral: scale 1
+
+const char* const no_density_at_0 = "not computed at p = 0, where q_n is 0 unless a singular point lies there; ask for p > 0";
+
+bool p_is_0(const Problem& p) { return p.asked == Asked::density && p.p.exact == Rational(0); }
+
+Ball scale_one(Variable v, const Problem& p, Accuracy a)
+{
+    return with_precision(a, [&] {
+        if (p.asked == Asked::area) return transfer::scale_one_exceedance(v, {[] { return Ball(0); }, p.load, p.G.ball, Rational(0), p.G.exact});
+        const transfer::ScaleOne q{p.p.ball, p.load, p.G.ball, p.p.exact, p.G.exact};
+        if (p.asked == Asked::exceedance) return transfer::scale_one_exceedance(v, q);
+        return above_support(p) ? Ball(0) : transfer::scale_one_density(v, q);
+    });
+}
+
+Method one_integral()
+{
+    return {
+        .name = "scale-one-by-ratio",
+        .asked = {Asked::area, Asked::exceedance, Asked::density},
+        .reach = "n = 1",
+        .refusal = [](const Problem& p) -> std::string { return p.n != 1 ? "n must be 1" : p_is_0(p) ? no_density_at_0 : ""; },
+        .cost = [](const Problem&, Accuracy a) { return 0.02 * growth(a, 2); },
+        .enclose = [](const Problem& p, Accuracy a) { return scale_one(Variable::ratio, p, a); },
+        .budget = [](const Problem&, Accuracy) {
+            return Budget{"n = 1: one integral by the pressure at scale 0 and by the angle of the wave of scale 1, in complex balls (recursion/first_steps/scale_one.hpp)"};
+        },
+        .second = "scale-one-by-angle",
+        .enclose_again = [](const Problem& p, Accuracy a) { return scale_one(Variable::angle, p, a); },
+        .shares = "the closed forms of one wave and acb_calc_integrate; another variable, hence another integrand and other singular points",
+    };
+}
+
+// ---- one integral over closed forms: the area at scale 2 where full contact occurs
+
+bool full_contact_occurs(const Problem& p) { return p.load > 1 || p.compare_G(Rational(2'000'001, 1'000'000)) < 0; }
+
+Witness nested_quadrature(const Problem& p)
+{
+    const auto [value, error] = transfer::nested_area(p.load.get_d(), about_G(p));
+    return {Ball::exactly(value), Ball::exactly(error)};
+}
+
+Method second_area()
+{
+    return {
+        .name = "slope-of-two-waves",
+        .asked = {Asked::area},
+        .reach = "n = 2, load > 1 or G < 2.000001",
+        .refusal = [](const Problem& p) -> std::string {
+            if (p.n != 2) return "n must be 2";
+            return full_contact_occurs(p) ? "" : "without full contact there are two proofs";
+        },
+        .cost = [](const Problem&, Accuracy a) { return 0.5 * growth(a, 2); },
+        .enclose = [](const Problem& p, Accuracy a) {
+            constexpr slong guard = 40; // of the 48 bits beyond the digits
+            return with_precision(a, [&] { return transfer::area_by_slope(2, {p.load, p.G.ball, p.G.exact}, working_bits(a) - guard); });
+        },
+        .budget = [](const Problem&, Accuracy) {
+            return Budget{"n = 2: one integral of the share above each pressure at scale 0 times the slope of A_1, a complete integral of genus 1 or 2 (recursion/first_steps/area_by_slope.hpp)"};
+        },
+        .witness = Observer{"nested-quadrature", nested_quadrature},
+        .shares = "the wave (2.2), (2.4) and nothing else: quadrature within quadrature in binary64, some ten digits; its error is an estimate",
+    };
+}
+
+// ---- partial contact at every scale
+
+Method partial_area()
+{
+    const auto by = [](Scheme s) {
+        return [s](const Problem& p, Accuracy a) { return transfer::area(s, p.n, arguments(p), a); };
+    };
+    return {
+        .name = "force-weighted-chebyshev",
+        .asked = {Asked::area},
+        .reach = "load <= 1, 2.000001 <= G < 10^9",
+        .refusal = [](const Problem& p) -> std::string {
+            if (p.load > 1) return "no proof for load > 1, where the first scale is in full contact";
+            if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
+            return p.compare_G(Rational(2'000'001, 1'000'000)) < 0 ? "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale" : "";
+        },
+        .fewer_digits = [](const Problem& p) {
+            const WorkingPrecision precision(128);
+            return transfer::most_digits_of_area(Ball(p.load), p.G.ball());
+        },
+        .cost = [](const Problem&, Accuracy a) { return 0.2 * growth(a, 2.5); },
+        .enclose = by(Scheme::force_weighted),
+        .budget = [](const Problem& p, Accuracy a) {
+            return Budget{"", {{transfer::area_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::area_certificate(Scheme::area, p.n, arguments(p), a)}}};
+        },
+        .second = "area-gauss-panels",
+        .enclose_again = by(Scheme::area),
+        .shares = "lemmas 1 and 2 of the operator, the fixed-point arithmetic and how errors add; neither grid, variable, form of the step nor quadrature rule",
+    };
+}
+
+/// Whether no highest ratio e_k, (5.6), k <= n, is so near 1 that what is left of the levels' sector is too narrow (measured: from 0.999 on
+/// they refuse). Only a choice between proofs, hence in binary64.
+bool edges_clear_of_1(const Problem& p)
+{
+    const double G = about_G(p);
+    double e = p.load.get_d();
+    for (long k = 0; k <= std::min(p.n, transfer::Forward::largest_n); ++k, e = 2 * std::sqrt(e) / G)
+        if (e > 0.998 && e < 1) return false;
+    return true;
+}
+
+Method partial_distribution()
+{
+    const auto by = [](Law law) {
+        return [law](const Problem& p, Accuracy a) -> Ball {
+            if (above_support(p)) return Ball(0);
+            return p.asked == Asked::exceedance ? transfer::exceedance(law, p.n, p.p.ball, arguments(p), a) : transfer::density(law, p.n, p.p.ball, arguments(p), a);
+        };
+    };
+    return {
+        .name = "forward-density",
+        .asked = {Asked::exceedance, Asked::density},
+        .reach = fmt::format("1 <= n <= {}, load <= 1, G > 2, no p_k^max within 0.2% below p*_(k+1)", transfer::Forward::largest_n),
+        .refusal = [](const Problem& p) -> std::string {
+            if (p.load > 1) return "no proof for load > 1, where the first scale is in full contact";
+            if (!G_above(p, 2)) return "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale";
+            if (p.n < 1 || p.n > transfer::Forward::largest_n)
+                return fmt::format("distributions of pressure are computed for the scales n <= {} only", transfer::Forward::largest_n);
+            if (p_is_0(p)) return no_density_at_0;
+            return edges_clear_of_1(p) ? "" : "some scale's highest pressure is too near p*: the region of analyticity is too narrow";
+        },
+        .digits = 290,
+        .fewer_digits = [](const Problem& p) {
+            try {
+                return above_support(p) ? any_digits : transfer::most_digits_of_distribution(p.n, p.p.ball, arguments(p), p.asked == Asked::density);
+            }
+            catch (const BeyondReach&) { // p cannot be told from the edge: enclose() says so
+                return any_digits;
+            }
+        },
+        .cost = [](const Problem& p, Accuracy a) { return 0.25 * static_cast<double>(p.n) * growth(a, 2); },
+        .enclose = by(Law::density),
+        .budget = [](const Problem& p, Accuracy a) {
+            if (above_support(p)) return Budget{"above the support"};
+            return Budget{"", {{transfer::distribution_certificate(Law::density, p.n, p.p.ball, arguments(p), a)},
+                               {transfer::distribution_certificate(Law::exceedance, p.n, p.p.ball, arguments(p), a)}}};
+        },
+        .second = "forward-exceedance",
+        .enclose_again = by(Law::exceedance),
+        .shares = "boxes, panels, quadrature and arithmetic of one engine; the recursion of another law: kernel, closed first step and unknown are others",
+    };
+}
+
+// ---- full contact
+
+/// Above load 1 it has two proofs, but is slow towards G = 2.
+Method heavy_load()
+{
+    const auto by = [](Scheme s) {
+        return [s](const Problem& p, Accuracy a) { return transfer::area_at_heavy_load(s, p.n, arguments(p), a); };
+    };
+    return {
+        .name = "heavy-load-force-weighted",
+        .asked = {Asked::area},
+        .reach = "1 < load < 1000, 2.02 < G < 10^9",
+        .refusal = [](const Problem& p) -> std::string {
+            if (p.load <= 1 || p.load >= 1000) return "load must be above 1 and below 1000";
+            if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
+            return G_above(p, Rational(101, 50)) ? "" : "for load > 1 so near G = 2 it would take hours: many scales have ratios about 1";
+        },
+        .digits = 60, // 160 nats, heavy_load.cpp
+        .cost = [](const Problem& p, Accuracy a) { return (0.5 + 6.5 * std::pow(1.2 / (about_G(p) - 2), 2)) * growth(a, 2.5); },
+        .enclose = by(Scheme::force_weighted),
+        .budget = [](const Problem& p, Accuracy a) {
+            return Budget{"", {{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p), a)}}};
+        },
+        .second = "heavy-load-area",
+        .enclose_again = by(Scheme::area),
+        .shares = "lemmas 3 and 4 and the way the first scales are taken; every node is another, and below load ratio 1 so are grid, form of the step and rule",
+    };
+}
+
+Ball by_proven_levels(const Problem& p, Accuracy a)
+{
+    const WorkingPrecision precision(256);
+    const auto ratio = [&p] { return p.p.ball() / unit_pressure(p); };
+    if (p.asked == Asked::area) return transfer::area_by_proven_levels(p.n, arguments(p), a);
+    if (p.asked == Asked::exceedance) return transfer::exceedance_by_proven_levels(p.n, ratio, arguments(p), a);
+    if (above_support(p)) return Ball(0);
+    return transfer::density_by_proven_levels(p.n, ratio, arguments(p), a) / unit_pressure(p);
+}
+
+Budget proven_levels_budget(const Problem& p, Accuracy a)
+{
+    const auto ratio = [&p] { return p.p.ball() / unit_pressure(p); };
+    if (p.asked == Asked::area) return {transfer::area_by_proven_levels_certificate(p.n, arguments(p), a)};
+    if (p.asked == Asked::exceedance) return {transfer::exceedance_by_proven_levels_certificate(p.n, ratio, arguments(p), a)};
+    return {transfer::density_by_proven_levels_certificate(p.n, ratio, arguments(p), a)};
+}
+
+const Rational largest_load_of_levels = 100;
+
+/// What the levels of every law need.
+std::string refusal_of_levels(const Problem& p)
+{
+    if (p.n > ProvenLevels::levels) return fmt::format("with full contact, areas and distributions are certified for n <= {} only", ProvenLevels::levels);
+    if (p.load > largest_load_of_levels) return fmt::format("with full contact and so many digits, certified for load <= {} only", largest_load_of_levels.get_str());
+    if (!G_above(p, Rational(1003, 1000))) return "G too near 1 for the proven levels";
+    const double G = about_G(p); // below: the first panel of the finest mesh begins above all ratios
+    return 4 * p.load.get_d() < 1e-53 * G * G ? "load too small for the proven levels" : "";
+}
+
+const char* const witness_shares = "the wave (2.2), (2.4) and nothing else: grid, interpolation, quadrature and arithmetic are others; its error is an estimate";
+
+Method proven_shares()
+{
+    return {
+        .name = "proven-levels",
+        .asked = {Asked::area, Asked::exceedance},
+        .reach = fmt::format("1 <= n <= {}, load <= {}, G > 1.003", ProvenLevels::levels, largest_load_of_levels.get_str()),
+        .refusal = [](const Problem& p) -> std::string { return p.n < 1 ? "n must be at least 1" : refusal_of_levels(p); },
+        .digits = 20,
+        .cost = [](const Problem&, Accuracy a) { return 6 * growth(a, 2); },
+        .enclose = by_proven_levels,
+        .budget = proven_levels_budget,
+        .second = "",
+        .shares = witness_shares,
+    };
+}
+
+/// p*_n/1024: below, the mesh takes minutes and more (proven_levels.md).
+bool pressure_too_low(const Problem& p)
+{
+    const WorkingPrecision precision(128);
+    return !certainly(less(unit_pressure(p), 1024 * p.p.ball()));
+}
+
+Method proven_densities()
+{
+    return {
+        .name = "proven-levels",
+        .asked = {Asked::density},
+        .reach = fmt::format("2 <= n <= {}, load <= {}, G > 1.003, p >= p*_n/1024", ProvenLevels::levels, largest_load_of_levels.get_str()),
+        .refusal = [](const Problem& p) -> std::string {
+            if (p.n < 2) return "n must be at least 2";
+            if (p_is_0(p)) return no_density_at_0;
+            if (const std::string refused = refusal_of_levels(p); !refused.empty()) return refused;
+            return pressure_too_low(p) ? "the pressure is too low for the proven levels of densities: below p*_n/1024" : "";
+        },
+        .digits = 15, // beyond, the meshes grow without end (proven_levels.md)
+        .cost = [](const Problem&, Accuracy a) { return 60 * growth(a, 3); },
+        .enclose = by_proven_levels,
+        .budget = proven_levels_budget,
+        .second = "",
+        .shares = witness_shares,
+    };
+}
+
+Witness observe(Grid grid, const Problem& p)
+{
+    const WorkingPrecision precision(256);
+    const Ball load(p.load), G = p.G.ball();
+    switch (p.asked) {
+    case Asked::area: return transfer::estimated_area(grid, p.n, load, G);
+    case Asked::exceedance: return transfer::estimated_exceedance(grid, p.n, p.p.ball(), load, G);
+    default: return transfer::estimated_density(grid, p.n, p.p.ball(), load, G);
+    }
+}
+
+/// Scales up to which the two grids resolve what they compute, in seconds.
+long observed_scales(Asked asked) { return asked == Asked::area ? 100 : 20; }
+
+} // namespace
+
+std::string to_text(const Budget& budget)
+{
+    std::string text = budget.text;
+    if (!text.empty() && text.back() != '\n') text += '\n';
+    for (const Budget& part : budget.parts) {
+        std::string lines = to_text(part);
+        for (std::size_t at = 0; at < lines.size(); at = lines.find('\n', at) + 1) lines.insert(at, "  ");
+        text += lines;
+    }
+    return text;
+}
+
+Ball unit_pressure(const Problem& p)
+{
+    Ball unit;
+    arb_pow_ui(unit.get(), p.G.ball().get(), static_cast<ulong>(p.n), WorkingPrecision::bits());
+    return unit;
+}
+
+Ball highest_pressure(const Problem& p)
+{
+    const Ball G = p.G.ball();
+    return unit_pressure(p) * G * peaks::iterate(p.n, Ball(p.load), G);
+}
+
+long Method::most_digits(const Problem& p) const { return fewer_digits ? std::min(digits, fewer_digits(p)) : digits; }
+
+const std::vector<Method>& methods()
+{
+    static const std::vector<Method> all{single_wave_area(),     single_wave_exceedance(), single_wave_density(), one_integral(),    second_area(), partial_area(),
+                                         partial_distribution(), heavy_load(),             proven_shares(),       proven_densities()};
+    return all;
+}
+
+const std::vector<Observer>& observers()
+{
+    static const std::vector<Observer> all{{"blind-halving", [](const Problem& p) { return observe(Grid::blind, p); }},
+                                           {"tracked-singular-points", [](const Problem& p) { return observe(Grid::tracked, p); }}};
+    return all;
+}
+
+std::string observers_reach(Asked asked) { return fmt::format("n <= {}, load from 1e-300 to 10^6, G > 1.000001", observed_scales(asked)); }
+
+std::string observers_refusal(const Problem& p)
+{
+    if (p.n > observed_scales(p.asked))
+        return p.asked == Asked::area ? fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", observed_scales(p.asked))
+                                      : fmt::format("distributions of pressure are computed for the scales n <= {} only", observed_scales(p.asked));
+    if (!G_above(p, Rational(1'000'001, 1'000'000))) return "not computed for G within 1e-6 of 1";
+    if (p.load > 1'000'000 || p.load <= power(Rational(10), -300)) return "not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)";
+    return p_is_0(p) ? no_density_at_0 : "";
+}
+
+Choice choose(const Problem& p, Accuracy a)
+{
+    Choice best;
+    double least = 0;
+    for (const Method& m : methods()) {
+        if (std::find(m.asked.begin(), m.asked.end(), p.asked) == m.asked.end()) continue;
+        std::string refused = m.refusal(p);
+        const long digits = refused.empty() ? std::min(m.most_digits(p), a.digits) : 0;
+        if (refused.empty() && digits < 1) refused = fmt::format("'{}' proves no digit of this: the inputs are too near an end of its reach", m.name);
+        if (!refused.empty()) { // the last method is the one that reaches farthest: its reason counts
+            if (!best.method) best.refusal = refused;
+            continue;
+        }
+        const double cost = m.cost(p, {digits});
+        if (best.method && (digits < best.digits || (digits == best.digits && cost >= least))) continue;
+        best = {&m, digits, {}};
+        least = cost;
+    }
+    if (best.method) {
+        best.digits = best.method->most_digits(p);
+        if (best.digits < a.digits) best.refusal = fmt::format("'{}' proves at most {} digits here", best.method->name, best.digits);
+    }
+    return best;
+}
+
+std::string reach_in_words(Asked asked)
+{
+    std::string text = "certified for ";
+    bool first = true;
+    for (const Method& m : methods()) {
+        if (std::find(m.asked.begin(), m.asked.end(), asked) == m.asked.end()) continue;
+        text += fmt::format("{}{}{}", first ? "" : "; ", m.reach, m.digits == any_digits ? "" : fmt::format(" (to {} digits)", m.digits));
+        first = false;
+    }
+    return text + fmt::format("; else estimated (to {} digits) for {}", observed_digits, observers_reach(asked));
+}
+
+std::vector<Reach> reach(Asked asked)
+{
+    std::vector<Reach> rows;
+    for (const Method& m : methods()) {
+        if (std::find(m.asked.begin(), m.asked.end(), asked) == m.asked.end()) continue;
+        rows.push_back({m.reach, m.digits == any_digits ? "any" : fmt::format("{}", m.digits), m.name,
+                        m.second.empty() ? "witness " + (m.witness ? *m.witness : observers().front()).name : "proof " + m.second, m.shares});
+    }
+    rows.push_back({observers_reach(asked), fmt::format("{}", observed_digits), "", fmt::format("estimates {} and {}", observers()[0].name, observers()[1].name),
+                    "the wave (2.2), (2.4) and nothing else: neither grid nor splitting rule nor quadrature"});
+    return rows;
+}
+
+std::string reach_as_table()
+{
+    std::string text = "| value | where | digits | proof | second look | what the two share |\n|---|---|---|---|---|---|\n";
+    constexpr const char* names[] = {"area", "exceedance", "density"};
+    for (const Asked asked : {Asked::area, Asked::exceedance, Asked::density})
+        for (const Reach& r : reach(asked))
+            text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", names[static_cast<int>(asked)], r.where, r.digits, r.proof.empty() ? "none" : "`" + r.proof + "`", r.second_look, r.shares);
+    return text;
+}
+
+} // namespace touchstone::recursion

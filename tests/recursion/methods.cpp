@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+/// The table of methods over the whole domain of the recursion: every point is served, or refused with the reason, never both; and what is
+/// said about it elsewhere is what the table says.
+#include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/recursion/methods.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using namespace touchstone;
+using namespace touchstone::recursion;
+
+namespace {
+
+Rational exactly(const std::string& text) { return *parse_rational(text); }
+/// a +- 10^-digits
+Rational beside(const Rational& a, int side, unsigned long digits) { return a + side * power(Rational(10), -static_cast<long>(digits)); }
+
+Problem problem(Asked asked, long n, const Rational& load, const Rational& G, const Rational& p)
+{
+    return {asked, n, load, {[G] { return Ball(G); }, G}, [G](const Rational& r) { return G < r ? -1 : G > r ? 1 : 0; }, {[p] { return Ball(p); }, p}};
+}
+
+const std::vector<Asked> laws{Asked::area, Asked::exceedance, Asked::density};
+const std::vector<long> scales{0, 1, 2, 3, 7, 20, 21, 100, 101, 10'000};
+const std::vector<long> digit_counts{1, 15, 16, 20, 21, 61, 291, 10'000};
+
+std::vector<Rational> loads()
+{
+    std::vector<Rational> all{power(Rational(10), -300), power(Rational(10), -301), power(Rational(10), -53), power(Rational(10), -30)};
+    for (const char* at : {"1", "100", "1000", "1000000"})
+        for (const int side : {-1, 0, 1}) all.push_back(beside(exactly(at), side, 30));
+    for (const char* text : {"0.001", "0.5", "1.5", "10"}) all.push_back(exactly(text));
+    return all;
+}
+
+std::vector<Rational> surfaces()
+{
+    std::vector<Rational> all{exactly("1e12"), 10, 4, exactly("1.5")};
+    for (const char* at : {"1.000001", "1.003", "2", "2.000001", "2.02", "3.2", "1000000000"})
+        for (const int side : {-1, 0, 1}) all.push_back(beside(exactly(at), side, 20));
+    return all;
+}
+
+/// Calls visit(problem) for all of them; pressures from 0 to the upper edge of the support and beyond, about.
+template <class Visit>
+void over_the_domain(Visit visit)
+{
+    for (const Rational& load : loads())
+        for (const Rational& G : surfaces())
+            for (const long n : scales)
+                for (const Asked asked : laws) {
+                    if (asked == Asked::area) {
+                        visit(problem(asked, n, load, G, 0));
+                        continue;
+                    }
+                    if (n > 21 && n != 10'000) continue; // as 21
+                    const Rational unit = n > 100 ? Rational(1) : power(G, n);
+                    for (const Rational& p : {Rational(unit / 1025), Rational(unit / 7), unit, Rational(3 * unit)}) visit(problem(asked, n, load, G, p));
+                }
+}
+
+std::string file(const std::string& name)
+{
+    std::ifstream in(std::string(TOUCHSTONE_SOURCE) + "/" + name);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+bool answers(const Method& m, Asked asked) { return std::find(m.asked.begin(), m.asked.end(), asked) != m.asked.end(); }
+
+} // namespace
+
+TEST_CASE("every point is served or refused with the reason, never both, and served wherever a method claims it")
+{
+    long served = 0, refused = 0;
+    over_the_domain([&](const Problem& p) {
+        long most = 0; // digits that some method claims
+        for (const Method& m : methods())
+            if (answers(m, p.asked) && m.refusal(p).empty()) most = std::max(most, m.most_digits(p));
+        for (const long digits : digit_counts) {
+            const Choice c = choose(p, {digits});
+            CHECK((c.method != nullptr) == (most > 0));
+            if (!c.method) {
+                CHECK_FALSE(c.refusal.empty());
+                CHECK(c.digits == 0);
+                ++refused;
+                continue;
+            }
+            ++served;
+            CHECK(answers(*c.method, p.asked));
+            CHECK(c.method->refusal(p).empty());
+            CHECK(std::min(c.digits, digits) == std::min(most, digits)); // as many as anything gives
+            CHECK(c.refusal.empty() == (c.digits >= digits));
+        }
+    });
+    MESSAGE(served << " served, " << refused << " refused");
+    CHECK(served > 10'000);
+    CHECK(refused > 1'000);
+}
+
+TEST_CASE("fewer digits never cost more")
+{
+    over_the_domain([&](const Problem& p) {
+        double last = 0;
+        for (const long digits : digit_counts) {
+            const Choice c = choose(p, {digits});
+            if (!c.method || c.digits < digits) break;
+            const double cost = c.method->cost(p, {digits});
+            CHECK(cost >= last);
+            last = cost;
+        }
+    });
+}
+
+TEST_CASE("scale 1 is one integral at every load and G; partial contact has two proofs; a single proof has a witness")
+{
+    over_the_domain([&](const Problem& p) {
+        const Choice c = choose(p, {15});
+        if (p.n == 1) {
+            REQUIRE(c.method);
+            CHECK(c.method->name == "scale-one-by-ratio");
+        }
+        if (p.asked == Asked::area && p.load <= 1 && p.compare_G(Rational(21, 10)) > 0 && p.compare_G(1000) < 0) {
+            REQUIRE(c.method);
+            CHECK(c.method->enclose_again);
+        }
+        if (c.method && !c.method->enclose_again) CHECK(c.method->second.empty());
+        if (c.method) CHECK_FALSE(c.method->shares.empty());
+    });
+    CHECK(observers().size() == 2);
+}
+
+TEST_CASE("what is written about it is printed from it")
+{
+    const std::string table = reach_as_table();
+    for (const Method& m : methods()) {
+        CHECK(table.find("`" + m.name + "`") != std::string::npos);
+        CHECK(table.find(m.reach) != std::string::npos);
+    }
+    CHECK_MESSAGE(file("docs/certified.md").find(table) != std::string::npos, "docs/certified.md is not up to date; its table is to be\n" << table);
+    CHECK(find_quantity("contact.area")->domain.find(reach_in_words(Asked::area)) != std::string::npos);
+    CHECK(find_quantity("contact.density")->domain.find(reach_in_words(Asked::density)) != std::string::npos);
+}
+
+/// Evaluated, not only chosen: TOUCHSTONE_CAMPAIGN=SEED:COUNT ctest -R methods_campaign
+TEST_CASE("campaign: what the table claims is certified when it is asked for" * doctest::skip(std::getenv("TOUCHSTONE_CAMPAIGN") == nullptr))
+{
+    const char* set = std::getenv("TOUCHSTONE_CAMPAIGN");
+    const std::string text = set ? set : "1:10";
+    std::mt19937_64 random(std::stoull(text));
+    const long count = std::stol(text.substr(text.find(':') + 1));
+    MESSAGE("seed and count " << text);
+    const auto pick = [&](const auto& from) { return from[random() % from.size()]; };
+    const std::vector<Rational> all_loads = loads(), all_surfaces = surfaces();
+    for (long i = 0; i < count; ++i) {
+        const Rational load = pick(all_loads), G = pick(all_surfaces);
+        const long n = pick(scales);
+        std::map<std::string, Rational> values{{"n", n}, {"load", load}, {"G", G}};
+        const std::string name = pick(std::vector<std::string>{"contact.area", "contact.exceedance", "contact.density"});
+        if (name != "contact.area") values["p"] = power(G, std::min(n, 21L)) * Rational(1 + static_cast<long>(random() % 1000), 1000);
+        const Quantity& q = *find_quantity(name);
+        const Inputs in(values);
+        const Plan plan = plan_of(q, in, {6});
+        if (plan.proofs.empty()) continue;
+        const Evaluation e = evaluate(q, in, {.digits = 6});
+        CHECK_MESSAGE((e.status == Status::certified || e.status == Status::exact),
+                      name << " n=" << n << " load=" << load.get_str() << " G=" << G.get_str() << (values.contains("p") ? " p=" + values["p"].get_str() : "") << ": " << e.note);
+        if (e.second_look) CHECK(e.second_look->agrees);
+    }
+}
