@@ -136,6 +136,8 @@ std::string dressed(std::string drawing, const Figure& f)
                                           "[stroke='rgb(  0,   0,   0)'], [stroke=\"rgb(  0,   0,   0)\"] {{ stroke: #e6e6e6 }} [color='rgb(  0,   0,   0)'] {{ color: #e6e6e6 }} "
                                           "[stroke='rgb(  0, 114, 178)'], [stroke=\"rgb(  0, 114, 178)\"] {{ stroke: #4aa8e0 }} [color='rgb(  0, 114, 178)'], [color=\"rgb(  0, 114, 178)\"] {{ color: #4aa8e0 }} }}</style>\n",
                                           xml(f.title), xml(f.alternative), f.id);
+    drawing.erase(drawing.find_last_not_of('\n') + 1);
+    drawing += '\n';
     replace("<g id=\"gnuplot_canvas\">", style + "<g id=\"gnuplot_canvas\">");
     return drawing;
 }
