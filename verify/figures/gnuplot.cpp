@@ -84,7 +84,7 @@ Size size_of(const Figure& f, Layout layout)
     const int rows = (panels + columns - 1) / columns;
     int entries = 0;
     for (const Curve& c : f.panels.front().curves) entries += c.legend.empty() ? 0 : 1;
-    const double legend = f.panels.front().key != above_all ? 0 : layout == Layout::wide ? legend_line * (entries > 5 ? 2 : 1) : legend_line * ((entries + 1) / 2);
+    const double legend = f.panels.front().key != above_all ? 0 : layout == Layout::wide ? legend_line * (entries > 4 ? 2 : 1) : legend_line * ((entries + 1) / 2);
     return {layout == Layout::wide ? 860.0 : 400.0, f.panel_height * rows + legend, legend, columns, rows};
 }
 
