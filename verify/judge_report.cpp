@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace touchstone::program {
 namespace {
@@ -169,33 +168,6 @@ std::string diagnosis(const Case& c)
     return text;
 }
 
-/// Horizontal or vertical axis: linear or logarithmic, mapped to [0, 1].
-class Axis {
-public:
-    Axis(double low, double high, bool logarithmic) : logarithmic_(logarithmic), low_(place(low)), high_(place(high))
-    {
-        if (high_ - low_ < 1e-12) high_ = low_ + 1;
-    }
-    double operator()(double v) const { return (place(v) - low_) / (high_ - low_); }
-    /// Round numbers on the axis, at most about ten.
-    std::vector<double> ticks() const
-    {
-        std::vector<double> t;
-        if (logarithmic_) {
-            const double step = std::max(1.0, std::ceil((high_ - low_) / 8));
-            for (double e = std::ceil(low_ - 1e-9); e <= high_ + 1e-9; e += step) t.push_back(std::pow(10, e));
-        }
-        else
-            for (int k = 0; k <= 5; ++k) t.push_back(low_ + (high_ - low_) * k / 5);
-        return t;
-    }
-
-private:
-    double place(double v) const { return logarithmic_ ? std::log10(v) : v; }
-    bool logarithmic_;
-    double low_, high_;
-};
-
 } // namespace
 
 std::string as_text(const Case& c)
@@ -318,73 +290,6 @@ std::string as_junit(const Case& c)
     return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"touchstone judge {}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n"
                        "{}  </testsuite>\n</testsuites>\n",
                        escaped(c.table), tests, c.judgement.failed, c.answers.fault ? 1 : c.judgement.undecided, cases);
-}
-
-namespace {
-/// The end of a long command is what tells it from others.
-std::string shortened(const std::string& text)
-{
-    constexpr std::size_t most = 110;
-    return text.size() <= most ? text : "..." + text.substr(text.size() - most);
-}
-} // namespace
-
-std::string as_svg(const Case& c)
-{
-    constexpr double width = 760, height = 420, left = 70, right = 20, top = 46, bottom = 50;
-    constexpr double floor_ulps = 0.01; // what is drawn on the lower edge is this or less
-    const auto& inputs = c.quantity->inputs;
-    std::size_t key = 0, most = 0;
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-        std::set<double> values;
-        for (const auto& q : c.questions) values.insert(q.inputs[k]);
-        if (values.size() > most) {
-            most = values.size();
-            key = k;
-        }
-    }
-    double low = 0, high = 1, largest = 10;
-    bool first = true;
-    for (std::size_t i = 0; i < c.questions.size(); ++i) {
-        const double x = inputs.empty() ? 0 : c.questions[i].inputs[key];
-        low = first ? x : std::min(low, x);
-        high = first ? x : std::max(high, x);
-        first = false;
-        const auto& row = c.judgement.rows[i];
-        if (!row.special && !c.questions[i].truth.is_zero()) largest = std::max(largest, row.error.most);
-    }
-    const Axis along(low, high, low > 0 && high / low > 1000);
-    const Axis up(floor_ulps, largest, true);
-    const auto x_of = [&](double v) { return left + (width - left - right) * along(v); };
-    const auto y_of = [&](double v) { return height - bottom - (height - top - bottom) * up(std::max(v, floor_ulps)); };
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-                                  "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{}\" y=\"22\" font-size=\"15\">{}: error in ulps</text>\n"
-                                  "<text x=\"{}\" y=\"22\" text-anchor=\"end\"><tspan fill=\"#2ca02c\">pass</tspan> <tspan fill=\"#d62728\">fail</tspan> "
-                                  "<tspan fill=\"#ff7f0e\">undecided</tspan>{}</text>\n<text x=\"{}\" y=\"35\" fill=\"#555555\">{}</text>\n",
-                                  width, height, left, escaped(c.table), width - right, c.bound.baseline == nullptr ? " <tspan fill=\"#1f77b4\">bound</tspan>" : "",
-                                  left, escaped(shortened(c.subject)));
-    const auto line = [&](double x1, double y1, double x2, double y2, std::string_view colour) {
-        svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2, y2, colour);
-    };
-    for (const double t : up.ticks()) {
-        line(left, y_of(t), width - right, y_of(t), "#dddddd");
-        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>\n", left - 6, y_of(t) + 4, t);
-    }
-    for (const double t : along.ticks())
-        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:.3g}</text>\n", x_of(t), height - bottom + 18, t);
-    line(left, height - bottom, width - right, height - bottom, "black");
-    line(left, top, left, height - bottom, "black");
-    if (c.bound.baseline == nullptr) line(left, y_of(c.bound.ulps), width - right, y_of(c.bound.ulps), "#1f77b4");
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (left + width - right) / 2, height - 10,
-                       inputs.empty() ? "" : escaped(inputs[key]));
-    for (std::size_t i = 0; i < c.questions.size(); ++i) {
-        const auto& row = c.judgement.rows[i];
-        if (row.special || c.questions[i].truth.is_zero()) continue;
-        const double x = inputs.empty() ? 0 : c.questions[i].inputs[key];
-        svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"{}\"/>\n", x_of(x), y_of(row.error.most),
-                           row.verdict == Verdict::pass ? "#2ca02c" : row.verdict == Verdict::fail ? "#d62728" : "#ff7f0e");
-    }
-    return svg + "</svg>\n";
 }
 
 } // namespace touchstone::program

@@ -33,7 +33,7 @@ std::string as_text(const Case&);
 nlohmann::ordered_json as_json(const Case&);
 /// A test suite with one test case a row, as Jenkins and GitLab read it.
 std::string as_junit(const Case&);
-/// Error in ulps against the input that takes most values, both on logarithmic scales where they span decades.
+/// Error over what is allowed against each input, 1 - load and the distance from the edge of the contact; drawn by gnuplot.
 std::string as_svg(const Case&);
 
 } // namespace touchstone::program

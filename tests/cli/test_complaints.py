@@ -256,7 +256,7 @@ class Words(InFolder):
     def test_numbers_that_are_none(self):
         for text, why in (("1/0", "has 0 as its denominator"), ("1e-999999999999", "has an exponent beyond 1000000"), ("1e99999999", "has an exponent beyond 1000000"),
                           ("1/-3", "has a negative denominator"), ("", "is empty"), ("1e", "is not a number"), ("x/2", "is not a number"),
-                          ("1/1e9999999", "has an exponent beyond 1000000"), ("0x1p99999999", "has an exponent beyond 1000000"), ("1/2/3", "is not a number"),
+                          ("1/1e9999999", "has an exponent beyond 1000000"), ("0x1p99999999", "has an exponent beyond 1000000"),
                           ("nan", "is not a number"), ("-inf", "is not a number"), ("/", "is not a number"), ("3/", "is not a number")):
             self.refuses(65, f"load = '{text}' {why}", "eval", "hertz.half_width", f"load={text}")
 

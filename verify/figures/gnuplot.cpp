@@ -84,7 +84,7 @@ Size size_of(const Figure& f, Layout layout)
     const int rows = (panels + columns - 1) / columns;
     int entries = 0;
     for (const Curve& c : f.panels.front().curves) entries += c.legend.empty() ? 0 : 1;
-    const double legend = f.panels.front().key != above_all ? 0 : layout == Layout::wide ? legend_line : legend_line * ((entries + 1) / 2);
+    const double legend = f.panels.front().key != above_all ? 0 : layout == Layout::wide ? legend_line * (entries > 4 ? 2 : 1) : legend_line * ((entries + 1) / 2);
     return {layout == Layout::wide ? 860.0 : 400.0, f.panel_height * rows + legend, legend, columns, rows};
 }
 
@@ -127,6 +127,7 @@ std::string dressed(std::string drawing, const Figure& f)
         for (std::size_t at = 0; (at = words.find_first_of("&<>", at)) != std::string::npos; ++at) words.replace(at, 1, words[at] == '&' ? "&amp;" : words[at] == '<' ? "&lt;" : "&gt;");
         return words;
     };
+    if (const auto at = drawing.find("<svg"); at != std::string::npos) drawing.erase(0, at); // UTF-8 needs no declaration
     cut("<desc>", "</desc>");
     cut("<title>", "</title>");
     const std::string style = fmt::format("<title>{}</title>\n<desc>{} Drawn from `touchstone paper {} --csv`.</desc>\n"
@@ -135,6 +136,8 @@ std::string dressed(std::string drawing, const Figure& f)
                                           "[stroke='rgb(  0,   0,   0)'], [stroke=\"rgb(  0,   0,   0)\"] {{ stroke: #e6e6e6 }} [color='rgb(  0,   0,   0)'] {{ color: #e6e6e6 }} "
                                           "[stroke='rgb(  0, 114, 178)'], [stroke=\"rgb(  0, 114, 178)\"] {{ stroke: #4aa8e0 }} [color='rgb(  0, 114, 178)'], [color=\"rgb(  0, 114, 178)\"] {{ color: #4aa8e0 }} }}</style>\n",
                                           xml(f.title), xml(f.alternative), f.id);
+    drawing.erase(drawing.find_last_not_of('\n') + 1);
+    drawing += '\n';
     replace("<g id=\"gnuplot_canvas\">", style + "<g id=\"gnuplot_canvas\">");
     return drawing;
 }
