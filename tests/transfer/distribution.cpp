@@ -203,7 +203,7 @@ TEST_CASE("many digits far below the edge, where arcsin z branches at the zeros 
         return scale_one_exceedance(Variable::angle, one);
     }();
     for (const Law law : {Law::density, Law::exceedance}) {
-        const Ball Q = exceedance(law, 1, one.p, at("1", "2.5"));
+        const Ball Q = exceedance(law, 1, one.p, at("1", "2.5"), {150});
         CAPTURE(static_cast<int>(law));
         CHECK(Q.overlaps(known));
         CHECK(Q.relative_bits() > bits_for_digits(150));

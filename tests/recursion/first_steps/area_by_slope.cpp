@@ -108,7 +108,7 @@ TEST_CASE("A_2 is what the operator discretised and proven levels give")
     for (const auto& [load, G] : {std::pair{"0.3", "3.16"}, {"1", "2.5"}, {"0.001", "4"}}) {
         CAPTURE(load); CAPTURE(G);
         const Ball x(exactly(load)), g(exactly(G)), a = by_slope(2, exactly(load), exactly(G));
-        CHECK(a.overlaps(transfer::area(Scheme::force_weighted, 2, {[&] { return x; }, [&] { return g; }})));
+        CHECK(a.overlaps(transfer::area(Scheme::force_weighted, 2, {[&] { return x; }, [&] { return g; }}, {20})));
         CHECK(sharp(a));
     }
 }
