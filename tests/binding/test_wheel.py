@@ -6,6 +6,7 @@ usage: test_wheel.py SOURCE LIBRARY
 """
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -19,7 +20,8 @@ with tempfile.TemporaryDirectory() as folder:
     subprocess.run([python, "-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", str(source)], check=True, env=environment)
     del environment["TOUCHSTONE_LIBRARY"]  # the wheel has its own
     has_pytest = subprocess.run([python, "-c", "import pytest"], capture_output=True).returncode == 0
-    runner = ["-m", "pytest", "-q", "-p", "no:cacheprovider", str(source / "python/test_touchstone.py")] if has_pytest else [str(source / "python/test_touchstone.py")]
+    tests = shutil.copy(source / "python/test_touchstone.py", folder)  # away from the source package, which has no library beside it
+    runner = ["-m", "pytest", "-q", "-p", "no:cacheprovider", tests] if has_pytest else [tests]
     r = subprocess.run([python, "-B", *runner], cwd=folder, env=environment)
     where = subprocess.run([python, "-c", "import touchstone; print(touchstone.__file__)"], cwd=folder, env=environment, capture_output=True, text=True, check=True).stdout
     if not where.startswith(folder):

@@ -15,7 +15,7 @@ PROGRAM = sys.argv.pop(1)
 
 
 def run(*words, **options):
-    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120, **options)
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=600, **options)
 
 
 class Program(unittest.TestCase):

@@ -213,7 +213,7 @@ private:
             const Witness seen = witness_->get();
             const Ball off = abs(seen.value - e.ball), size = abs(e.ball), allowed = witness_error_factor * seen.error + size * pow(Ball(10), Ball(-witness_digits));
             SecondLook look{name, false, !certainly(less(allowed, off)), 0, plan_.shares};
-            while (look.digits < most_estimated_digits + 5 && certainly(less(2 * off * pow(Ball(10), Ball(look.digits)), size))) ++look.digits;
+            while (look.digits < most_estimated_digits + 5 && certainly(less(2 * off * pow(Ball(10), Ball(look.digits + 1)), size))) ++look.digits;
             if (!look.agrees)
                 add(fmt::format("the witness '{}' DISAGREES: it gives {}, and {} digits agree; the proof stands, but one of the two has a fault: please report it", name,
                                 seen.value.to_string(), look.digits));

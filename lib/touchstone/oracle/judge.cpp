@@ -236,7 +236,7 @@ Judgement judge(const Quantity& q, const std::vector<Question>& questions, const
     for (std::size_t k = 0; k < std::min(shown_rows, result.worst.size()); ++k) {
         const std::size_t i = result.worst[k];
         JudgedRow& row = result.rows[i];
-        if (!row.special && (bound.forgive_inputs || !q.costly)) row.forced = forced_if_it_matters(q, questions[i], 4, row.error.most);
+        if (!row.special && (bound.forgive_inputs || !of_the_recursion(q))) row.forced = forced_if_it_matters(q, questions[i], 4, row.error.most);
     }
     find_order_violations(questions, result);
     result.looked_up = wrong_in == 0 && out > 0 && 2 * wrong_out > out;

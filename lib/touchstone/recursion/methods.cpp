@@ -165,9 +165,16 @@ Method one_integral()
     };
 }
 
-// ---- one integral over closed forms: the area at scale 2 where full contact occurs
+// ---- one integral over closed forms: the area at scale 2
 
-bool full_contact_occurs(const Problem& p) { return p.load > 1 || p.compare_G(Rational(2'000'001, 1'000'000)) < 0; }
+/// The discretised operator searches its rules in binary64, and cannot do so where 1 - load is lost there.
+bool too_near_1(const Rational& load) { return load < 1 && 1 - load < power(Rational(10), -16); }
+
+/// Where the discretised operator does not serve.
+bool two_waves_serve_better(const Problem& p)
+{
+    return p.load > 1 || p.compare_G(Rational(2'000'001, 1'000'000)) < 0 || too_near_1(p.load);
+}
 
 Witness nested_quadrature(const Problem& p)
 {
@@ -180,10 +187,10 @@ Method second_area()
     return {
         .name = "slope-of-two-waves",
         .asked = {Asked::area},
-        .reach = "n = 2, load > 1 or G < 2.000001",
+        .reach = "n = 2, and load > 1 or G < 2.000001 or 0 < 1 - load < 1e-16",
         .refusal = [](const Problem& p) -> std::string {
             if (p.n != 2) return "n must be 2";
-            return full_contact_occurs(p) ? "" : "without full contact there are two proofs";
+            return two_waves_serve_better(p) ? "" : "in partial contact there are two proofs";
         },
         .cost = [](const Problem&, Accuracy a) { return 0.5 * growth(a, 2); },
         .enclose = [](const Problem& p, Accuracy a) {
@@ -208,9 +215,10 @@ Method partial_area()
     return {
         .name = "force-weighted-chebyshev",
         .asked = {Asked::area},
-        .reach = "load <= 1, 2.000001 <= G < 10^9",
+        .reach = "load <= 1 - 1e-16 or load = 1, 2.000001 <= G < 10^9",
         .refusal = [](const Problem& p) -> std::string {
             if (p.load > 1) return "no proof for load > 1, where the first scale is in full contact";
+            if (p.n > 0 && too_near_1(p.load)) return "load within 1e-16 of 1, and not 1: the region of analyticity is too narrow";
             if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
             return p.compare_G(Rational(2'000'001, 1'000'000)) < 0 ? "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale" : "";
         },
@@ -253,9 +261,10 @@ Method partial_distribution()
         .asked = {Asked::exceedance, Asked::density},
         .reach = fmt::format("1 <= n <= {}, load <= 1, G > 2, no p_k^max within 0.2% below p*_(k+1)", transfer::Forward::largest_n),
         .refusal = [](const Problem& p) -> std::string {
+            if (p.n < 1) return "n must be at least 1";
             if (p.load > 1) return "no proof for load > 1, where the first scale is in full contact";
             if (!G_above(p, 2)) return "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale";
-            if (p.n < 1 || p.n > transfer::Forward::largest_n)
+            if (p.n > transfer::Forward::largest_n)
                 return fmt::format("distributions of pressure are computed for the scales n <= {} only", transfer::Forward::largest_n);
             if (p_is_0(p)) return no_density_at_0;
             return edges_clear_of_1(p) ? "" : "some scale's highest pressure is too near p*: the region of analyticity is too narrow";
@@ -465,8 +474,8 @@ Choice choose(const Problem& p, Accuracy a)
         std::string refused = m.refusal(p);
         const long digits = refused.empty() ? std::min(m.most_digits(p), a.digits) : 0;
         if (refused.empty() && digits < 1) refused = fmt::format("'{}' proves no digit of this: the inputs are too near an end of its reach", m.name);
-        if (!refused.empty()) { // the last method is the one that reaches farthest: its reason counts
-            if (!best.method) best.refusal = refused;
+        if (!refused.empty()) { // the last method of this scale is the one that reaches farthest: its reason counts
+            if (!best.method && (best.refusal.empty() || !refused.starts_with("n must be"))) best.refusal = refused;
             continue;
         }
         const double cost = m.cost(p, {digits});
