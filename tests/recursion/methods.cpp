@@ -127,8 +127,9 @@ TEST_CASE("scale 1 is one integral at every load and G; partial contact has two 
             CHECK(c.method->name == "scale-one-by-ratio");
         }
         if (p.asked == Asked::area && p.load <= 1 && p.compare_G(Rational(21, 10)) > 0 && p.compare_G(1000) < 0) {
-            REQUIRE(c.method);
-            CHECK(c.method->enclose_again);
+            const bool next_to_1 = p.load < 1 && 1 - p.load < power(Rational(10), -16); // there the levels serve, whose second look is a witness
+            if (!next_to_1 || p.n <= 20) REQUIRE(c.method);
+            if (!next_to_1) CHECK(c.method->enclose_again);
         }
         if (c.method && !c.method->enclose_again) CHECK(c.method->second.empty());
         if (c.method) CHECK_FALSE(c.method->shares.empty());
