@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/layer.hpp"
 
-#include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/parallel.hpp"
 
 namespace touchstone::transfer::levels {
