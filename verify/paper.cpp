@@ -2,6 +2,7 @@
 /// `touchstone paper`: the ledger, one verdict for each equation, table entry and sentence.
 #include "proofs/errata.hpp"
 #include "proofs/ledger.hpp"
+#include "proofs/lemmas/stored_values.hpp"
 #include "proofs/mutation/survivors.hpp"
 #include "proofs/severity.hpp"
 #include "verify/commands.hpp"
@@ -29,6 +30,7 @@ struct PaperOptions {
     bool controls = false;
     std::string svg, pdf, csv;
     bool mutate = false;
+    bool recompute = false, values = false;
     std::string errata; ///< md, tex, html
 };
 
@@ -250,6 +252,7 @@ int explain(const Entry& e)
 
 int run_paper(const PaperOptions& options)
 {
+    if (options.recompute || options.values) recompute_values();
     if (!options.svg.empty() || !options.pdf.empty() || !options.csv.empty()) return write_figure(options.id, options.svg, options.pdf, options.csv);
     if (!options.id.empty()) {
         const auto claim = std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == options.id; });
@@ -262,6 +265,11 @@ int run_paper(const PaperOptions& options)
         return failures(e).empty() ? holds : fails;
     }
     if (options.mutate) return print_mutation("");
+    if (options.values) {
+        judge_all();
+        fmt::print("{}", computed_table());
+        return holds;
+    }
     if (!options.errata.empty()) {
         fmt::print("{}", errata(options.errata));
         return holds;
@@ -277,7 +285,12 @@ int run_paper(const PaperOptions& options)
         fmt::print("{}\n", out.dump());
         return good ? holds : fails;
     }
-    return options.controls ? print_controls(entries) : print_ledger(entries);
+    const int status = options.controls ? print_controls(entries) : print_ledger(entries);
+    if (!options.recompute) return status;
+    const std::vector<std::string> differ = values_that_differ();
+    for (const std::string& line : differ) fmt::print("DIFFERS {}\n", line);
+    if (differ.empty()) fmt::print("every value computed is the stored one\n");
+    return differ.empty() ? status : fails;
 }
 
 } // namespace
@@ -301,6 +314,8 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("--csv", options->csv, "The points of a figure, each with its error and status");
     command->add_option("--errata", options->errata, "The erratum, from the proved corrections of the equations")->check(CLI::IsMember({"md", "tex", "html"}));
     command->add_flag("--mutate", options->mutate, "What a typesetter could change in the print, and what no judge would see");
+    command->add_flag("--recompute", options->recompute, "Compute what takes long, instead of taking it from data/paper/values.txt (hash checked), and compare");
+    command->add_flag("--values", options->values, "Print data/paper/values.txt, computed anew");
     command->callback([&run, options, command] {
         if (command->count("entry") > 0 && options->id.empty()) throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
         run = [options] { return run_paper(*options); };

@@ -115,6 +115,27 @@ Ball least_excess(const Ball& G_value)
     return 1 + pi<Ball>() / (24 * G_value * G_value * K_infinity());
 }
 
+Check area_from_above()
+{
+    const ex t = sym("t");
+    return all_of({
+        force_weighting(),
+        inverse_root_moment(),
+        fixed_point(),
+        // (arcsin t - t)/t^3 grows with t, its Taylor coefficients being positive (5!!/6!! and so on), so it is below its value at 1
+        identity((asin(t) - t).subs(t == 1), Pi / 2 - 1, Points{}),
+        identity(GiNaC::series_to_poly(asin(t).series(t == 0, 8)), t + pow(t, 3) / 6 + 3 * pow(t, 5) / 40 + 5 * pow(t, 7) / 112, Points{"t=1/2"}),
+        // x_P of (5.8) for G > 2
+        power_identity(sqrt(prints().at("5.8")("rhs")), 2 / pow(sym("gamma"), sym("D") - 1), Points{"gamma=9 D=3/2"}),
+    }, "h(x) <= (2/pi) (x^(-1/2) + (pi/2 - 1) x^(1/2)) with E[x^(-1/2)] <= 8 G/pi^2 and x <= 4/G^2 in the limit");
+}
+
+Ball most_excess(const Ball& G_value)
+{
+    const Ball p = pi<Ball>();
+    return 2 / p * (8 * G_value / (p * p) + (p / 2 - 1) * 2 / G_value) / (K_infinity() * G_value);
+}
+
 Ball contraction() { return (sqrt(Ball(2)) + asin(sqrt(Ball(2) / 3))) / pi<Ball>(); }
 
 Check one_limiting_law()

@@ -34,6 +34,12 @@ Check hertz_from_below();
 /// The factor by which the area exceeds (7.21) in the limit is at least 1 + pi/(24 G^2 K_inf).
 Ball least_excess(const Ball& G);
 
+/// Theorem: for G > 2 and load < 1 limsup A_n G^n/(lambda_0 load) is at most (2/pi) (8 G/pi^2 + (pi/2 - 1) 2/G): arcsin t <= t + (pi/2 - 1) t^3 on
+/// (0, 1), E[x^(-1/2)] is at most 8 G/pi^2 in the limit and x at most x_P = 4/G^2.
+Check area_from_above();
+/// That over K_inf G, the value of (7.21).
+Ball most_excess(const Ball& G);
+
 /// Theorem: for G >= 2 and load <= 1 the force-weighted chain has one limiting law, whatever the load, and
 /// A_n G^n/(lambda_0 load) one limit C(G). In s = -log x one step is s' = log(G/2) + s/2 - log(1 - u^2)/2 - log(1 - u^2 e^-s)/2
 /// with the law of u the same for all s, and ds'/ds = (1 - 2t)/(2(1 - t)), t = u^2 x < u^2. Its absolute value is at most 1/2 for

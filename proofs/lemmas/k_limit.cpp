@@ -41,6 +41,14 @@ Check K_converges()
     return {Verdict::proved, "log step(1) = 0 and its slope on [1/2, 1] is enclosed in (0, 1): each step below 1, the logarithms summable"};
 }
 
+Check least_step_slope_exceeds(const Ball& number)
+{
+    const int pieces = 128;
+    Ball least = log_step_slope(Ball(1));
+    for (int i = 0; i < pieces; ++i) least = at_most(least, log_step_slope(hull(Ball(Rational(pieces + i, 2 * pieces)), Ball(Rational(pieces + i + 1, 2 * pieces)))));
+    return less_than(number, least, "the number and the least slope of log step");
+}
+
 Ball K_infinity()
 {
     const long N = 64;

@@ -15,6 +15,9 @@ namespace touchstone::proofs {
 /// to a positive limit.
 Check K_converges();
 
+/// The derivative of log step on [1/2, 1] exceeds a number everywhere.
+Check least_step_slope_exceeds(const Ball& number);
+
 /// Encloses K_inf: K_N by (7.13), the tail by the derivative of log step on the last range of h.
 Ball K_infinity();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/lemmas/model_area.hpp"
 
+#include "proofs/lemmas/stored_values.hpp"
+
 #include "touchstone/paper/archard.hpp"
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/paper/westergaard.hpp"
@@ -57,21 +59,25 @@ constexpr slong figure_5_bits = 84;
 
 Ball normalised_density(long n, const Rational& load, const Rational& share)
 {
-    const WorkingPrecision precision(figure_5_bits);
-    const auto highest = [&] {
-        Ball unit;
-        arb_pow_ui(unit.get(), sqrt(Ball(10)).get(), static_cast<ulong>(n + 1), WorkingPrecision::bits());
-        return unit * peaks::iterate(n, Ball(load), sqrt(Ball(10)));
-    };
-    const auto p = [&] { return highest() * Ball(share); };
-    const Ball q = n == 0 ? westergaard::density(p(), Ball(load)) : transfer::density(transfer::Law::density, n, p, figure_5(load), wanted());
-    return q * highest() / model_area(n, load, 10);
+    return stored_value("figure5.density n=" + std::to_string(n) + " load=" + load.get_str() + " share=" + share.get_str(), [&] {
+        const WorkingPrecision precision(figure_5_bits);
+        const auto highest = [&] {
+            Ball unit;
+            arb_pow_ui(unit.get(), sqrt(Ball(10)).get(), static_cast<ulong>(n + 1), WorkingPrecision::bits());
+            return unit * peaks::iterate(n, Ball(load), sqrt(Ball(10)));
+        };
+        const auto p = [&] { return highest() * Ball(share); };
+        const Ball q = n == 0 ? westergaard::density(p(), Ball(load)) : transfer::density(transfer::Law::density, n, p, figure_5(load), wanted());
+        return Ball(q * highest() / model_area(n, load, 10));
+    });
 }
 
 Ball under_normalised_density(long n, const Rational& load)
 {
-    const WorkingPrecision precision(figure_5_bits);
-    return transfer::mass(n, figure_5(load), wanted()) / model_area(n, load, 10);
+    return stored_value("figure5.area_under_density n=" + std::to_string(n) + " load=" + load.get_str(), [&] {
+        const WorkingPrecision precision(figure_5_bits);
+        return Ball(transfer::mass(n, figure_5(load), wanted()) / model_area(n, load, 10));
+    });
 }
 
 namespace {
@@ -90,13 +96,15 @@ Ball over_scales(long first, long last, const std::vector<Rational>& loads, Rati
 
 Ball model_area_low_D(long n, const Rational& load, long gamma)
 {
-    static std::map<long, transfer::ProvenLevels> kept; // the ledger judges one entry at a time
-    auto it = kept.find(gamma);
-    if (it == kept.end()) {
-        const WorkingPrecision precision(160);
-        it = kept.emplace(gamma, transfer::ProvenLevels(G_low_D(gamma), 10, 1e-8)).first;
-    }
-    return it->second.share(n, Ball(load));
+    return stored_value("contact.area n=" + std::to_string(n) + " load=" + load.get_str() + " D=21/20 gamma=" + std::to_string(gamma), [&] {
+        static std::map<long, transfer::ProvenLevels> kept; // the ledger judges one entry at a time
+        auto it = kept.find(gamma);
+        if (it == kept.end()) {
+            const WorkingPrecision precision(160);
+            it = kept.emplace(gamma, transfer::ProvenLevels(G_low_D(gamma), 10, 1e-8)).first;
+        }
+        return it->second.share(n, Ball(load));
+    });
 }
 
 Ball hertz_area_low_D(long n, const Rational& load, long gamma)

@@ -41,11 +41,12 @@ Holds relation_holds(const std::string& relation, const Ball& l, const Ball& r)
     return certainly(t) ? Holds::yes : possibly(t) ? Holds::undecided : Holds::no;
 }
 
-/// "0 < p < 2*sqrt(pstar*pbar)", or several of these joined by "or".
+/// "0 < p < 2*sqrt(pstar*pbar)", or "gamma^n odd", or several of these joined by "or".
 struct Condition {
     struct Chain {
         std::vector<ex> sides;
         std::vector<std::string> relations;
+        std::string property; ///< of a single side: odd, even or integer
     };
     std::vector<Chain> alternatives;
 
@@ -65,6 +66,12 @@ private:
     static Chain chain(const std::string& text)
     {
         Chain c;
+        for (const std::string property : {"odd", "even", "integer"})
+            if (text.ends_with(" " + property)) {
+                c.sides.push_back(read(text.substr(0, text.size() - property.size())));
+                c.property = property;
+                return c;
+            }
         std::string side;
         for (std::size_t i = 0; i < text.size(); ++i) {
             if (text[i] != '<' && text[i] != '>') {
@@ -95,7 +102,7 @@ public:
     {
         Holds any = Holds::no;
         for (const auto& chain : c.alternatives) {
-            Holds all = Holds::yes;
+            Holds all = chain.property.empty() || has_property(chain.property, value(chain.sides[0])) ? Holds::yes : Holds::no;
             for (std::size_t i = 0; i < chain.relations.size(); ++i) {
                 const Holds one = relation_holds(chain.relations[i], value(chain.sides[i]), value(chain.sides[i + 1]));
                 if (one != Holds::yes && all == Holds::yes) all = one;
@@ -107,6 +114,12 @@ public:
     }
 
 private:
+    static bool has_property(const std::string& property, const Ball& b)
+    {
+        for (long k = -1000; k <= 1000; ++k) // the situations' numbers are small
+            if (b.contains(Rational(k)) && certainly(less(abs(b - k), ScalarTraits<Ball>::power_of_two(-equality_bits)))) return property == "integer" || (k % 2 != 0) == (property == "odd");
+        return false;
+    }
     static std::vector<ex> symbols_of(const ex& e)
     {
         if (GiNaC::is_a<GiNaC::symbol>(e)) return {e};
@@ -273,6 +286,7 @@ std::string where(const Situation& s, const Part& part)
 struct Seen {
     std::vector<bool> reached; ///< by part: the two sides were equal once
     std::vector<int> looked;   ///< by part: situations in which the relation was asked
+    bool stated_held = false;  ///< all stated parts, in one situation
     std::map<std::pair<std::size_t, std::size_t>, std::pair<bool, std::string>> outside; ///< by group and part: did it fail outside its condition?
 };
 
@@ -316,7 +330,8 @@ std::optional<std::string> objection(const Print& print, const std::vector<Part>
             outside.second = "at " + where(s, part) + ", outside the printed condition, it holds too";
         }
     }
-    if (s.wanted && stated_hold != *s.wanted)
+    seen.stated_held = seen.stated_held || stated_hold;
+    if (s.wanted && stated_hold != *s.wanted && (stated_hold || !m.one_way))
         return "at " + where(s, parts[*m.stated.begin()]) + " the printed inequality is " + (stated_hold ? "true" : "false") + ", what it stands for is " + (*s.wanted ? "true" : "false");
     return std::nullopt;
 }
@@ -331,6 +346,7 @@ const Meaning* meaning(const std::string& id)
         add_meanings_of_sections_5_6(m);
         add_meanings_of_section_7(m);
         add_meanings_of_sections_8_9(m);
+        add_meanings_of_sentences(m);
         add_meanings_beyond(m);
         return m;
     }();
@@ -350,9 +366,10 @@ std::optional<Check> read_whole(const Print& print)
             for (std::size_t j = 0; j < i; ++j)
                 if (parts[i].left.is_equal(parts[j].left) && parts[i].right.is_equal(parts[j].right)) return Check{Verdict::refuted, "part " + std::to_string(i) + " repeats part " + std::to_string(j)};
         }
-        Seen seen{std::vector<bool>(parts.size(), false), std::vector<int>(parts.size(), 0), {}};
+        Seen seen{std::vector<bool>(parts.size(), false), std::vector<int>(parts.size(), 0), false, {}};
         for (const Situation& s : m->situations)
             if (const auto found = objection(print, parts, *m, s, seen)) return Check{Verdict::refuted, *found};
+        if (m->one_way && !seen.stated_held) return Check{Verdict::refuted, "what is printed holds in no situation"};
         for (const auto& [key, outside] : seen.outside)
             if (!outside.first) return Check{Verdict::refuted, outside.second};
         for (std::size_t i = 0; i < parts.size(); ++i) {

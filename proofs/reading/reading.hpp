@@ -55,6 +55,8 @@ struct Meaning {
     std::vector<Situation> situations;
     /// The parts whose conjunction `wanted` speaks of; the others must hold everywhere.
     std::set<std::size_t> stated;
+    /// The statement is "if", not "if and only if": where the stated parts hold, `wanted` must be true, and they must hold somewhere.
+    bool one_way = false;
     /// Each bound of an inequality is reached in some situation: it cannot be printed wider.
     bool bounds_are_reached = false;
 };
@@ -70,6 +72,7 @@ void add_meanings_of_sections_2_3(std::map<std::string, Meaning>&);
 void add_meanings_of_sections_5_6(std::map<std::string, Meaning>&);
 void add_meanings_of_section_7(std::map<std::string, Meaning>&);
 void add_meanings_of_sections_8_9(std::map<std::string, Meaning>&);
+void add_meanings_of_sentences(std::map<std::string, Meaning>&);
 void add_meanings_beyond(std::map<std::string, Meaning>&);
 
 } // namespace touchstone::proofs

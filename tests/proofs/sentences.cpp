@@ -24,6 +24,9 @@ TEST_CASE("a bound that is weaker than the proved one is true")
     CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(4*G^3)"}}) == Verdict::proved);
     CHECK(verdict_of("text.several-scales", {{"rhs", "-2*m", "-3*m"}}) == Verdict::proved);
     CHECK(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "1/(2*G^2)"}}) == Verdict::proved);
+    CHECK(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "2/G^2"}}) == Verdict::proved);
+    CHECK(verdict_of("text.pstar-increases", {{"relation", ">", ">="}}) == Verdict::proved);
+    CHECK(verdict_of("text.constant-decreases", {{"relation", "<", "<="}}) == Verdict::proved);
     CHECK(verdict_of("text.increasingly-hertzian", {{"relation", "=", "<"}, {"rhs", "1", "2"}}) == Verdict::proved);
     CHECK(verdict_of("text.full-contact-vanishes", {{"relation", "=", ">="}}) == Verdict::proved);
     CHECK(verdict_of("text.defines-limit", {{"relation", "=", "<"}, {"rhs", "1", "100"}}) == Verdict::proved);
@@ -40,6 +43,10 @@ TEST_CASE("a bound that is false is refuted")
     CHECK(verdict_of("text.full-contact-vanishes", {{"relation", "=", "<"}}) == Verdict::refuted);
     CHECK(verdict_of("text.full-contact-vanishes", {{"relation", "=", ">"}, {"rhs", "0", "2"}}) == Verdict::refuted);
     CHECK(verdict_of("text.defines-limit", {{"relation", "=", ">"}, {"rhs", "1", "100"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.defines-limit", {{"relation", "=", ">"}, {"rhs", "1", "2"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(4*G)"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.several-scales", {{"rhs", "gamma^(-2*m)", "2*gamma^(-2*m)"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.peak-at-centre", {{"lhs", "cos(2*", "cos(3*"}, {"condition", "integer", "odd"}}) == Verdict::refuted);
     CHECK(verdict_of("text.area-decreases", {{"relation", "<=", "<"}}) == Verdict::refuted); // not while contact is full
     CHECK(verdict_of("text.area-decreases", {{"relation", "<=", ">"}}) == Verdict::refuted);
 }
@@ -47,5 +54,5 @@ TEST_CASE("a bound that is false is refuted")
 TEST_CASE("between what is proved and what is refuted nothing is claimed")
 {
     CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(3*G^2)"}}) == Verdict::undecided);
-    CHECK(verdict_of("text.defines-limit", {{"relation", "=", ">"}, {"rhs", "1", "2"}}) == Verdict::undecided);
+    CHECK(verdict_of("text.defines-limit", {{"relation", "=", ">"}, {"rhs", "1", "3/2"}}) == Verdict::undecided);
 }
