@@ -93,6 +93,7 @@ const std::vector<Quantity>& catalogue()
         add_contact(q);
         add_archard(q);
         add_segments(q);
+        add_limit(q);
         return q;
     }();
     return all;

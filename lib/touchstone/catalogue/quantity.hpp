@@ -140,6 +140,7 @@ void add_peaks(std::vector<Quantity>&);
 void add_contact(std::vector<Quantity>&);
 void add_archard(std::vector<Quantity>&);
 void add_segments(std::vector<Quantity>&);
+void add_limit(std::vector<Quantity>&);
 
 // ---- what domain checks are made of; each throws DomainError in the form "load = -1: must be > 0"
 

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+/// The fractal limit of sections 6 to 8: n without end. The theorems: docs/limit.md.
+#include "touchstone/catalogue/formula.hpp"
+#include "touchstone/limit/area_constant.hpp"
+#include "touchstone/limit/area_series.hpp"
+#include "touchstone/paper/archard_constants.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+using transfer::Scheme;
+
+const Rational nearest_G(2'000'001, 1'000'000); ///< above 2, where the grids of transfer::area would grow without end
+const Rational large_G(5000);                    ///< where few terms of the series carry 30 digits
+const char* const shared = "the rate of approach; grid, form, rule and arithmetic are others";
+
+std::function<Ball()> G_of(const Inputs& in)
+{
+    return [in] { return in.G_ball(); };
+}
+
+/// K_inf G: what (7.21) takes for C.
+Ball by_the_paper(const Inputs& in) { return archard::K_gamma_product(archard::infinity) * in.G_ball(); }
+
+enum class Asked { constant, ratio };
+
+/// C(G) for 2 < G < large_G, by both schemes.
+Plan by_approach(Asked asked, const Inputs& in)
+{
+    Plan result;
+    const WorkingPrecision precision(128);
+    result.most_digits = limit::most_digits_of_area_constant(in.G_ball());
+    result.refusal = "the grids that more digits take would be too large";
+    result.dear = true;
+    const auto proof = [&](const char* name, Scheme scheme) {
+        result.proofs.push_back({name, [=](Accuracy a) {
+                                     const Ball C = limit::area_constant(scheme, G_of(in), a);
+                                     const WorkingPrecision bits(working_bits(a));
+                                     return asked == Asked::constant ? C : C / by_the_paper(in);
+                                 }});
+    };
+    proof("approach-force-weighted", Scheme::force_weighted);
+    proof("approach-area", Scheme::area);
+    result.shares = shared;
+    return result;
+}
+
+/// From there on.
+Plan by_series(Asked asked, const Inputs& in)
+{
+    Plan result;
+    const WorkingPrecision precision(128);
+    result.most_digits = limit::most_digits_of_series(in.G_ball());
+    result.refusal = "more digits would take more terms of the series than are computed";
+    result.dear = true;
+    result.proofs.push_back({"moments-series", [=](Accuracy a) {
+                                 const WorkingPrecision bits(working_bits(a));
+                                 const Ball R = limit::area_ratio_by_series(in.G_ball(), a);
+                                 return asked == Asked::constant ? R * by_the_paper(in) : R;
+                             }});
+    result.own_witness = Look{"first-order", [=](Accuracy) {
+                                  const WorkingPrecision bits(256);
+                                  const Witness R = limit::area_ratio_to_first_order(in.G_ball());
+                                  const Ball factor = asked == Asked::constant ? by_the_paper(in) : Ball(1);
+                                  return Witness{R.value * factor, R.error * factor};
+                              }};
+    result.shares = "the recursion of moments";
+    return result;
+}
+
+Plan plan(Asked asked, const Inputs& in)
+{
+    if (in.compare_G(large_G) >= 0) return by_series(asked, in);
+    if (in.compare_G(nearest_G) >= 0) return by_approach(asked, in);
+    Plan result;
+    result.refusal = "the constant of the limit is certified for G = gamma^(D-1) >= 2.000001 only";
+    return result;
+}
+
+std::string explain(const Inputs& in, long digits)
+{
+    if (in.compare_G(nearest_G) < 0) return {};
+    if (in.compare_G(large_G) >= 0) return "C(G)/(K_inf G) = sum R_N (4/G^2)^N, |R_N| <= 2 (docs/limit.md, theorem 3)\n";
+    return limit::area_constant_certificate(Scheme::force_weighted, G_of(in), {digits});
+}
+
+Quantity of_limit(Quantity q, Asked asked)
+{
+    q.check = require_surface;
+    q.plan = [asked](const Inputs& in, Accuracy) { return plan(asked, in); };
+    q.explain = explain;
+    q.costly = true;
+    q.certified = {{"2.000001 <= G < 5000", "what 4000 nodes carry", "approach-force-weighted", "proof approach-area", shared},
+                   {"G >= 5000", "what 8 terms carry, 56 and more", "moments-series", "witness first-order", "the recursion of moments"}};
+    return q;
+}
+
+} // namespace
+
+void add_limit(std::vector<Quantity>& all)
+{
+    all.push_back(of_limit({.name = "limit.area_constant",
+                            .equation = "7.21",
+                            .unit = "1",
+                            .domain = "G > 1; certified for G >= 2.000001",
+                            .inputs = {"G"},
+                            .description = "C(G) = lim A_n G^n/(lambda0 load) of the recursion (6.7), for any load; (7.21) takes K_inf G for it",
+                            .check = {},
+                            .exact = {},
+                            .routes = {}},
+                           Asked::constant));
+
+    all.push_back(of_limit({.name = "limit.area_ratio",
+                            .equation = "7.21",
+                            .unit = "1",
+                            .domain = "G > 1; certified for G >= 2.000001",
+                            .inputs = {"G"},
+                            .description = "C(G)/(K_inf G): by what (7.21) and (8.3) are to be multiplied at large n",
+                            .check = {},
+                            .exact = {},
+                            .routes = {}},
+                           Asked::ratio));
+}
+
+} // namespace touchstone

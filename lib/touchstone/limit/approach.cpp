@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/limit/approach.hpp"
+
+namespace touchstone::limit {
+namespace {
+
+using Traits = ScalarTraits<Ball>;
+
+/// int_0^z t^(p-1) (1-t)^(q-1) dt
+Ball incomplete_beta(const Ball& p, const Ball& q, const Ball& z)
+{
+    Ball r;
+    arb_hypgeom_beta_lower(r.get(), p.get(), q.get(), z.get(), 0, WorkingPrecision::bits());
+    return r;
+}
+
+} // namespace
+
+Ball noise_moment(const Ball& a)
+{
+    return 2 * Traits::gamma(Traits::quotient(3, 2) - a) / (sqrt(Traits::pi()) * Traits::gamma(2 - a));
+}
+
+Ball contraction(const Ball& a, const Ball& top)
+{
+    const Ball half = Traits::quotient(1, 2);
+    // |1 - 2v|/(2(1 - v)) falls from 1/2 at v = 0 to 0, and comes back to 1/2 at v = 2/3
+    if (certainly(less(top, Traits::quotient(2, 3)))) return half * noise_moment(a);
+    if (certainly(less(a, half))) {
+        // with u = sin t and 1 - u^2 = cos^2 t = z: half of cos^(2-2a) t where z >= 1/3, and -cos 2t cos^-2a t/2 below, times 4/pi
+        const Ball third = Traits::quotient(1, 3), p = half - a;
+        const Ball all = Traits::gamma(p + 1) * sqrt(Traits::pi()) / Traits::gamma(p + Traits::quotient(3, 2)); // B(p + 1, 1/2)
+        return (all + incomplete_beta(p, half, third) - 3 * incomplete_beta(p + 1, half, third)) / Traits::pi();
+    }
+    return at_least(half, (2 * top - 1) / (2 * (1 - top))) * noise_moment(a);
+}
+
+namespace {
+
+/// delta_1 of the product above: no bound itself.
+Ball before_contraction(const Ball& G, const Ball& load)
+{
+    const Ball quarter = Traits::quotient(1, 4), half_G = G / 2;
+    return 8 / sqrt(1 - 1 / half_G) * (2 + sqrt(half_G) + 4 / (Traits::pi() * sqrt(half_G) * pow(load, quarter)));
+}
+
+} // namespace
+
+Ball relative_error(long n, const Ball& G, const Ball& load)
+{
+    Ball delta = before_contraction(G, load);
+    for (long j = 1; j < n; ++j) delta *= contraction(Traits::power_of_two(-j), 2 / G);
+    return delta;
+}
+
+std::optional<long> scale(const Ball& tolerance, long most, const Ball& G, const Ball& load)
+{
+    // contraction(a) increases with a and is below 1 from a = 1/8 on: delta_n decreases from n = 3 on
+    Ball delta = relative_error(3, G, load);
+    for (long n = 3; n <= most; ++n) {
+        if (certainly(less(delta, tolerance))) return n;
+        delta *= contraction(Traits::power_of_two(-n), 2 / G);
+    }
+    return std::nullopt;
+}
+
+} // namespace touchstone::limit

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// C(G) = lim A_n G^n/load, the constant of the fractal limit: docs/limit.md.
+#pragma once
+
+#include "touchstone/limit/approach.hpp"
+#include "touchstone/transfer/contact.hpp"
+
+namespace touchstone::limit {
+
+/// C(G) for G > 2: the certified area at a scale n at which theorem 2 leaves nothing to be seen, h_n(1/2) (1 +- delta_n).
+/// The two schemes are independent of one another up to that theorem.
+/// \throws BeyondReach where transfer::area does
+Ball area_constant(transfer::Scheme, const std::function<Ball()>& G, Accuracy);
+
+/// The most digits of area_constant() for that G > 2.
+long most_digits_of_area_constant(const Ball& G);
+
+/// How the error of area_constant() is made up.
+std::string area_constant_certificate(transfer::Scheme, const std::function<Ball()>& G, Accuracy);
+
+} // namespace touchstone::limit

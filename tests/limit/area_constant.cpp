@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+/// The constant of the fractal limit: two routes that share nothing, its rate of approach, and what (7.21) makes of it.
+#include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/limit/area_constant.hpp"
+#include "touchstone/limit/area_series.hpp"
+#include "touchstone/paper/archard_constants.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using transfer::Scheme;
+
+namespace {
+
+Ball ten_to(long k) { return pow(Ball(10), Ball(k)); }
+Ball K_inf() { return archard::K_gamma_product(archard::infinity); }
+
+std::string digits(const char* quantity, const char* G, long count)
+{
+    const Evaluation e = evaluate(*find_quantity(quantity), Inputs({{"G", *parse_rational(G)}}), {count});
+    CHECK(e.status == Status::certified);
+    return e.value;
+}
+
+} // namespace
+
+TEST_CASE("the recursion backwards and the moments of the limit forwards give the same constant")
+{
+    for (const long G : {300, 1000}) {
+        const Accuracy wanted{12};
+        CAPTURE(G);
+        const WorkingPrecision precision(160);
+        const Ball backwards = limit::area_constant(Scheme::force_weighted, [G] { return Ball(G); }, wanted) / (K_inf() * G);
+        const Ball forwards = limit::area_ratio_by_series(Ball(G), wanted);
+        CHECK(backwards.overlaps(forwards));
+        CHECK(certainly(less(abs(backwards - 1), ten_to(-2))));
+        CHECK(backwards.relative_bits() > 3 * wanted.digits);
+        CHECK(forwards.relative_bits() > 3 * wanted.digits);
+        CHECK_FALSE(forwards.overlaps(backwards * (1 + ten_to(-wanted.digits + 1))));
+    }
+}
+
+TEST_CASE("the constant does not depend on the load")
+{
+    const WorkingPrecision precision(160);
+    const auto G = [] { return Ball(4); };
+    const Ball C = limit::area_constant(Scheme::force_weighted, G, {15});
+    for (const char* text : {"0.001", "0.3", "1"}) {
+        const Ball load(*parse_rational(text));
+        CAPTURE(text);
+        for (const long n : {20L, 45L}) {
+            const Ball h = transfer::area(Scheme::force_weighted, n, {[load] { return load; }, G}, {20}) * pow(G(), Ball(n)) / load;
+            const Ball delta = limit::relative_error(n, G(), load);
+            CHECK(certainly(less(abs(h / C - 1), delta + ten_to(-15))));
+            if (n == 20) CHECK_FALSE(certainly(less(abs(h / C - 1), ten_to(-15)))); // not yet in the limit
+        }
+    }
+}
+
+TEST_CASE("the rate of approach")
+{
+    const WorkingPrecision precision(128);
+    const auto at = [](long p, long q) { return Ball(Rational(p, q)); };
+    CHECK(limit::contraction(Ball(0), at(1, 2)).overlaps(at(1, 2)));
+    const Ball full = limit::contraction(Ball(0), Ball(1)); // (2/pi)(t/2 + (3/4) sin 2t), sin^2 t = 2/3
+    const Ball t = asin(sqrt(at(2, 3)));
+    CHECK(full.overlaps(2 / pi<Ball>() * (t / 2 + 3 * sin(2 * t) / 4)));
+    CHECK(certainly(less(full, at(7544, 10000))));
+    CHECK(certainly(less(limit::contraction(at(1, 8), Ball(1)), Ball(1)))); // scale() rests on it
+    CHECK(certainly(less(limit::contraction(at(1, 16), Ball(1)), limit::contraction(at(1, 8), Ball(1)))));
+    for (const long G : {4L, 100L}) {
+        const long n = limit::scale(ten_to(-6), 1000, Ball(G), at(1, 2)).value();
+        CHECK(certainly(less(limit::relative_error(n, Ball(G), at(1, 2)), ten_to(-6))));
+        CHECK_FALSE(certainly(less(limit::relative_error(n - 1, Ball(G), at(1, 2)), ten_to(-6))));
+    }
+    CHECK_FALSE(limit::scale(ten_to(-6), 5, Ball(4), at(1, 2)).has_value());
+}
+
+TEST_CASE("the coefficients in powers of 4/G^2")
+{
+    const WorkingPrecision precision(160);
+    CHECK((limit::hertzian_moment(Ball(-1)) / 4).overlaps(K_inf()));
+    const std::vector<Ball> R = limit::area_coefficients(4, {12});
+    REQUIRE(R.size() == 5);
+    CHECK(R[0].overlaps(Ball(1)));
+    for (const Ball& r : R) {
+        CHECK(certainly(less(abs(r), Ball(2))));
+        CHECK(certainly(less(Ball(r.radius_bound() < 1e-12 ? 0 : 1), Ball(1))));
+    }
+    const Ball e(Rational(1, 1'000'000));
+    const Witness first = limit::area_ratio_to_first_order(2 / sqrt(e));
+    CHECK(certainly(less(abs((first.value - 1) / e - R[1]), ten_to(-13))));
+    // R_2 from the recursion at a small 4/G^2
+    const Ball C = limit::area_constant(Scheme::force_weighted, [] { return Ball(2000); }, {30}) / (K_inf() * 2000);
+    const Ball small(Rational(1, 1'000'000));
+    CHECK(certainly(less(abs((C - 1 - R[1] * small) / (small * small) - R[2] - R[3] * small), 3 * small * small)));
+}
+
+TEST_CASE("the paper's constant is wrong by 9 and 20 percent where D = 1.5")
+{
+    const auto ratio = [](long gamma) {
+        const Inputs in({{"D", Rational(3, 2)}, {"gamma", Rational(gamma)}});
+        return evaluate(*find_quantity("limit.area_ratio"), in, {6}).value;
+    };
+    CHECK(ratio(10) == "1.09029");
+    CHECK(ratio(5) == "1.20136");
+}
+
+TEST_CASE("edges of the domain")
+{
+    CHECK_THROWS_AS(evaluate(*find_quantity("limit.area_constant"), Inputs({{"G", Rational(1)}})), DomainError);
+    CHECK(digits("limit.area_ratio", "1e300", 20) == "1.0000000000000000000");
+    CHECK(digits("limit.area_ratio", "5000", 12) == "1.00000003334"); // the series from here on
+    CHECK(digits("limit.area_ratio", "4999.999", 12) == "1.00000003334");
+    const Evaluation none = evaluate(*find_quantity("limit.area_constant"), Inputs({{"G", Rational(2)}}));
+    CHECK(none.status == Status::undecided);
+    CHECK_FALSE(none.proven);
+    CHECK_FALSE(none.note.empty());
+}
