@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: MIT
 # ./bootstrap.sh        install what is missing, build, run the main job into out/
 # ./bootstrap.sh test   the same, then build and run every test (slow ones and campaigns excepted)
+# ./bootstrap.sh prove  install Coq and Gappa, check the theorems of proofs/coq and rows of the closed-form tables
 set -euo pipefail
 cd "$(dirname "$0")"
 
 mode="${1:-run}"
 case "$mode" in
-  run | test) ;;
-  *) echo "usage: ./bootstrap.sh [test]" >&2; exit 64 ;;
+  run | test | prove) ;;
+  *) echo "usage: ./bootstrap.sh [test | prove]" >&2; exit 64 ;;
 esac
 
 say() { printf '\n== %s\n' "$*"; }
@@ -18,8 +19,9 @@ packages=(g++ cmake ninja-build ccache pkg-config
   libgmp-dev libmpfr-dev libflint-dev libboost-dev libginac-dev libcln-dev libgsl-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev doctest-dev gnuplot-nox fonts-dejavu-core blahtexml)
 if [ "$mode" = test ]; then packages+=(python3 python3-venv python3-pip python3-pytest gfortran tidy mkdocs); fi
+if [ "$mode" = prove ]; then packages=(coq libcoq-interval libcoq-coquelicot libcoq-flocq libcoq-gappa gappa python3); fi
 # Arb is a package of its own until FLINT 3 took it in
-if apt-cache show libflint-arb-dev >/dev/null 2>&1; then packages+=(libflint-arb-dev); fi
+if [ "$mode" != prove ] && apt-cache show libflint-arb-dev >/dev/null 2>&1; then packages+=(libflint-arb-dev); fi
 
 missing() {
   local p
@@ -43,11 +45,16 @@ if [ -n "$lacking" ]; then
   say "installing $(echo $lacking)"
   $sudo apt-get update -qq
   # the index was perhaps empty before: ask again whether Arb is a package of its own
-  if apt-cache show libflint-arb-dev >/dev/null 2>&1 && [[ " ${packages[*]} " != *" libflint-arb-dev "* ]]; then
+  if [ "$mode" != prove ] && apt-cache show libflint-arb-dev >/dev/null 2>&1 && [[ " ${packages[*]} " != *" libflint-arb-dev "* ]]; then
     packages+=(libflint-arb-dev)
   fi
   # shellcheck disable=SC2046
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $(missing) >/dev/null
+fi
+
+if [ "$mode" = prove ]; then
+  say "proving"
+  exec proofs/coq/prove.sh build/prove
 fi
 
 say "building"

@@ -1,0 +1,23 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(** * What is proved, and on which axioms: those of Coq's real numbers, and no other *)
+
+Require Import Wave Peaks Operator Areas Equilibrium Archard Numbers.
+
+Print Assumptions iteration_converges.
+Print Assumptions x_P_is_unique.
+Print Assumptions doubled_half_width.
+Print Assumptions pressure_as_printed.
+Print Assumptions semicircle.
+Print Assumptions equilibrium.
+Print Assumptions T_positive.
+Print Assumptions error_under_T.
+Print Assumptions errors_only_add.
+Print Assumptions relative_errors_add.
+Print Assumptions area_increases_with_load.
+Print Assumptions area_of_one_wave.
+Print Assumptions phi_log_convex.
+Print Assumptions log_integral.
+Print Assumptions K_inf_lower.
+Print Assumptions K_inf_upper.
+Print Assumptions K_inf_to_eight_places.
+Print Assumptions table_1.

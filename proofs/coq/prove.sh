@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# prove.sh FOLDER [ROWS]: checks, in FOLDER, the theorems of this folder, ROWS rows (20 unless told) of each closed-form table, and the double
+# forms of ../gappa.
+# Ends with 1 if a theorem or a row is not proved, if one rests on an axiom other than those of Coq's real numbers, or if a wrong digit passes.
+set -euo pipefail
+here="$(cd "$(dirname "$0")" && pwd)"
+tables="$here/../../data/reference"
+work="$1"
+rows="${2:-20}"
+mkdir -p "$work"
+cp "$here"/*.v "$work"
+cd "$work"
+
+say() { printf '%s\n' "$*"; }
+fail() { echo "prove.sh: $*" >&2; exit 1; }
+
+# ---- theorems, in the order in which they rest on each other
+if grep -nE '\b(Admitted|Axiom|Parameter|admit|Conjecture|Hypothesis)\b' "$here"/*.v; then fail "a proof above is not finished"; fi
+for file in Peaks Wave Operator Areas Equilibrium Archard Numbers; do
+  say "proving $file.v"
+  coqc -w none -q "$file.v"
+done
+coqc -w none -q Theorems.v > assumptions.txt
+# what the lines of Print Assumptions may name: how Coq builds its real numbers
+allowed='ClassicalDedekindReals.sig_not_dec|ClassicalDedekindReals.sig_forall_dec|FunctionalExtensionality.functional_extensionality_dep|Classical_Prop.classic|ClassicalEpsilon.constructive_indefinite_description'
+foreign="$(grep -oE '^[A-Za-z_]+\.[A-Za-z_.0-9]+' assumptions.txt | sort -u | grep -vE "^($allowed)$" | grep -vE '^(PrimInt63|PrimFloat|FloatAxioms|Uint63|Int63|Sint63)\.' || true)"
+[ -z "$foreign" ] || fail "a theorem rests on $foreign"
+theorems="$(grep -c '^Print Assumptions' Theorems.v)"
+
+# ---- rows of the tables, at the digits printed
+coqc -w none -q Rows.v
+proved=0
+for table in peaks_f peaks_fixed_point hertz_half_width westergaard_half_width westergaard_pressure westergaard_exceedance; do
+  python3 "$here/rows.py" "$tables/$table.txt" "$rows" > "rows_$table.v"
+  count="$(grep -c '^Theorem' "rows_$table.v")"
+  say "proving $count rows of $table"
+  coqc -w none -q "rows_$table.v" || fail "a row of $table is not proved"
+  proved=$((proved + count))
+done
+
+# ---- a check that can't fail proves nothing: a last digit moved by three must be refused
+python3 "$here/rows.py" "$tables/westergaard_half_width.txt" 2 --spoil > spoilt.v
+if coqc -w none -q spoilt.v > /dev/null 2>&1; then fail "a row with a wrong last digit was proved"; fi
+# ---- double forms: Gappa finds the proof, Coq checks it
+forms=0
+for file in "$here"/../gappa/*.g; do
+  name="$(basename "$file" .g)"
+  gappa -Bcoq "$file" > "gappa_$name.v" || fail "Gappa does not prove $file"
+  coqc -w none -q "gappa_$name.v" || fail "Coq does not check Gappa's proof of $file"
+  forms=$((forms + 1))
+done
+sed 's/1b-53 }/1b-54 }/' "$here/../gappa/peaks_f_partial.g" > spoilt.g
+if gappa spoilt.g > /dev/null 2>&1; then fail "a bound of half the rounding error was proved"; fi
+
+say "$theorems theorems, $proved rows and $forms double forms proved by Coq; a wrong last digit and a bound too small were refused"
