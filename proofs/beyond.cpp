@@ -24,7 +24,7 @@ Finding slope(const Print& p)
     a.add("far above is a statement about q and S alone", exactly(GiNaC::is_a<GiNaC::numeric>(left_over.evalf()), p.text("F.far")));
     if (!GiNaC::is_a<GiNaC::numeric>(left_over.evalf())) return a.conclude();
     const Check as_printed = identity(pow(far - (pow(sym("q"), 2) - pow(sym("q"), -2)) / 2, 2), pow(sym("q") + 1 / sym("q"), 2) * (sym("S") + pow(sym("q") - 1 / sym("q"), 2) / 4), outside);
-    a.note("p and h' are real and imaginary part of one function F(z) = 2 cos(pi z) sqrt(S - sin^2 pi z) + i sin(2 pi z), analytic above the real line (gap.hpp, 1)");
+    a.argue("p and h' are real and imaginary part of one function F(z) = 2 cos(pi z) sqrt(S - sin^2 pi z) + i sin(2 pi z), analytic above the real line (gap.hpp, 1)");
     a.add("with q = exp(i pi z) it is as printed: (F - i sin(2 pi z))^2 = 4 cos^2(pi z) (S - sin^2(pi z))", as_printed);
     if (as_printed.verdict != Verdict::proved) return a.conclude();
     return a.add("far above F tends to the mean pressure S", limit_at_zero(far, sym("q"), p("F.at_infinity"), outside))
@@ -43,7 +43,7 @@ Finding gap(const Print& p)
 Finding mean_gap(const Print& p)
 {
     return Argument("symbolic identity")
-        .note("the gap at the peak stays zero, so dC/dS = (2/pi) int log(2 sqrt(S) |sin phi|) dphi over half a turn = log S (gap.hpp, 4)")
+        .argue("the gap at the peak stays zero, so dC/dS = (2/pi) int log(2 sqrt(S) |sin phi|) dphi over half a turn = log S (gap.hpp, 4)")
         .add("dC/dS = log S", identity(derivative(p("rhs"), "S"), log(sym("S")), outside))
         .add("full contact leaves no gap: C(1) = 0", identity(p("rhs").subs(sym("S") == 1), 0, outside))
         .conclude("0 < S <= 1");

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/ledger.hpp"
 
+#include "proofs/lemmas/stored_values.hpp"
 #include "proofs/reading/reading.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
 #include <stdexcept>
-
-namespace touchstone::data {
-std::string_view verdicts_text();
-}
 
 namespace touchstone::proofs {
 
@@ -21,6 +16,7 @@ std::string_view name(Verdict v)
     case Verdict::proved: return "proved";
     case Verdict::verified: return "verified";
     case Verdict::refuted: return "refuted";
+    case Verdict::argued: return "argued";
     case Verdict::definition: return "definition";
     case Verdict::qualitative: return "qualitative";
     case Verdict::undecided: return "undecided";
@@ -28,14 +24,61 @@ std::string_view name(Verdict v)
     throw std::logic_error("not a verdict");
 }
 
+namespace {
+
+/// "proofs/lemmas/area_bounds.cpp:96", wherever the sources were compiled.
+std::string place(const std::source_location& at)
+{
+    const std::string file = at.file_name();
+    const std::size_t cut = file.rfind("proofs/");
+    return (cut == std::string::npos ? file : file.substr(cut)) + ":" + std::to_string(at.line());
+}
+
+/// "area_bounds" of "touchstone::proofs::Check touchstone::proofs::area_bounds()".
+std::string function(const std::source_location& at)
+{
+    std::string name = at.function_name();
+    name.resize(std::min(name.find('('), name.size()));
+    const std::size_t cut = name.find_last_of(" :");
+    return cut == std::string::npos ? name : name.substr(cut + 1);
+}
+
+void add_once(std::vector<std::string>& all, const std::string& one)
+{
+    if (!one.empty() && std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+} // namespace
+
+Check as_lemma(Check c, const std::source_location& at)
+{
+    c.lemma = function(at) + " " + place(at);
+    return c;
+}
+
+Argument::Argument(std::string method, const std::source_location& at)
+{
+    finding_.method = std::move(method);
+    finding_.judge = place(at);
+}
+
+Argument& Argument::argue(const std::string& text)
+{
+    finding_.steps.push_back("(argued) " + text);
+    if (worst_ == Verdict::proved || worst_ == Verdict::verified) worst_ = Verdict::argued;
+    return *this;
+}
+
 Argument& Argument::add(const std::string& lemma, const Check& check)
 {
     ++checks_;
+    add_once(finding_.lemmas, check.lemma);
     finding_.steps.push_back(lemma + " [" + std::string(name(check.verdict)) + ": " + check.detail + "]");
     const auto rank = [](Verdict v) { // the weakest link decides, a refuted one before all
         switch (v) {
-        case Verdict::refuted: return 3;
-        case Verdict::undecided: return 2;
+        case Verdict::refuted: return 4;
+        case Verdict::undecided: return 3;
+        case Verdict::argued: return 2;
         case Verdict::verified: return 1;
         default: return 0;
         }
@@ -43,7 +86,7 @@ Argument& Argument::add(const std::string& lemma, const Check& check)
     const std::string why = lemma + ": " + check.detail;
     if (rank(check.verdict) > rank(worst_)) {
         worst_ = check.verdict;
-        if (rank(worst_) >= 2) finding_.reason = why;
+        if (rank(worst_) >= 3) finding_.reason = why;
     } else if (check.verdict == Verdict::refuted) {
         finding_.reason += "; " + why;
     }
@@ -52,7 +95,7 @@ Argument& Argument::add(const std::string& lemma, const Check& check)
 
 Argument& Argument::note(const std::string& text)
 {
-    finding_.steps.push_back("(argued) " + text);
+    finding_.steps.push_back("(remark) " + text);
     return *this;
 }
 
@@ -64,7 +107,8 @@ Finding Argument::conclude(const std::string& reason, Verdict passed) const
         return f;
     }
     f.reason = reason;
-    f.verdict = passed == Verdict::proved && worst_ == Verdict::verified ? Verdict::verified : passed;
+    const bool weaker = worst_ == Verdict::argued || (worst_ == Verdict::verified && passed == Verdict::proved);
+    f.verdict = weaker && (passed == Verdict::proved || passed == Verdict::verified) ? worst_ : passed;
     if (passed == Verdict::proved && checks_ == 0) throw std::logic_error("a proof without a check");
     return f;
 }
@@ -74,16 +118,18 @@ std::vector<std::string> Entry::surviving() const
     std::vector<std::string> bad;
     for (const ControlResult& c : controls)
         if (c.finding.verdict != Verdict::refuted) bad.push_back("control survives as " + std::string(name(c.finding.verdict)) + ": " + c.what);
-    const bool holds = finding.verdict == Verdict::proved || finding.verdict == Verdict::verified;
+    const bool holds = finding.verdict == Verdict::proved || finding.verdict == Verdict::verified || finding.verdict == Verdict::argued;
     if (holds && controls.empty()) bad.push_back("no control");
     if (finding.verdict == Verdict::refuted) {
         if (!corrected) bad.push_back("refuted without a corrected form");
-        else if (corrected->verdict != Verdict::proved) bad.push_back("the corrected form comes out " + std::string(name(corrected->verdict)));
+        else if (corrected->verdict != Verdict::proved && corrected->verdict != Verdict::argued) bad.push_back("the corrected form comes out " + std::string(name(corrected->verdict)));
     }
     return bad;
 }
 
-Finding judge_whole(const Claim& claim, const Print& print, Order order)
+namespace {
+
+Finding judged(const Claim& claim, const Print& print, Order order)
 {
     const auto refuted = [](const Check& reading) {
         Finding f;
@@ -116,6 +162,16 @@ Finding judge_whole(const Claim& claim, const Print& print, Order order)
     return f;
 }
 
+} // namespace
+
+Finding judge_whole(const Claim& claim, const Print& print, Order order)
+{
+    values_used(); // what others asked for
+    Finding f = judged(claim, print, order);
+    for (const std::string& row : values_used()) add_once(f.rows, row);
+    return f;
+}
+
 Entry run(const Claim& claim, const Print& print)
 {
     Entry e;
@@ -125,15 +181,6 @@ Entry run(const Claim& claim, const Print& print)
     if (claim.correction) e.corrected = judge_whole(claim, print.edited(claim.correction->edits));
     for (const Control& c : claim.controls) e.controls.push_back({c.what, judge_whole(claim, print.edited(c.edits))});
     return e;
-}
-
-Verdict expected_verdict(const std::string& id)
-{
-    static const auto recorded = nlohmann::json::parse(data::verdicts_text()).get<std::map<std::string, std::string>>();
-    const std::string& wanted = recorded.at(id);
-    for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::refuted, Verdict::definition, Verdict::qualitative, Verdict::undecided})
-        if (name(v) == wanted) return v;
-    throw std::out_of_range("not a verdict: " + wanted);
 }
 
 std::vector<std::string> cycle(const std::vector<Claim>& all)

@@ -14,6 +14,7 @@
 #include <functional>
 #include <iosfwd>
 #include <optional>
+#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ enum class Verdict {
     proved,      ///< as printed, for all parameters in its domain
     verified,    ///< as printed, at every digit printed or every point tried in balls
     refuted,     ///< as printed it is false
+    argued,      ///< proved but for a step that words carry and no program checks
     definition,  ///< nothing to prove
     qualitative, ///< judged by a stated number
     undecided,   ///< neither proved nor refuted here; the reason says what is missing
@@ -34,7 +36,10 @@ std::string_view name(Verdict);
 struct Check {
     Verdict verdict = Verdict::undecided;
     std::string detail;
+    std::string lemma = {}; ///< "area_bounds proofs/lemmas/area_bounds.cpp:96", if a lemma said it
 };
+/// The same check, said by the function that calls this.
+Check as_lemma(Check, const std::source_location& = std::source_location::current());
 
 /// What a judge hands back.
 struct Finding {
@@ -42,16 +47,21 @@ struct Finding {
     std::string method;
     std::vector<std::string> steps; ///< each lemma in order, with what its check said
     std::string reason;             ///< of a refuted claim the counterexample; else what the verdict rests on
+    std::string judge = {};               ///< "proofs/section_7.cpp:58"
+    std::vector<std::string> lemmas = {}; ///< as Check::lemma, each once
+    std::vector<std::string> rows = {};   ///< of data/paper/values.txt that were asked for
 };
 
-/// An argument reduced to lemmas, each checked. It proves if all its checks do; one refuted
-/// check refutes it; anything else leaves it undecided.
+/// An argument reduced to lemmas, each checked. It proves if all its checks do; one refuted check refutes it; with a step
+/// that only words carry it is argued; anything else leaves it undecided.
 class Argument {
 public:
-    explicit Argument(std::string method) { finding_.method = std::move(method); }
+    explicit Argument(std::string method, const std::source_location& = std::source_location::current());
     /// A lemma and what its check said.
     Argument& add(const std::string& lemma, const Check& check);
-    /// A step of plain reasoning that no program checks: it is shown, and never decides.
+    /// A step that the proof needs and no program checks.
+    Argument& argue(const std::string& text);
+    /// A remark, or a step of a line's arithmetic: it is shown, and never decides.
     Argument& note(const std::string& text);
     /// The finding if every check passed; `passed` is the verdict that then holds.
     Finding conclude(const std::string& reason = {}, Verdict passed = Verdict::proved) const;
@@ -95,7 +105,7 @@ struct Entry {
     std::optional<Finding> corrected;
     struct ControlResult { std::string what; Finding finding; };
     std::vector<ControlResult> controls;
-    /// Controls that did not come out refuted, a correction that did not come out proved, or
+    /// Controls that did not come out refuted, a correction that did not come out proved or argued, or
     /// a proof without any control: reasons not to believe this entry.
     std::vector<std::string> surviving() const;
 };
@@ -114,7 +124,7 @@ std::vector<std::string> cycle(const std::vector<Claim>&);
 /// All claims, in the order of the paper. \throws std::logic_error if they rest on one another in a cycle.
 const std::vector<Claim>& claims();
 
-/// The verdict recorded for a claim in data/paper/verdicts.json; a changed one is a failure.
+/// The verdict recorded for a claim in data/paper/verdicts.txt; a changed one is a failure.
 /// \throws std::out_of_range if none is recorded.
 Verdict expected_verdict(const std::string& id);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/print.hpp"
 
+#include "proofs/symbols.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <regex>
@@ -20,12 +22,11 @@ namespace touchstone::proofs {
 
 ex sym(const std::string& name)
 {
-    // Symbols that may be negative or zero; every other quantity of the paper is positive.
-    static const std::set<std::string> real = {"x", "xi", "nu", "alpha_n", "beta_n", "alpha_np1", "beta_np1", "rho", "n", "i", "D", "z", "z_x", "z_gx", "dQdp", "dN"};
     static std::map<std::string, ex> all;
     const auto found = all.find(name);
     if (found != all.end()) return found->second;
-    const ex made = real.count(name) ? ex(GiNaC::realsymbol(name)) : ex(GiNaC::possymbol(name));
+    const auto kind = alphabet().symbols.find(name); // one that is not listed is positive
+    const ex made = kind != alphabet().symbols.end() && kind->second.real ? ex(GiNaC::realsymbol(name)) : ex(GiNaC::possymbol(name));
     return all.emplace(name, made).first->second;
 }
 

@@ -86,7 +86,7 @@ Finding westergaard_pressure(const Print& p)
     return Argument("Westergaard's function: its values on the surface and far below it, by normal form and series")
         .add("dimensions", units(p))
         .add("a pressure c cos(kx) displaces the surface by 2(1 - nu^2) c cos(kx)/(E k), so the pressure and E/(2(1 - nu^2)) times the surface slope are the real and imaginary part of a function analytic below the surface", half_plane_mode())
-        .note("take W = A cos w sqrt(S - sin^2 w) - (i A/2) sin 2w with w = pi (x - i y)/lambda, S = sin^2(pi a/lambda), A = 2 pbar/S; on |x| < a the root is real, outside it is imaginary, so the pressure Re W is A cos w sqrt(S - sin^2 w) in the contact and 0 outside")
+        .argue("take W = A cos w sqrt(S - sin^2 w) - (i A/2) sin 2w with w = pi (x - i y)/lambda, S = sin^2(pi a/lambda), A = 2 pbar/S; on |x| < a the root is real, outside it is imaginary, so the pressure Re W is A cos w sqrt(S - sin^2 w) in the contact and 0 outside")
         .add("W tends to pbar far below the surface: the mean pressure is pbar", limit_at_zero(decaying, u, pbar(), Points{"pbar=1/3 S=1/4"}))
         .add("in the contact Im W is -(A/2) sin 2w, and with A = 2 p* the surface slope that goes with it is that of the profile (2.1)",
              identity(displacement_of_pressure(pstar() * cos(2 * w), 2 * Pi / sym("lambda")).subs(pstar() == pstar_of_profile()), sym("g") * cos(2 * w), partial_points, ring))

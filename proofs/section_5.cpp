@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Section 5 of the paper: the pressure at the highest peaks, scale after scale.
+#include "proofs/consequences.hpp"
 #include "proofs/lemmas/fixed_point.hpp"
 #include "proofs/ledger.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -169,7 +170,7 @@ std::vector<Claim> section_5()
         {"5.8", "The fixed point in partial contact.", "gamma^(D-1) > 2", fixed_point_partial, {{"2 for 4", {{"rhs", "4/", "2/"}}}, {"D - 1 for 2D - 2", {{"rhs", "2*D-2", "D-1"}}}, {"another threshold", {{"condition", "> 2", "> 3"}}}}, {}, {"5.5", "5.7"}},
         {"5.9", "The fixed point in full contact.", "gamma^(D-1) < 2", fixed_point_full, {{"plus", {{"rhs", "gamma^(D-1)-1", "gamma^(D-1)+1"}}}, {"2 for 1", {{"rhs", "1/(", "2/("}}}}, {}, {"5.4", "5.7"}},
         {"5.10", "For sufficiently large n the peak pressure is p*_n gamma^(D-1) x_P.", all, peak_at_large_n, {{"without the power of gamma", {{"rhs", "*gamma^(D-1)", ""}, {"relation", "=", "->"}}}},
-         Correction{"wording", "the equality sign", "p_n^max/(p*_n gamma^(D-1) x_P) -> 1 as n grows", {{"relation", "=", "->"}}, "the scale of figure 5 and (9.4) inherit it: at scale n they are off by the factor (load/x_P)^(2^-(n+1)) in partial contact, for the case of figure 5 (load 0.001, x_P = 0.4) 9 percent at n = 5 and 3e-6 at n = 20"}, {"5.2", "5.7"}},
+         Correction{"wording", "the equality sign", "p_n^max/(p*_n gamma^(D-1) x_P) -> 1 as n grows", {{"relation", "=", "->"}}, consequence_of("5.10")}, {"5.2", "5.7"}},
         {"5.11", "x_P < 0.2 if and only if gamma^(D-1) > sqrt(20).", all, [](const Print& p) { return threshold_of_bound(p, Rational(1, 5)); }, {{"10 for 20", {{"rhs", "20", "10"}}}, {"without the root", {{"rhs", "sqrt(20)", "20"}}}}, {}, {"5.8", "5.9"}},
         {"5.12", "With (5.11), a load below 0.2 keeps every scale in the Hertzian range.", "gamma^(D-1) > sqrt(20)", [](const Print& p) { return load_bound(p, "1.rhs", Rational(1, 5)); }, {{"0.3 for 0.2", {{"1.rhs", "0.2", "0.3"}}}, {"the inverse load", {{"0.rhs", "pbar/pstar_0", "pstar_0/pbar"}}}}, {}, {"5.6", "5.11"}},
         {"5.13", "x_P < 1 if and only if gamma^(D-1) > 2.", all, [](const Print& p) { return threshold_of_bound(p, Rational(1)); }, {{"3 for 2", {{"rhs", "2", "3"}}}}, {}, {"5.8", "5.9"}},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Section 6 of the paper: the recursion for the pressure distribution and the contact area.
+#include "proofs/consequences.hpp"
 #include "proofs/ledger.hpp"
 #include "proofs/symbolic/symbolic.hpp"
 #include "proofs/symbolic/units.hpp"
@@ -123,7 +124,7 @@ std::vector<Claim> section_6()
     return {
         {"6.1", "The density at scale n sums the conditional densities over the pressures at scale n - 1.", decoupled, recursion, {{"a gap between the ranges", {{"J2.from", "pstar_n", "2*pstar_n"}}}}, {}, {"5.1"}},
         {"6.2", "The partial-contact integral written out.", decoupled + "; p_n < 2 p*_n", partial_integral, {{"another lower limit, the rest corrected", {{"J.integrand", "sqrt((pstar_n-p_nm1)+", "sqrt((pstar_n-p_nm1)^2+"}, {"J.from", "4*", "2*"}}}},
-         Correction{"misprint", "the inner square root: (p*_n - p_{n-1}) lacks its square", "sqrt((p*_n - p_{n-1})^2 + p_n^2) inside the second brace", {{"J.integrand", "sqrt((pstar_n-p_nm1)+", "sqrt((pstar_n-p_nm1)^2+"}}, "(6.1) with (2.19) has the right form; a code written from (6.2) adds a pressure to a squared pressure, and with p*_n = 1 its integrand is low by 5 to 25 percent over most of the range, and by half near the lower limit for p_n = 1.5"}, {"2.19", "5.1"}},
+         Correction{"misprint", "the inner square root: (p*_n - p_{n-1}) lacks its square", "sqrt((p*_n - p_{n-1})^2 + p_n^2) inside the second brace", {{"J.integrand", "sqrt((pstar_n-p_nm1)+", "sqrt((pstar_n-p_nm1)^2+"}}, consequence_of("6.2")}, {"2.19", "5.1"}},
         {"6.3", "No partial contact gives a pressure above 2 p*_n.", decoupled, no_partial_above, {{"p*_n for 2 p*_n", {{"condition", "2*", ""}}}, {"one for zero", {{"rhs", "0", "1"}}}}, {}, {"2.10", "2.20", "5.1"}},
         {"6.4", "The full-contact integral written out, p_n < 2 p*_n.", decoupled, [](const Print& p) { return full_integral(p, false); }, {{"another upper limit", {{"J.to", "p_n+pstar_n", "p_n"}}}, {"the lower limit of (6.5)", {{"J.from", "pstar_n", "p_n-pstar_n"}}}, {"plus under the root", {{"J.integrand", "-(p_n", "+(p_n"}}}}, {}, {"2.15", "5.1"}},
         {"6.5", "The full-contact integral written out, p_n > 2 p*_n.", decoupled, [](const Print& p) { return full_integral(p, true); }, {{"the lower limit of (6.4)", {{"J.from", "p_n-pstar_n", "pstar_n"}}}, {"without 1/pi", {{"rhs", "1/Pi*", ""}}}}, {}, {"2.15", "5.1"}},

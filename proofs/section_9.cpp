@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Section 9 of the paper: the distribution of segment lengths.
+#include "proofs/consequences.hpp"
 #include "proofs/lemmas/fixed_point.hpp"
 #include "proofs/ledger.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -73,7 +74,7 @@ std::vector<Claim> section_9()
         {"9.2", "The number of segments longer than given.", partial, number_of_longer, {{"the sine unsquared", {{"Q_a.argument", "^2", ""}}}, {"2 pi", {{"Q_a.argument", "Pi*", "2*Pi*"}}}}, {}, {"2.5", "9.1"}},
         {"9.3", "The density of the half-lengths.", partial, density_of_lengths, {{"twice", {{"1.rhs", "Pi*pstar_n", "2*Pi*pstar_n"}}}, {"pi for 2 pi in the sine", {{"1.rhs", "2*Pi", "Pi"}}}, {"cosine", {{"1.rhs", "sin", "cos"}}}}, {}, {"9.2"}},
         {"9.4", "The longest segments at large n.", partial, longest, {{"corrected, but 2 lambda_n/pi", {{"rhs", "asin(x_P)", "asin(sqrt(x_P))"}, {"rhs", "lambda_n/Pi", "2*lambda_n/Pi"}}}},
-         Correction{"misprint", "the argument of arcsin lacks a square root", "a_n^max = (lambda_n/pi) arcsin(sqrt(x_P)), as a limit for large n", {{"rhs", "asin(x_P)", "asin(sqrt(x_P))"}}, "the scale of figure 5b, if drawn from the print; for its case (x_P = 0.4) the print gives 0.131 lambda_n, the right form 0.218 lambda_n"}, {"5.8", "5.10", "6.6"}},
+         Correction{"misprint", "the argument of arcsin lacks a square root", "a_n^max = (lambda_n/pi) arcsin(sqrt(x_P)), as a limit for large n", {{"rhs", "asin(x_P)", "asin(sqrt(x_P))"}}, consequence_of("9.4")}, {"5.8", "5.10", "6.6"}},
     };
 }
 

@@ -19,7 +19,8 @@ std::string same_as(const std::string& id)
     static const std::map<std::string, std::string> first{{"text.increasingly-hertzian-2", "text.increasingly-hertzian"},
                                                           {"text.hertz-dominates", "text.increasingly-hertzian"},
                                                           {"text.hertz-prevalence", "text.increasingly-hertzian"},
-                                                          {"text.first-scales", "text.archard-small-n"}};
+                                                          {"text.first-scales", "text.archard-small-n"},
+                                                          {"text.converges-on-8.6", "text.defines-limit"}};
     const auto found = first.find(id);
     return found == first.end() ? "" : found->second;
 }

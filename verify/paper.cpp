@@ -4,10 +4,12 @@
 #include "proofs/ledger.hpp"
 #include "proofs/lemmas/stored_values.hpp"
 #include "proofs/mutation/survivors.hpp"
+#include "proofs/recorded.hpp"
 #include "proofs/severity.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/paper.hpp"
+#include "verify/paper_ledger.hpp"
 #include "verify/progress.hpp"
 #include "verify/report.hpp"
 
@@ -30,8 +32,9 @@ struct PaperOptions {
     bool controls = false;
     std::string svg, pdf, csv;
     bool mutate = false;
-    bool recompute = false, values = false;
+    bool recompute = false, values = false, verdicts = false;
     std::string errata; ///< md, tex, html
+    std::string ledger; ///< a directory with a ledger of one's own
 };
 
 std::string corrected_form(const Entry& e)
@@ -67,7 +70,7 @@ nlohmann::ordered_json json_of(const Entry& e)
     nlohmann::ordered_json j = {
         {"id", e.claim->id}, {"verdict", name(e.finding.verdict)}, {"method", e.finding.method}, {"statement", e.claim->statement},
         {"reason", e.finding.reason}, {"correction", corrected_form(e)}, {"assumptions", e.claim->assumptions},
-        {"print", e.print.tex.empty() ? e.print.quote : e.print.tex}, {"rests_on", e.claim->rests_on}, {"steps", e.finding.steps}, {"caveat", caveat(e.claim->id)}, {"same_as", same_as(e.claim->id)}};
+        {"print", e.print.tex.empty() ? e.print.quote : e.print.tex}, {"rests_on", e.claim->rests_on}, {"steps", e.finding.steps}, {"judge", e.finding.judge}, {"lemmas", e.finding.lemmas}, {"rows", e.finding.rows}, {"caveat", caveat(e.claim->id)}, {"same_as", same_as(e.claim->id)}};
     if (c) {
         j["fault"] = c->fault;
         j["severity"] = severity(*c);
@@ -98,7 +101,7 @@ void print_ids(std::string_view label, const std::vector<std::string>& ids)
 
 std::string heading(const std::string& section)
 {
-    if (section == "abstract" || section == "figures" || section == "table 1" || section == "beyond the paper") return section;
+    if (section == "abstract" || section == "figures" || section == "table 1" || section == "references" || section == "beyond the paper") return section;
     return "section " + section;
 }
 
@@ -122,7 +125,7 @@ int print_ledger(const std::vector<Entry>& entries)
     int controls = 0, failed = 0;
     for (const std::string& s : sections) {
         fmt::print("{}\n", heading(s));
-        for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::definition}) {
+        for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::argued, Verdict::definition}) {
             std::vector<std::string> ids;
             for (const Entry* e : by_section[s])
                 if (e->finding.verdict == v) ids.push_back(e->claim->id);
@@ -234,6 +237,9 @@ int explain(const Entry& e)
         section("consequence", c->consequence);
     }
     section("method", e.finding.method);
+    section("judged in", e.finding.judge);
+    for (std::size_t i = 0; i < e.finding.lemmas.size(); ++i) section(i == 0 ? "lemmas" : "", e.finding.lemmas[i]);
+    if (!e.finding.rows.empty()) section("rows", fmt::format("{} of data/paper/values.txt, {} to {}", e.finding.rows.size(), e.finding.rows.front(), e.finding.rows.back()));
     for (std::size_t i = 0; i < e.finding.steps.size(); ++i) section(i == 0 ? "steps" : "", fmt::format("{}. {}", i + 1, e.finding.steps[i]));
     if (e.corrected)
         for (std::size_t i = 0; i < e.corrected->steps.size(); ++i) section(i == 0 ? "corrected" : "", fmt::format("{}. {}", i + 1, e.corrected->steps[i]));
@@ -252,6 +258,7 @@ int explain(const Entry& e)
 
 int run_paper(const PaperOptions& options)
 {
+    if (!options.ledger.empty()) return run_own_ledger(options.ledger, options.id, options.json, options.mutate);
     if (options.recompute || options.values) recompute_values();
     if (!options.svg.empty() || !options.pdf.empty() || !options.csv.empty()) return write_figure(options.id, options.svg, options.pdf, options.csv);
     if (!options.id.empty()) {
@@ -265,6 +272,10 @@ int run_paper(const PaperOptions& options)
         return failures(e).empty() ? holds : fails;
     }
     if (options.mutate) return print_mutation("");
+    if (options.verdicts) {
+        fmt::print("{}", recorded_form(judge_all()));
+        return holds;
+    }
     if (options.values) {
         judge_all();
         fmt::print("{}", computed_table());
@@ -314,8 +325,10 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("--csv", options->csv, "The points of a figure, each with its error and status");
     command->add_option("--errata", options->errata, "The erratum, from the proved corrections of the equations")->check(CLI::IsMember({"md", "tex", "html"}));
     command->add_flag("--mutate", options->mutate, "What a typesetter could change in the print, and what no judge would see");
+    command->add_option("--ledger", options->ledger, "A ledger of one's own: the directory with its ledger.json (docs/ledger.md)")->check(not_empty());
     command->add_flag("--recompute", options->recompute, "Compute what takes long, instead of taking it from data/paper/values.txt (hash checked), and compare");
     command->add_flag("--values", options->values, "Print data/paper/values.txt, computed anew");
+    command->add_flag("--verdicts", options->verdicts, "Print data/paper/verdicts.txt, as judged now");
     command->callback([&run, options, command] {
         if (command->count("entry") > 0 && options->id.empty()) throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
         run = [options] { return run_paper(*options); };

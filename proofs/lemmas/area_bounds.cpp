@@ -15,17 +15,45 @@ namespace {
 using GiNaC::lst;
 using GiNaC::Pi;
 
-/// The first check that does not prove, or the summary.
-Check all_of(std::initializer_list<Check> checks, const std::string& summary)
+const ex x = sym("x_load"), G = sym("G"), u = sym("u");
+
+/// The first check that does not prove, or the summary: argued if a step is. Said by the lemma that calls this.
+Check all_of(std::initializer_list<Check> checks, const std::string& summary, const std::source_location& at = std::source_location::current())
 {
-    for (const Check& c : checks)
-        if (c.verdict != Verdict::proved) return c;
-    return {Verdict::proved, summary};
+    Verdict least = Verdict::proved;
+    for (const Check& c : checks) {
+        if (c.verdict == Verdict::argued) least = Verdict::argued;
+        else if (c.verdict != Verdict::proved) return as_lemma(c, at);
+    }
+    return as_lemma({least, summary}, at);
+}
+
+/// A step that words carry.
+Check words(const std::string& text) { return {Verdict::argued, text}; }
+
+/// sqrt(v) <= sqrt(m) + (v - m)/(2 sqrt(m)), by a square: in the mean over v with mean m, Jensen's E[sqrt(v)] <= sqrt(E[v]).
+Check mean_of_roots()
+{
+    const ex v = sym("v_root"), m = sym("m_root"); // the roots
+    return identity(m + (v * v - m * m) / (2 * m) - v, pow(v - m, 2) / (2 * m), Points{"v_root=1/3 m_root=2"});
+}
+
+/// v >= 2 c - c^2/v, by a square: in the mean with c = 1/E[1/v], Cauchy and Schwarz's E[v] >= 1/E[1/v].
+Check mean_of_inverses()
+{
+    const ex v = sym("v_root"), c = sym("m_root");
+    return identity(v - 2 * c + c * c / v, pow(v - c, 2) / v, Points{"v_root=1/3 m_root=2"});
+}
+
+/// sqrt(t/x) > 1 for x < t and sqrt(t/x) > 0 beyond: in the mean, Markov's P(x < t) <= sqrt(t) E[x^(-1/2)].
+Check share_below()
+{
+    const ex t = sym("t"), below = t / pow(1 + u, 2); // every x < t
+    return power_identity(sqrt(t / below), 1 + u, Points{"u=1 t=1/3"});
 }
 
 Check fixed_point() { return unique_fixed_point(prints().at("5.4")("rhs"), prints().at("5.5")("rhs")); }
 
-const ex x = sym("x_load"), G = sym("G"), u = sym("u");
 const Points points{"x_load=1/3 G=3 u=1/2 sin_psi=1/2 cos_theta=1/3"};
 /// G in (1, 2) as 2/(1 + v), v = 1/(1 + u) in (0, 1), u > 0.
 const ex G_below_2 = 2 / (1 + 1 / (1 + u));
@@ -68,11 +96,12 @@ Check inverse_root_moment()
         // E[y^(-1/2)] <= (G/2)^(1/2) x^(-1/4) times the integral of (4/pi) sqrt(1 - u^2) (1 - u^2)^(-1/2), which is 4/pi
         identity(pow(4 / Pi * sqrt(G / 2), 2), 8 * G / (Pi * Pi), Points{"G=3"}),
         less_than(constant, Ball(1), "4/(pi sqrt 2)"),                              // so E[y^(-1/2)] <= sqrt(G) x^(-1/4)
-        // full contact: sqrt(G)/x times the mean of (x + cos theta)^(1/2), at most sqrt(x) by Cauchy and Schwarz; x^(-1/2) <= x^(-1/4)
+        // full contact: sqrt(G)/x times the mean of (x + cos theta)^(1/2), at most sqrt(x) as that of x + cos theta is x; x^(-1/2) <= x^(-1/4)
+        mean_of_roots(),
         power_identity(sqrt(G) / x * sqrt(x), sqrt(G) * pow(x, -ex(1) / 2), points),
-        // m_{n+1} <= sqrt(G m_n) (Jensen), which keeps m <= M for M >= G and drives m below every M > G: the fixed point is G
+        // m_{n+1} <= sqrt(G m_n) (mean_of_roots again, v = x^(-1/2)), which keeps m <= M for M >= G and drives m below every M > G: the fixed point is G
         power_identity(sqrt(G * G), G, points),
-    }, "y >= (2/G) sqrt(x)(1 - u^2) in partial contact, Cauchy-Schwarz in full contact, then Jensen: m_{n+1} <= sqrt(G m_n) with m_n = E[x_n^(-1/2)], in partial contact with 8 G/pi^2 in place of G");
+    }, "y >= (2/G) sqrt(x)(1 - u^2) in partial contact, the mean of a root is at most the root of the mean: m_{n+1} <= sqrt(G m_n) with m_n = E[x_n^(-1/2)], in partial contact with 8 G/pi^2 in place of G");
 }
 
 Check area_bounds()
@@ -81,9 +110,10 @@ Check area_bounds()
         force_weighting(),
         inverse_root_moment(),
         fixed_point(), // x_n <= X = max(load, x_P)
-        // h(x) <= x^(-1/2): arcsin is convex on (0, 1), so below its chord from 0 to arcsin 1 = pi/2
+        // h(x) <= x^(-1/2): arcsin is convex on (0, 1), arcsin'' = t/(1 - t^2)^(3/2), so below its chord from 0 to arcsin 1 = pi/2
+        power_identity(asin(sym("t")).diff(GiNaC::ex_to<GiNaC::symbol>(sym("t")), 2), sym("t") * pow(1 - sym("t") * sym("t"), -ex(3) / 2), Points{"t=1/2"}),
         identity(asin(ex(1)), Pi / 2, Points{}),
-        // h(x) >= 2/pi for x < 1, as arcsin(sqrt x) >= sqrt x >= x; h(x) = 1/x >= 1/X for 1 <= x <= X
+        // h(x) >= 2/pi for x < 1, as arcsin(sqrt x) >= sqrt x >= x (convex, above its tangent at 0); h(x) = 1/x >= 1/X for 1 <= x <= X
         limit_at_zero(asin(sym("t")) / sym("t"), sym("t"), 1, Points{}),
     }, "A_n = load G^-n E[h(x_n)] with min(2/pi, 1/X) <= h(x) <= x^(-1/2)");
 }
@@ -107,6 +137,8 @@ Check hertz_from_below()
         power_identity(prints().at("7.13")("0.rhs").coeff(sym("J"), 1).subs(sym("delta_n") == s) / sym("K_n"), step_of_power * pow(G, s), Points{"G=3 s=1/2 K_n=1"}),
         // (2/pi)(1/6) times the least limit of E[x_n^(1/2)] >= 1/E[x_n^(-1/2)] >= pi^2/(8 G)
         identity(2 / Pi / 6 * Pi * Pi / (8 * G), Pi / (24 * G), points),
+        mean_of_inverses(),
+        words("T keeps order, so by induction the area is above the Hertzian one at every scale, and the limits may be taken term by term"),
     }, "T keeps order; on x^s with 0 < s <= 1 it is at least its Hertzian limit since (1 - x u^2)^((s-1)/2) >= 1; arcsin t >= t + t^3/6 and E[x^(1/2)] >= 1/E[x^(-1/2)]");
 }
 
@@ -165,6 +197,7 @@ Check one_limiting_law()
         less_than(contraction(), Ball(1), "contraction"),
         // E[y^-a] <= (G/2)^a x^(-a/2) times the integral of (4/pi)(1 - u^2)^(1/2 - a), finite for a < 3/2
         exactly(Rational(1) < Rational(3, 2), "a = 1 is below 3/2"),
+        words("a contraction in the Wasserstein distance has one limiting law, and bounded moments carry the limit to functions that grow like 1/x"),
     }, "one step contracts the distance of -log x by " + contraction().to_string(4) + " in the mean, for all G >= 2 and loads up to 1");
 }
 
@@ -177,12 +210,14 @@ Check full_contact_share_stays()
         identity(2 / G * (1 - e), q, points),
         positive((q - 1).subs(G == G_below_2), Points{"u=1"}),
         positive(e.subs(G == G_below_2), Points{"u=1"}),
-        // Markov: P(x < t) <= sqrt(t) G in the limit, one half at sqrt(t) = 1/(2G)
+        // P(x < t) <= sqrt(t) G in the limit, one half at sqrt(t) = 1/(2G)
+        share_below(),
         identity(G / (2 * G), ex(1) / 2, points),
         // the fixed point q^2 of q sqrt(x) is above 1, so a fixed number of such steps takes t above 1
         power_identity(q * sqrt(pow(sym("y"), 2)), q * sym("y"), Points{"G=3/2 y=2"}),
         // full contact persists with probability at least arccos(G - 1)/pi: (x + cos theta)/G >= 1 where cos theta >= G - 1
         positive(((1 + (G - 1)) / G).subs(G == G_below_2), Points{"u=1"}),
+        words("a fixed number of steps that each have positive probability has positive probability"),
         // the share by number is E[1/x; x >= 1]/E[1/x], E[1/x_n] = G E[h(x_{n-1})] <= G^2 in the limit, 1/x >= 1/x_P
         force_weighting(),
     }, "half the force sits at x >= 1/(4G^2) in the limit (Markov); a fixed number of steps with u^2 <= (2 - G)/4 takes it above 1 with positive probability, where it stays with positive probability; the share by number is at least that probability over x_P G^2");
@@ -216,6 +251,8 @@ Check non_hertzian_share_stays()
         identity(sqrt(ex(1) / 5) * sqrt(ex(1) / 5), ex(1) / 5, Points{}),
         // from x >= 1 half of the theta give y >= 1/G > 1/5, as G^2 < 20 < 25
         exactly(Rational(20) < Rational(25), "20 < 25"),
+        share_below(),
+        words("a fixed number of steps that each have positive probability has positive probability"),
         identity(G / (2 * G), ex(1) / 2, points),
         force_weighting(),
     }, "half the force sits at x >= 1/(4G^2) in the limit (Markov); a fixed number of steps with small u takes it to x >= 1/5 and keeps it there with positive probability; by number the share is at least that over X G^2");

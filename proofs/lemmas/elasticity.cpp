@@ -39,7 +39,7 @@ Check half_plane_mode()
              identity(v.subs(sym("y") == 0), displacement_of_pressure(c * wave, k), at),
          })
         if (check.verdict != Verdict::proved) return check;
-    return {Verdict::proved, "six identities by normal form; the stresses come from an Airy function and vanish at depth"};
+    return as_lemma({Verdict::proved, "six identities by normal form; the stresses come from an Airy function and vanish at depth"});
 }
 
 } // namespace touchstone::proofs

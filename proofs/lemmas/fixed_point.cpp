@@ -27,7 +27,7 @@ Check unique_fixed_point(const ex& above, const ex& below)
              positive((x_F - below.subs(x == 1) / G).subs(G == G_below_2), g),                      // ... h(1) < x_P
          })
         if (check.verdict != Verdict::proved) return check;
-    return {Verdict::proved, "ten identities and inequalities by normal form, G >= 2 and 1 < G < 2, x >= 1 and x < 1 (fixed_point.hpp)"};
+    return as_lemma({Verdict::proved, "ten identities and inequalities by normal form, G >= 2 and 1 < G < 2, x >= 1 and x < 1 (fixed_point.hpp)"});
 }
 
 } // namespace touchstone::proofs

@@ -38,7 +38,7 @@ Check K_converges()
         const Ball slope = log_step_slope(delta);
         if (!certainly(less(Ball(0), slope)) || !certainly(less(slope, Ball(1)))) return {Verdict::undecided, "the slope of log step is not enclosed in (0, 1)"};
     }
-    return {Verdict::proved, "log step(1) = 0 and its slope on [1/2, 1] is enclosed in (0, 1): each step below 1, the logarithms summable"};
+    return as_lemma({Verdict::proved, "log step(1) = 0 and its slope on [1/2, 1] is enclosed in (0, 1): each step below 1, the logarithms summable"});
 }
 
 Check least_step_slope_exceeds(const Ball& number)
@@ -113,7 +113,7 @@ Check beta_integral(const ex& integrand, const ex& from, const ex& to, const ex&
         if (!value.overlaps(wanted)) return {Verdict::refuted, "at delta = " + delta.get_str() + " the integral is " + value.to_string(8) + ", not " + wanted.to_string(8)};
         if (value.relative_bits() < 20) return {Verdict::undecided, "the quadrature is too wide: " + value.to_string(8)};
     }
-    return {Verdict::proved, "a theorem of Euler; checked by certified quadrature at four delta to 20 bits and more"};
+    return as_lemma({Verdict::proved, "a theorem of Euler; checked by certified quadrature at four delta to 20 bits and more"});
 }
 
 } // namespace touchstone::proofs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/lemmas/model_area.hpp"
 
+#include "proofs/lemmas/non_hertzian.hpp"
 #include "proofs/lemmas/stored_values.hpp"
 
 #include "touchstone/paper/archard.hpp"
@@ -69,6 +70,16 @@ Ball normalised_density(long n, const Rational& load, const Rational& share)
         const auto p = [&] { return highest() * Ball(share); };
         const Ball q = n == 0 ? westergaard::density(p(), Ball(load)) : transfer::density(transfer::Law::density, n, p, figure_5(load), wanted());
         return Ball(q * highest() / model_area(n, load, 10));
+    });
+}
+
+Ball share_outside_hertz(long n, const Rational& load, long gamma)
+{
+    const Rational p = power(Rational(gamma), (n + 1) / 2) / 5; // 0.2 p*_{n+1}, n odd
+    return stored_value("contact.exceedance/contact.area n=" + std::to_string(n) + " p=" + p.get_str() + " load=" + load.get_str() + " D=3/2 gamma=" + std::to_string(gamma), [&] {
+        const WorkingPrecision precision(figure_5_bits);
+        const transfer::Arguments at{[load] { return Ball(load); }, [gamma] { return sqrt(Ball(gamma)); }};
+        return Ball(transfer::exceedance(transfer::Law::exceedance, n, [p] { return Ball(p); }, at, wanted()) / model_area(n, load, gamma));
     });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/mutation/typesetter.hpp"
 
+#include "proofs/symbols.hpp"
+
 #include <cctype>
 #include <map>
 #include <regex>
@@ -35,6 +37,10 @@ const std::set<std::string>& names_in_print()
 {
     static const std::set<std::string> all = [] {
         std::set<std::string> names;
+        if (!paper_alphabet_in_use()) {
+            for (const auto& [name, kind] : alphabet().symbols) names.insert(name);
+            return names;
+        }
         for (const auto& [id, p] : prints())
             if (p.quote.empty())
                 for (const auto& [field, text] : p.fields)
@@ -59,15 +65,10 @@ std::vector<std::string> other_indices(const std::string& name)
     return all;
 }
 
-/// Letters that stand for one another in a careless hand: of one kind, or alike in shape.
 std::vector<std::string> neighbours(const std::string& name)
 {
-    static const std::vector<std::vector<std::string>> groups{
-        {"p", "pbar", "pstar", "phat"}, {"pbar", "ptilde"}, {"p_n", "pstar_n", "pmax_n"}, {"p_nm1", "pstar_n"}, {"pmax_nm1", "p_nm1"}, {"lambda", "a", "x", "g"}, {"lambda_0", "a_0", "g_0"},
-        {"lambda_1", "g_1"}, {"lambda_n", "a_n"}, {"alpha_n", "beta_n", "delta_n"}, {"alpha_np1", "beta_np1", "delta_np1"}, {"alpha_0", "beta_0", "delta_0"}, {"n", "i"}, {"z", "zhat"}, {"Q", "q"},
-        {"Q_nm1", "q_nm1"}, {"x_n", "x_P"}, {"x_nm1", "x_P"}, {"D", "gamma"}, {"E", "nu"}, {"K_n", "K_infinity"}, {"K_nm1", "K_infinity"}, {"N", "Nlim"}, {"F_0", "p_0"}, {"epsilon", "gamma"}, {"I1", "I2"}, {"J1", "J2"}, {"rho", "alpha_n"}};
     std::vector<std::string> all;
-    for (const auto& group : groups)
+    for (const auto& group : alphabet().alike)
         for (const std::string& member : group)
             if (member == name)
                 for (const std::string& other : group)

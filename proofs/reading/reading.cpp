@@ -2,6 +2,7 @@
 #include "proofs/reading/reading.hpp"
 
 #include "proofs/enclosure/enclosure.hpp"
+#include "proofs/reading/whole.hpp"
 
 #include <optional>
 #include <stdexcept>
@@ -358,6 +359,12 @@ std::optional<Check> read_whole(const Print& print)
 {
     const Meaning* m = meaning(print.id);
     if (m == nullptr) return std::nullopt;
+    return read_whole_as(print, *m);
+}
+
+Check read_whole_as(const Print& print, const Meaning& says)
+{
+    const Meaning* m = &says;
     const WorkingPrecision precision(192);
     try {
         const std::vector<Part> parts = parts_of(print);

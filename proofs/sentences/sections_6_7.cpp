@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The checkable sentences of sections 6 and 7.
+#include "proofs/consequences.hpp"
 #include "proofs/lemmas/area_bounds.hpp"
 #include "proofs/lemmas/fixed_point.hpp"
 #include "proofs/lemmas/k_limit.hpp"
@@ -201,7 +202,7 @@ std::vector<Claim> sentences_of_sections_6_7()
         {"text.rapid-convergence", "K_n converges quite rapidly.", hertz_everywhere, rapid, {}, {}, {"7.13"}},
         {"text.extremely-good", "The Hertzian area is an extremely good approximation at large n.", the_model, extremely_good, {}, {}, {"7.18"}},
         {"text.first-scales", "The Hertzian area is a good approximation at the first few scales.", the_model, small_scales, {}, {}, {"6.7", "7.18"}},
-        {"text.defines-limit", "(7.21) is the limiting behaviour of the area of the model.", the_model, defines_limit, {}, Correction{"substance", "the constant K_inf gamma^(D-1)", "A_n gamma^((D-1)n)/(lambda_0 ptilde) has a limit that depends on gamma^(D-1) alone and exceeds K_inf gamma^(D-1) by the factor 1 + pi/(24 gamma^(2D-2) K_inf) at least, for gamma^(D-1) > 2 and ptilde < 1", {{"relation", "=", ">"}}, "(8.3), (8.6) inherit the constant; the slopes and dimensions are right. A code that takes (7.21) for the limit of the model is low by 17 percent at D = 1.5, gamma = 5 (text.extremely-good)"}, {"6.7", "7.18", "7.21"}},
+        {"text.defines-limit", "(7.21) is the limiting behaviour of the area of the model.", the_model, defines_limit, {}, Correction{"substance", "the constant K_inf gamma^(D-1)", "A_n gamma^((D-1)n)/(lambda_0 ptilde) has a limit that depends on gamma^(D-1) alone and exceeds K_inf gamma^(D-1) by the factor 1 + pi/(24 gamma^(2D-2) K_inf) at least, for gamma^(D-1) > 2 and ptilde < 1", {{"relation", "=", ">"}}, consequence_of("text.defines-limit")}, {"6.7", "7.18", "7.21"}},
         {"text.limiting-slope", "The limiting slope is -(D - 1) ln(gamma).", the_model, limiting_slope, {{"2 - D for D - 1", {{"rhs", "D-1", "2-D"}}}}, {}, {"6.7"}},
         {"text.modest-scales", "The limiting slope is reached at modest scales.", the_model, modest_scales, {}, {}, {"6.7", "text.limiting-slope"}},
     };

@@ -73,7 +73,7 @@ Finding several_scales(const Print& p)
 {
     const ex bound = p("rhs"), m = sym("m"), gamma = sym("gamma");
     Argument a("bound of the number of segments");
-    a.note("N_n = gamma^n A_{n-1}/lambda_0 <= gamma^n A_0/lambda_0 <= gamma^n sqrt(load), as (2/pi) arcsin t <= t");
+    a.argue("N_n = gamma^n A_{n-1}/lambda_0 <= gamma^n A_0/lambda_0 <= gamma^n sqrt(load), as (2/pi) arcsin t <= t");
     a.add("the bound is named", exactly(p.text("relation") == "=" && p.text("lhs") == "load_below", "printed " + p.text("relation")));
     const auto b = positive_bound(bound, Point{{"gamma", Rational(5)}, {"D", Rational(3, 2)}, {"epsilon", Rational(1, 5)}, {"m", Rational(1)}});
     if (!b) return a.add("some load is below the bound", {Verdict::refuted, "at gamma = 5, m = 1 it is not positive"}).conclude();

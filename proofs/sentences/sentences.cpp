@@ -2,6 +2,7 @@
 #include "proofs/sentences/sentences.hpp"
 
 #include "proofs/lemmas/fixed_point.hpp"
+#include "proofs/sentences/wording.hpp"
 #include "proofs/symbolic/symbolic.hpp"
 
 namespace touchstone::proofs {
@@ -93,7 +94,7 @@ std::string between(const Ball& hull)
 std::vector<Claim> sentences()
 {
     std::vector<Claim> all;
-    for (auto* part : {&sentences_of_sections_2_5, &sentences_of_sections_6_7, &sentences_of_sections_8_11, &figures})
+    for (auto* part : {&sentences_of_sections_2_5, &sentences_of_sections_6_7, &sentences_of_sections_8_11, &sentences_about_the_text, &figures})
         for (Claim& c : part()) all.push_back(std::move(c));
     return all;
 }

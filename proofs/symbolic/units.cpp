@@ -2,8 +2,11 @@
 #include "proofs/symbolic/units.hpp"
 
 #include "proofs/symbolic/symbolic.hpp"
+#include "proofs/symbols.hpp"
 
+#include <map>
 #include <optional>
+#include <regex>
 #include <stdexcept>
 
 namespace touchstone::proofs {
@@ -12,21 +15,60 @@ namespace {
 
 using GiNaC::is_a;
 
-/// pressure^p length^l; a force on a plane (two-dimensional) body is pressure times length.
+/// Powers of base dimensions: pressure and length in the paper, where a force on a plane (two-dimensional) body is pressure times length.
 /// The powers are expressions because the paper raises to symbolic powers.
 struct Dimension {
-    ex pressure = 0, length = 0;
-    bool is_number() const { return same(pressure, 0) && same(length, 0); }
-    bool operator==(const Dimension& o) const { return same(pressure, o.pressure) && same(length, o.length); }
-    std::string text() const { return is_number() ? "a number" : "pressure^(" + str(pressure) + ") length^(" + str(length) + ")"; }
+    std::map<std::string, ex> powers;
+    ex power(const std::string& base) const
+    {
+        const auto found = powers.find(base);
+        return found == powers.end() ? ex(0) : found->second;
+    }
+    bool is_number() const { return *this == Dimension{}; }
+    bool operator==(const Dimension& o) const
+    {
+        for (const Dimension* d : {this, &o})
+            for (const auto& [base, p] : d->powers)
+                if (!same(power(base), o.power(base))) return false;
+        return true;
+    }
+    Dimension& times(const Dimension& o, const ex& exponent = 1)
+    {
+        for (const auto& [base, p] : o.powers) powers[base] += p * exponent;
+        return *this;
+    }
+    std::string text() const
+    {
+        std::string all;
+        for (const auto& [base, p] : powers)
+            if (!same(p, 0)) all += (all.empty() ? "" : " ") + base + "^(" + str(p) + ")";
+        return all.empty() ? "a number" : all;
+    }
     static bool same(const ex& a, const ex& b) { return GiNaC::normal(GiNaC::expand(a - b)).is_zero(); }
 };
+
+/// "force/length^2"
+Dimension parsed(const std::string& text)
+{
+    static const std::regex factor(R"(([*/]?)\s*([A-Za-z_]\w*|1)\s*(?:\^\s*(-?\d+))?\s*)");
+    Dimension d;
+    std::size_t at = 0;
+    for (std::sregex_iterator it(text.begin(), text.end(), factor), end; it != end; ++it) {
+        if (static_cast<std::size_t>(it->position()) != at || ((*it)[1].length() == 0) != (at == 0)) throw std::invalid_argument("not a dimension: '" + text + "'");
+        at += static_cast<std::size_t>(it->length());
+        if ((*it)[2] == "1") continue;
+        const long power = (*it)[3].matched ? std::stol((*it)[3]) : 1;
+        d.times(Dimension{{{(*it)[2], 1}}}, (*it)[1] == "/" ? -power : power);
+    }
+    if (at != text.size() || text.empty()) throw std::invalid_argument("not a dimension: '" + text + "'");
+    return d;
+}
 
 class Mismatch : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-const Dimension number{}, pressure{1, 0}, length{0, 1};
+const Dimension number{};
 
 /// The dimension of a symbol by its name in the paper; pieces of the print by their own rule.
 Dimension of_symbol(const std::string& name, const Print& print);
@@ -53,8 +95,7 @@ std::optional<Dimension> of(const ex& e, const Print& print)
         for (const ex& f : e) {
             const auto d = of(f, print);
             if (!d) return std::nullopt;
-            product.pressure += d->pressure;
-            product.length += d->length;
+            product.times(*d);
         }
         return product;
     }
@@ -63,7 +104,7 @@ std::optional<Dimension> of(const ex& e, const Print& print)
         if (exponent && !exponent->is_number()) throw Mismatch("the exponent " + str(e.op(1)) + " is " + exponent->text());
         const auto base = of(e.op(0), print);
         if (!base) return std::nullopt;
-        return Dimension{base->pressure * e.op(1), base->length * e.op(1)};
+        return Dimension{}.times(*base, e.op(1));
     }
     if (is_a<GiNaC::function>(e)) {
         for (const ex& x : e) {
@@ -77,12 +118,11 @@ std::optional<Dimension> of(const ex& e, const Print& print)
 
 Dimension must(const ex& e, const Print& print) { return of(e, print).value_or(number); }
 
-Dimension of_function(const std::string& f)
+const FunctionKind& kind_of_function(const std::string& f)
 {
-    if (f == "z") return length;
-    if (f == "q" || f == "q_nm1") return {-1, 0};
-    if (f == "f" || f == "Q" || f == "Q_nm1") return number;
-    throw std::invalid_argument("no dimension for the function " + f);
+    const auto found = alphabet().functions.find(f);
+    if (found == alphabet().functions.end()) throw std::invalid_argument("no dimension for the function " + f);
+    return found->second;
 }
 
 Dimension of_symbol(const std::string& name, const Print& print)
@@ -95,14 +135,11 @@ Dimension of_symbol(const std::string& name, const Print& print)
         if (kind == "function") {
             const auto argument = must(field("argument"), print);
             const std::string& f = print.text(name + ".of");
-            const Dimension wanted = f == "z" ? length : f == "f" ? number : pressure;
-            if (!(argument == wanted)) throw Mismatch("the argument of " + f + " is " + argument.text());
-            return of_function(f);
+            if (!(argument == parsed(kind_of_function(f).argument))) throw Mismatch("the argument of " + f + " is " + argument.text());
+            return parsed(kind_of_function(f).value);
         }
         if (kind == "derivative") {
-            const Dimension top = print.text(name + ".of") == "N_n" ? Dimension{0, -1} : number;
-            const Dimension by = must(field("by"), print);
-            return {top.pressure - by.pressure, top.length - by.length};
+            return of_symbol(print.text(name + ".of"), print).times(must(field("by"), print), -1);
         }
         if (kind == "integral") {
             const Dimension v = must(field("variable"), print);
@@ -112,27 +149,14 @@ Dimension of_symbol(const std::string& name, const Print& print)
                 if (d && !(*d == v)) throw Mismatch("the limit " + print.text(name + "." + end) + " of an integral over " + v.text() + " is " + d->text());
             }
             const Dimension integrand = must(field("integrand"), print);
-            return {integrand.pressure + v.pressure, integrand.length + v.length};
+            return Dimension(integrand).times(v);
         }
         throw std::invalid_argument("no dimension for the piece " + name);
     }
-    static const std::map<std::string, Dimension> known = [] {
-        std::map<std::string, Dimension> m;
-        for (const char* s : {"p", "pbar", "pstar", "pmax", "E", "phat", "p_n", "p_nm1", "p_0", "pstar_n", "pstar_np1", "pstar_0", "pmax_n", "pmax_nm1", "mean_p_n"}) m[s] = pressure;
-        for (const char* s : {"x", "g", "lambda", "a", "z", "g_0", "lambda_0", "g_n", "lambda_n", "zhat", "g_nm1", "lambda_nm1", "lambda_np1", "lambda_1", "g_1", "a_0", "a_n", "amax_n", "A", "A_n", "A_0", "A_np1", "A_nm1", "L", "x_centre"}) m[s] = length;
-        for (const char* s : {"q", "q_n", "q_nm1"}) m[s] = {-1, 0};
-        for (const char* s : {"F_0", "F_1", "F_np1"}) m[s] = {1, 1};
-        for (const char* s : {"N_n", "Nhat_n"}) m[s] = {0, -1};
-        for (const char* s : {"Q", "I1", "I2", "nu", "D", "gamma", "n", "i", "S", "f", "x_n", "x_nm1", "x_P", "ptilde", "alpha_n", "beta_n", "delta_n", "alpha_np1", "beta_np1", "delta_np1", "K_n", "K_np1", "K_nm1", "K_infinity", "K_0", "rho", "xi", "epsilon", "N", "Nlim", "d_A", "alpha_0", "beta_0", "delta_0"}) m[s] = number;
-        m["I1"] = m["I2"] = {-1, 0};
-        return m;
-    }();
-    const auto found = known.find(name);
-    if (found == known.end()) throw std::invalid_argument("no dimension for " + name);
-    Dimension d = found->second;
-    // In (5.3)-(5.9) x is the ratio of pressures and f its function; in (9.3) the densities count peaks.
-    if (print.section == "5" && name == "x") return number;
-    return d;
+    const auto found = alphabet().symbols.find(name);
+    if (found == alphabet().symbols.end() || !found->second.dimension) throw std::invalid_argument("no dimension for " + name);
+    const auto here = found->second.in_section.find(print.section);
+    return parsed(here == found->second.in_section.end() ? *found->second.dimension : here->second);
 }
 
 } // namespace

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array verdicts{"refuted", "undecided", "qualitative", "proved", "verified", "definition"};
+constexpr std::array verdicts{"refuted", "undecided", "qualitative", "argued", "proved", "verified", "definition"};
 
 std::string text_at(const Json& entry, const char* key) { return entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>() : ""; }
 

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/own/own_judge.hpp"
+
+#include "proofs/mutation/typesetter.hpp"
+#include "proofs/reading/whole.hpp"
+#include "proofs/symbolic/symbolic.hpp"
+#include "proofs/symbolic/units.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+namespace touchstone::proofs {
+
+namespace {
+
+constexpr int sample_sets = 4;
+
+/// The number of a symbol in a set of samples, inside its range and exact.
+Rational sample(const OwnSymbol& s, std::size_t index, int set)
+{
+    const long steps = 23; // prime, so that no two symbols keep step
+    const long k = static_cast<long>((index * 7 + static_cast<std::size_t>(set) * 5 + index * static_cast<std::size_t>(set)) % (steps - 1)) + 1;
+    return s.low + (s.high - s.low) * Rational(k, steps);
+}
+
+Point samples(const OwnLedger& ledger, int set)
+{
+    Point p;
+    std::size_t index = 0;
+    for (const auto& [name, symbol] : ledger.symbols) p[name] = sample(symbol, index++, set);
+    return p;
+}
+
+std::string as_text(const Point& p)
+{
+    std::string all;
+    for (const auto& [name, value] : p) all += (all.empty() ? "" : " ") + name + "=" + value.get_str();
+    return all;
+}
+
+/// The samples as independent numbers: for identities between formulas.
+const Points& free_points(const OwnLedger& ledger)
+{
+    static std::map<const OwnLedger*, Points> kept;
+    const auto found = kept.find(&ledger);
+    if (found != kept.end()) return found->second;
+    const std::string a = as_text(samples(ledger, 0)), b = as_text(samples(ledger, 1));
+    return kept.emplace(&ledger, Points{a.c_str(), b.c_str()}).first->second;
+}
+
+void take_value(const OwnLedger& ledger, const std::string& name, Situation& s);
+
+/// e in the situation, whose symbols are computed as needed.
+Ball value_of(const OwnLedger& ledger, const ex& e, Situation& s)
+{
+    const std::function<void(const ex&)> need = [&](const ex& part) {
+        if (GiNaC::is_a<GiNaC::symbol>(part)) take_value(ledger, GiNaC::ex_to<GiNaC::symbol>(part).get_name(), s);
+        for (std::size_t i = 0; i < part.nops(); ++i) need(part.op(i));
+    };
+    need(e);
+    return evaluate(e, s.value);
+}
+
+void take_value(const OwnLedger& ledger, const std::string& name, Situation& s)
+{
+    if (s.value.count(name)) return;
+    const std::string& is = ledger.symbols.at(name).is;
+    if (!is.empty()) s[name] = value_of(ledger, read(is), s);
+}
+
+Situation situation(const OwnLedger& ledger, int set)
+{
+    Situation s;
+    for (const auto& [name, value] : samples(ledger, set))
+        if (ledger.symbols.at(name).is.empty()) s[name] = Ball(value);
+    for (const auto& [name, symbol] : ledger.symbols) take_value(ledger, name, s);
+    return s;
+}
+
+/// The print that others may rest on: corrected, where it has a correction.
+Print right_form(const OwnEntry& e) { return e.correction ? e.print.edited(e.correction->edits) : e.print; }
+
+/// What the entry's right side must be.
+ex derived(const OwnLedger& ledger, const Follows& f)
+{
+    const auto expand = [&](const std::string& t) {
+        static const std::regex name("@([\\w.-]+)");
+        std::string out, rest = t;
+        for (std::smatch m; std::regex_search(rest, m, name); rest = m.suffix()) out += m.prefix().str() + "(" + right_form(ledger.at(m[1])).text("rhs") + ")";
+        return read(out + rest);
+    };
+    ex e = right_form(ledger.at(f.equation))(f.side);
+    if (!f.derivative_by.empty()) e = e.diff(GiNaC::ex_to<GiNaC::symbol>(sym(f.derivative_by)));
+    GiNaC::lst with;
+    for (const auto& [symbol, by] : f.with) with.append(sym(symbol) == expand(by));
+    return e.subs(with);
+}
+
+/// Equal as formulas: by normal form, as products of powers, or as squares that agree in value where they are looked at.
+Check same(const ex& print, const ex& wanted, const Points& at)
+{
+    const Check direct = identity(print, wanted, at);
+    if (direct.verdict != Verdict::undecided) return direct;
+    try {
+        const Check powers = power_identity(print, wanted, at);
+        if (powers.verdict == Verdict::proved) return powers;
+        const Check squares = identity(pow(print, 2), pow(wanted, 2), at);
+        if (squares.verdict == Verdict::proved) return {Verdict::verified, "the squares have the same normal form, and the sign is the same at the points"};
+    } catch (const std::exception&) {
+    }
+    return evaluates_at(print, wanted, at) ? Check{Verdict::verified, "the same in balls at the points, not by normal form"} : direct;
+}
+
+/// e with what its symbols stand for, down to those that have a range here.
+ex written_out(const OwnLedger& ledger, const OwnEntry& entry, ex e)
+{
+    for (const auto& [name, symbol] : ledger.symbols) {
+        const bool ranged = std::any_of(entry.over.begin(), entry.over.end(), [&, n = name](const Range& r) { return r.symbol == n; });
+        if (!symbol.is.empty() && !ranged && e.has(sym(name))) return written_out(ledger, entry, e.subs(sym(name) == read(symbol.is)));
+    }
+    return e; // what stands for what has no cycle
+}
+
+/// Each bound over its whole range.
+Check bounds(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    for (std::size_t i = 0; i < p.parts(); ++i) {
+        const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
+        if (relation != "<" && relation != ">" && relation != "<=" && relation != ">=") return {Verdict::refuted, "no bound: printed " + relation};
+        const ex gap = written_out(ledger, e, (p(part + "rhs") - p(part + "lhs")) * (relation[0] == '<' ? 1 : -1));
+        const Check c = positive_on(gap, e.over);
+        if (c.verdict != Verdict::proved) return c;
+    }
+    return {Verdict::proved, "over the whole range, by subdivision in balls"};
+}
+
+/// One printed number.
+Check printed(const OwnTable& t, std::size_t row, const std::string& digits)
+{
+    Point at;
+    std::string where;
+    for (std::size_t c = 0; c < t.columns.size(); ++c) {
+        at[t.columns[c]] = *parse_rational(t.inputs[row][c]);
+        where += (c > 0 ? ", " : "") + t.columns[c] + " = " + t.inputs[row][c];
+    }
+    const auto number = parse_rational(digits);
+    if (!number) return {Verdict::refuted, "not a number: " + digits};
+    const Ball value = evaluate(read(t.formula), at);
+    if (!value.is_finite()) return {Verdict::undecided, "at " + where + " the formula has no value"};
+    const std::size_t mark = digits.find_first_of("eE"), point = digits.find('.');
+    const long exponent = mark == std::string::npos ? 0 : std::stol(digits.substr(mark + 1));
+    const long decimals = point == std::string::npos ? 0 : static_cast<long>(std::min(mark, digits.size()) - point - 1);
+    const Ball unit = pow(Ball(10), Ball(exponent - decimals)), off = value - Ball(*number);
+    const std::string says = "at " + where + " the value is " + value.to_string(12) + ", printed " + digits;
+    const Ball least = t.rounding == "down" ? Ball(0) : Ball(-unit / 2), most = t.rounding == "down" ? unit : Ball(unit / 2);
+    if (certainly(less(off, least)) || certainly(less(most, off))) return {Verdict::refuted, says};
+    const bool inside = (certainly(less(least, off)) || (t.rounding == "down" && off.contains_zero())) && certainly(less(off, most));
+    return inside ? Check{Verdict::verified, says} : Check{Verdict::undecided, says};
+}
+
+Finding judge_table(const OwnTable& t, const Print& p)
+{
+    Argument a("each printed number in balls");
+    for (std::size_t k = 0; k < t.inputs.size(); ++k) a.add("row " + std::to_string(k + 1), printed(t, k, p.text("row" + std::to_string(k + 1) + ".digits")));
+    return a.conclude(std::to_string(t.inputs.size()) + " numbers right as printed, rounding " + t.rounding, Verdict::verified);
+}
+
+/// Does anything say what the left side should be?
+bool readable(const OwnLedger& ledger, const OwnEntry& e)
+{
+    if (e.follows || !e.over.empty()) return true;
+    for (std::size_t i = 0; i < e.print.parts(); ++i) {
+        const auto symbol = ledger.symbols.find(e.print.text(std::to_string(i) + ".lhs"));
+        if (symbol == ledger.symbols.end() || symbol->second.is.empty()) return false;
+    }
+    return true;
+}
+
+/// What the symbols of an entry are worth: the samples; the left side is what it follows from.
+Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e)
+{
+    Meaning m;
+    for (int set = 0; set < sample_sets; ++set) {
+        Situation s = situation(ledger, set);
+        const auto left = ledger.symbols.find(e.print.text("lhs"));
+        if (e.follows && left != ledger.symbols.end() && left->second.is.empty()) {
+            s.value.erase(left->first);
+            s[left->first] = value_of(ledger, derived(ledger, *e.follows), s);
+        }
+        m.situations.push_back(std::move(s));
+    }
+    return m;
+}
+
+} // namespace
+
+Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    if (e.table) return judge_table(*e.table, p);
+    Argument a(e.follows ? "normal form" : !e.over.empty() ? "balls over the range" : "balls at the samples");
+    try {
+        a.add("dimensions", units(p));
+        if (e.follows) a.add("the right side follows from (" + e.follows->equation + ")", same(p("rhs"), derived(ledger, *e.follows), free_points(ledger)));
+        if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
+        if (a.conclude().verdict == Verdict::refuted) return a.conclude();
+        if (readable(ledger, e)) {
+            const Check whole = read_whole_as(p, meaning_of(ledger, e));
+            // where a proof stands already, the reading only refutes
+            if (whole.verdict == Verdict::refuted || (!e.follows && e.over.empty())) a.add("the whole print, each field", whole);
+        } else if (!e.definition) {
+            a.add("what it should be", {Verdict::undecided, "nothing says so: \"follows\", \"over\", or \"is\" of the symbol on the left"});
+        }
+    } catch (const std::exception& wrong) { // a changed print that cannot be read
+        a.add("it can be read", {Verdict::refuted, wrong.what()});
+    }
+    return a.conclude("", e.definition ? Verdict::definition : Verdict::proved);
+}
+
+std::vector<OwnResult> judge_all(const OwnLedger& ledger)
+{
+    std::vector<OwnResult> all;
+    for (const OwnEntry& e : ledger.entries) {
+        OwnResult r{&e, judge_own(ledger, e, e.print), {}};
+        if (e.correction) r.corrected = judge_own(ledger, e, right_form(e));
+        all.push_back(std::move(r));
+    }
+    return all;
+}
+
+int OwnMutation::unexcused() const
+{
+    return static_cast<int>(std::count_if(survivors.begin(), survivors.end(), [](const OwnSurvivor& s) { return s.excuse.empty(); }));
+}
+
+OwnMutation mutate_own(const OwnLedger& ledger, const std::string& id)
+{
+    OwnMutation m;
+    for (const OwnEntry& e : ledger.entries) {
+        if (!id.empty() && e.print.id != id) continue;
+        if (e.definition && !readable(ledger, e)) {
+            m.unjudged.push_back(e.print.id);
+            continue;
+        }
+        for (const Change& change : typesetters_changes(right_form(e))) {
+            ++m.changes;
+            const Finding f = judge_own(ledger, e, change.print);
+            if (f.verdict == Verdict::refuted) {
+                ++m.refuted;
+                continue;
+            }
+            const auto excuse = e.excuses.find(change.name);
+            m.survivors.push_back({e.print.id, change.name, change.kind, std::string(name(f.verdict)), excuse == e.excuses.end() ? "" : excuse->second});
+        }
+    }
+    return m;
+}
+
+} // namespace touchstone::proofs

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/own/own_ledger.hpp"
+
+#include "proofs/symbols.hpp"
+#include "proofs/symbolic/units.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace touchstone::proofs {
+
+namespace {
+
+using nlohmann::json;
+
+/// Says "FILE: entry 'ID': ..." whatever goes wrong inside.
+class Place {
+public:
+    explicit Place(std::string where) : where_(std::move(where)) {}
+    [[noreturn]] void fail(const std::string& what) const { throw OwnLedgerError(where_ + ": " + what); }
+    Place in(const std::string& more) const { return Place(where_ + ": " + more); }
+
+private:
+    std::string where_;
+};
+
+/// An object of which every key must be known.
+void only(const json& object, std::initializer_list<const char*> keys, const Place& at)
+{
+    if (!object.is_object()) at.fail("an object { ... } is wanted, not " + object.dump().substr(0, 40));
+    for (const auto& [key, value] : object.items())
+        if (std::none_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; })) {
+            std::string known;
+            for (const char* k : keys) known += std::string(known.empty() ? "" : ", ") + k;
+            at.fail("no key '" + key + "' is known here; " + known);
+        }
+}
+
+std::string text(const json& object, const char* key, const Place& at, const std::string& otherwise = {})
+{
+    if (!object.contains(key)) return otherwise;
+    if (!object[key].is_string()) at.fail(std::string("'") + key + "' wants a string, not " + object[key].dump().substr(0, 40));
+    return object[key];
+}
+
+Rational number(const json& value, const Place& at)
+{
+    const std::string t = value.is_string() ? value.get<std::string>() : value.dump();
+    const auto r = parse_rational(t);
+    if (!r) at.fail("not an exact number: " + t);
+    return *r;
+}
+
+std::pair<Rational, Rational> range(const json& value, const Place& at)
+{
+    if (!value.is_array() || value.size() != 2) at.fail("a range is [low, high], not " + value.dump().substr(0, 40));
+    const std::pair<Rational, Rational> r{number(value[0], at), number(value[1], at)};
+    if (!(r.first < r.second)) at.fail("an empty range " + value.dump());
+    return r;
+}
+
+void collect(const ex& e, std::set<std::string>& names)
+{
+    if (GiNaC::is_a<GiNaC::symbol>(e)) names.insert(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
+    for (std::size_t i = 0; i < e.nops(); ++i) collect(e.op(i), names);
+}
+
+/// The formula, if it parses and all its symbols are declared.
+ex formula(const std::string& t, const Place& at)
+{
+    ex e;
+    try {
+        e = read(t);
+    } catch (const std::exception&) {
+        at.fail("does not parse: '" + t + "'");
+    }
+    std::set<std::string> names;
+    collect(e, names);
+    for (const std::string& name : names)
+        if (!alphabet().symbols.count(name)) at.fail("symbol '" + name + "' has no dimension; declare it in \"symbols\"");
+    return e;
+}
+
+/// "A = B <= C" as parts of a print.
+void take_chain(Print& p, const std::string& says, const std::string& where, const Place& at)
+{
+    std::vector<std::string> sides{""}, relations;
+    for (std::size_t i = 0; i < says.size(); ++i) {
+        const char c = says[i];
+        if (c != '<' && c != '>' && c != '=' && c != '~') {
+            sides.back() += c;
+            continue;
+        }
+        const bool two = i + 1 < says.size() && says[i + 1] == '=';
+        relations.push_back(says.substr(i, two ? 2 : 1));
+        i += two ? 1 : 0;
+        sides.push_back("");
+    }
+    if (relations.empty()) at.fail("no relation in '" + says + "'; write A = B, A < B, ...");
+    for (std::string& s : sides) {
+        const std::size_t from = s.find_first_not_of(' ');
+        if (from == std::string::npos) at.fail("does not parse: '" + says + "'");
+        s = s.substr(from, s.find_last_not_of(' ') - from + 1);
+        formula(s, at);
+    }
+    for (std::size_t i = 0; i < relations.size(); ++i) {
+        const std::string part = std::to_string(i) + ".";
+        p.fields[part + "lhs"] = sides[i];
+        p.fields[part + "relation"] = relations[i];
+        p.fields[part + "rhs"] = sides[i + 1];
+        if (!where.empty()) p.fields[part + "condition"] = where;
+    }
+    std::string side;
+    for (const char c : where + "<")
+        if (c == '<' || c == '>' || c == '=') {
+            if (side.find_first_not_of(' ') != std::string::npos) formula(side, at.in("where"));
+            side.clear();
+        } else {
+            side += c;
+        }
+}
+
+Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file)
+{
+    Alphabet a;
+    std::map<std::string, std::vector<std::string>> of_dimension;
+    for (const auto& [name, content] : symbols.items()) {
+        const Place at = file.in("symbol '" + name + "'");
+        if (!std::regex_match(name, std::regex("[A-Za-z]\\w*"))) at.fail("a symbol is a letter, then letters, digits and _");
+        only(content, {"dimension", "sign", "is", "range", "means"}, at);
+        SymbolKind& kind = a.symbols[name];
+        kind.dimension = text(content, "dimension", at);
+        if (kind.dimension->empty()) at.fail("has no dimension; \"1\" for a number");
+        const std::string sign = text(content, "sign", at, "positive");
+        if (sign != "positive" && sign != "real") at.fail("sign is positive or real, not '" + sign + "'");
+        kind.real = sign == "real";
+        OwnSymbol& s = ledger.symbols[name];
+        s.is = text(content, "is", at);
+        std::tie(s.low, s.high) = content.contains("range") ? range(content["range"], at) : std::pair{Rational(1, 4), Rational(9, 4)};
+        if (!kind.real && s.low < 0) at.fail("is positive, its range is not");
+        of_dimension[*kind.dimension].push_back(name);
+    }
+    for (auto& [dimension, names] : of_dimension)
+        if (names.size() > 1) a.alike.push_back(names); // what a typesetter could mistake for one another
+    return a;
+}
+
+void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place& at)
+{
+    only(t, {"formula", "columns", "rounding", "rows", "file"}, at);
+    OwnTable table;
+    table.formula = text(t, "formula", at);
+    table.rounding = text(t, "rounding", at, "nearest");
+    if (table.rounding != "nearest" && table.rounding != "down") at.fail("rounding is nearest or down, not '" + table.rounding + "'");
+    if (!t.contains("columns") || !t["columns"].is_array()) at.fail("'columns' is a list of symbols");
+    for (const auto& c : t["columns"]) table.columns.push_back(c);
+    std::set<std::string> names;
+    collect(formula(table.formula, at), names);
+    for (const std::string& n : names)
+        if (std::find(table.columns.begin(), table.columns.end(), n) == table.columns.end()) at.fail("the formula asks for '" + n + "', which is no column");
+    std::vector<std::vector<std::string>> rows;
+    if (t.contains("rows")) {
+        for (const auto& row : t["rows"]) {
+            rows.emplace_back();
+            for (const auto& cell : row) rows.back().push_back(cell.is_string() ? cell.get<std::string>() : cell.dump());
+        }
+    } else {
+        const std::string name = dir + "/" + text(t, "file", at, "table.txt");
+        std::ifstream in(name);
+        if (!in) throw OwnLedgerError(name + ": no such file", true);
+        for (std::string line; std::getline(in, line);) {
+            if (line.empty() || line[0] == '#') continue;
+            std::istringstream words(line);
+            rows.emplace_back();
+            for (std::string w; words >> w;) rows.back().push_back(w);
+        }
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const Place row = at.in("row " + std::to_string(k + 1));
+        if (rows[k].size() != table.columns.size() + 1) row.fail("has " + std::to_string(rows[k].size()) + " numbers, " + std::to_string(table.columns.size() + 1) + " are wanted: the columns, then what is printed");
+        for (const std::string& cell : rows[k])
+            if (!parse_rational(cell)) row.fail("not a number: " + cell);
+        e.print.fields["row" + std::to_string(k + 1) + ".digits"] = rows[k].back();
+        rows[k].pop_back();
+        table.inputs.push_back(rows[k]);
+    }
+    if (table.inputs.empty()) at.fail("a table without rows");
+    e.table = std::move(table);
+}
+
+/// "@H2 + x": the entries named.
+std::vector<std::string> references(const std::string& t)
+{
+    static const std::regex name("@([\\w.-]+)");
+    std::vector<std::string> all;
+    for (std::sregex_iterator it(t.begin(), t.end(), name), end; it != end; ++it) all.push_back((*it)[1]);
+    return all;
+}
+
+OwnEntry read_entry(const json& content, const std::string& dir, const Place& file, std::size_t index)
+{
+    if (!content.is_object() || !content.contains("id") || !content["id"].is_string()) file.fail("entry " + std::to_string(index + 1) + " has no \"id\"");
+    OwnEntry e;
+    e.print.id = content["id"];
+    const Place at = file.in("entry '" + e.print.id + "'");
+    only(content, {"id", "print", "section", "says", "where", "is", "follows", "over", "table", "correction", "excuses", "comment"}, at);
+    e.print.tex = text(content, "print", at);
+    e.print.section = text(content, "section", at);
+    e.print.domain = text(content, "where", at);
+    if (const std::string is = text(content, "is", at); is == "definition") e.definition = true;
+    else if (!is.empty()) at.fail("\"is\" can be \"definition\", not '" + is + "'");
+    if (content.contains("table")) read_table(e, content["table"], dir, at.in("table"));
+    else if (!content.contains("says")) at.fail("\"says\" is missing: the formula as printed");
+    if (content.contains("says")) take_chain(e.print, text(content, "says", at), e.print.domain, at);
+    if (content.contains("follows")) {
+        const json& f = content["follows"];
+        only(f, {"equation", "side", "with", "derivative_by"}, at.in("follows"));
+        Follows follows;
+        follows.equation = text(f, "equation", at);
+        follows.side = text(f, "side", at, "rhs");
+        if (follows.side != "rhs" && follows.side != "lhs") at.fail("\"side\" is lhs or rhs, not '" + follows.side + "'");
+        follows.derivative_by = text(f, "derivative_by", at);
+        e.rests_on.push_back(follows.equation);
+        if (f.contains("with")) {
+            if (!f["with"].is_object()) at.fail("\"with\" is { symbol: formula, ... }");
+            for (const auto& [symbol, by] : f["with"].items()) {
+                if (!by.is_string()) at.fail("'" + symbol + "' is replaced by a formula in quotes");
+                formula(symbol, at);
+                follows.with.emplace_back(symbol, by);
+                for (const std::string& id : references(by)) e.rests_on.push_back(id);
+            }
+        }
+        e.follows = follows;
+    }
+    if (content.contains("over")) {
+        if (!content["over"].is_object()) at.fail("\"over\" is { symbol: [low, high], ... }");
+        for (const auto& [symbol, value] : content["over"].items()) {
+            formula(symbol, at);
+            const auto [low, high] = range(value, at.in("over " + symbol));
+            e.over.push_back({symbol, low, high});
+        }
+    }
+    if (content.contains("correction")) {
+        const json& c = content["correction"];
+        only(c, {"wrong", "severity", "edits"}, at.in("correction"));
+        OwnCorrection correction{text(c, "wrong", at), text(c, "severity", at, "misprint"), {}};
+        for (const auto& edit : c.value("edits", json::array())) {
+            only(edit, {"field", "from", "to"}, at.in("correction"));
+            correction.edits.push_back({text(edit, "field", at, "rhs"), text(edit, "from", at), text(edit, "to", at)});
+        }
+        try {
+            e.print.edited(correction.edits);
+        } catch (const std::exception& wrong) {
+            at.in("correction").fail(wrong.what());
+        }
+        e.correction = correction;
+    }
+    for (const auto& excuse : content.value("excuses", json::array())) {
+        only(excuse, {"change", "reason"}, at.in("excuses"));
+        e.excuses[text(excuse, "change", at)] = text(excuse, "reason", at);
+    }
+    return e;
+}
+
+/// A name on a way back to itself, with that way; or nothing.
+std::string cycle_in(const std::map<std::string, std::vector<std::string>>& next)
+{
+    std::map<std::string, int> state;
+    std::string path;
+    const std::function<bool(const std::string&, const std::string&)> visit = [&](const std::string& name, const std::string& way) {
+        if (state[name] == 2) return false;
+        if (state[name] == 1) {
+            path = way + name;
+            return true;
+        }
+        state[name] = 1;
+        if (const auto found = next.find(name); found != next.end())
+            for (const std::string& other : found->second)
+                if (visit(other, way + name + " -> ")) return true;
+        state[name] = 2;
+        return false;
+    };
+    for (const auto& [name, others] : next)
+        if (visit(name, "")) break;
+    return path;
+}
+
+} // namespace
+
+const OwnEntry& OwnLedger::at(const std::string& id) const
+{
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](const OwnEntry& e) { return e.print.id == id; });
+    if (found == entries.end()) throw OwnLedgerError(file + ": no entry '" + id + "'");
+    return *found;
+}
+
+bool OwnLedger::has(const std::string& id) const
+{
+    return std::any_of(entries.begin(), entries.end(), [&](const OwnEntry& e) { return e.print.id == id; });
+}
+
+OwnLedger load_ledger(const std::string& dir)
+{
+    OwnLedger ledger;
+    ledger.file = dir + "/ledger.json";
+    std::ifstream in(ledger.file);
+    if (!in) throw OwnLedgerError(ledger.file + ": no such file", true);
+    const Place file(ledger.file);
+    json all;
+    try {
+        all = json::parse(in, nullptr, true, true); // comments are allowed
+    } catch (const json::exception& e) {
+        const std::string what = e.what();
+        file.fail("not JSON: " + what.substr(std::min(what.find("parse error"), what.size())));
+    }
+    only(all, {"title", "symbols", "entries"}, file);
+    ledger.title = text(all, "title", file);
+    if (!all.contains("symbols") || !all["symbols"].is_object()) file.fail("\"symbols\" is missing: { name: { \"dimension\": ... }, ... }");
+    if (!all.contains("entries") || !all["entries"].is_array() || all["entries"].empty()) file.fail("\"entries\" is missing or empty");
+    use_alphabet(read_alphabet(all["symbols"], ledger, file));
+    std::map<std::string, std::vector<std::string>> stands_for;
+    for (const auto& [name, symbol] : ledger.symbols) {
+        const Place at = file.in("symbol '" + name + "'");
+        Print p;
+        p.id = name;
+        p.fields = {{"0.lhs", name}, {"0.relation", "="}, {"0.rhs", symbol.is.empty() ? name : symbol.is}};
+        std::set<std::string> names;
+        if (!symbol.is.empty()) collect(formula(symbol.is, at), names);
+        try {
+            if (const Check c = units(p); c.verdict == Verdict::refuted) at.fail(c.detail);
+        } catch (const std::invalid_argument& e) {
+            at.fail(e.what());
+        }
+        stands_for[name].assign(names.begin(), names.end());
+    }
+    if (const std::string path = cycle_in(stands_for); !path.empty()) file.fail("symbol '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
+    std::map<std::string, std::vector<std::string>> rests_on;
+    for (std::size_t i = 0; i < all["entries"].size(); ++i) {
+        OwnEntry e;
+        try {
+            e = read_entry(all["entries"][i], dir, file, i);
+        } catch (const json::exception& wrong) {
+            file.fail("entry " + std::to_string(i + 1) + ": " + wrong.what());
+        }
+        if (ledger.has(e.print.id)) file.fail("entry '" + e.print.id + "': two entries of that name");
+        rests_on[e.print.id] = e.rests_on;
+        ledger.entries.push_back(std::move(e));
+    }
+    for (const OwnEntry& e : ledger.entries)
+        for (const std::string& other : e.rests_on)
+            if (!ledger.has(other)) file.fail("entry '" + e.print.id + "': no entry '" + other + "' to follow from");
+            else if (ledger.at(other).print.parts() == 0) file.fail("entry '" + e.print.id + "': '" + other + "' is a table, no equation");
+    if (const std::string path = cycle_in(rests_on); !path.empty()) file.fail("entry '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
+    return ledger;
+}
+
+} // namespace touchstone::proofs

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/recorded.hpp"
+
+#include "proofs/severity.hpp"
+
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace touchstone::data {
+std::string_view verdicts_text();
+}
+
+namespace touchstone::proofs {
+
+std::string_view recorded_text() { return data::verdicts_text(); }
+
+std::string recorded_form(const std::vector<Entry>& entries)
+{
+    std::ostringstream out;
+    out << "# The verdicts of the ledger, written by touchstone paper --verdicts. A change of this file is a change of what we say of the paper.\n";
+    for (const Entry& e : entries) {
+        const auto& c = e.claim->correction;
+        out << e.claim->id << " " << name(e.finding.verdict);
+        if (c) out << " " << severity(*c);
+        out << "\n";
+        if (!same_as(e.claim->id).empty()) out << "  same as: " << same_as(e.claim->id) << "\n";
+        if (c) out << "  wrong: " << c->wrong << "\n  holds, " << name(e.corrected->verdict) << ": " << c->corrected << "\n";
+        if (!caveat(e.claim->id).empty()) out << "  caveat: " << caveat(e.claim->id) << "\n";
+        if (!e.finding.method.empty()) out << "  by: " << e.finding.method << "\n";
+        for (const std::string& lemma : e.finding.lemmas) out << "  lemma: " << lemma.substr(0, lemma.find(':')) << "\n";
+        if (!e.finding.rows.empty()) out << "  stored values: " << e.finding.rows.size() << "\n";
+    }
+    return out.str();
+}
+
+Verdict expected_verdict(const std::string& id)
+{
+    static const std::map<std::string, std::string> recorded = [] {
+        std::map<std::string, std::string> all;
+        std::istringstream lines(std::string{recorded_text()});
+        for (std::string line; std::getline(lines, line);) { // "ID verdict ...", what is indented says more
+            if (line.empty() || line[0] == '#' || line[0] == ' ') continue;
+            std::istringstream words(line);
+            std::string entry, verdict;
+            words >> entry >> verdict;
+            all[entry] = verdict;
+        }
+        return all;
+    }();
+    const std::string& wanted = recorded.at(id);
+    for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::argued, Verdict::refuted, Verdict::definition, Verdict::qualitative, Verdict::undecided})
+        if (name(v) == wanted) return v;
+    throw std::out_of_range("not a verdict: " + wanted);
+}
+
+} // namespace touchstone::proofs

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A ledger of one's own: the example's two planted misprints, what a typesetter could change, and bad input."""
+import copy
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, EXAMPLE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, "paper", *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+
+def example():
+    return json.loads(re.sub(r"^//.*$", "", (EXAMPLE / "ledger.json").read_text(), flags=re.M))
+
+
+class Example(unittest.TestCase):
+    def test_the_two_misprints_and_only_they_are_refuted(self):
+        r = run("--ledger", EXAMPLE, "--json")
+        self.assertEqual(r.returncode, 1, r.stderr)
+        entries = {e["id"]: e for e in json.loads(r.stdout)}
+        self.assertEqual({i for i, e in entries.items() if e["verdict"] == "refuted"}, {"H4", "S4"})
+        for misprint in ("H4", "S4"):
+            self.assertIn(entries[misprint]["correction_verdict"], ("proved", "verified"))
+        for right in ("H3", "H6", "S5", "W5"):
+            self.assertEqual(entries[right]["verdict"], "proved", entries[right])
+        self.assertEqual(entries["T1"]["verdict"], "verified")
+        self.assertFalse([e for e in entries.values() if e["failures"] or e["verdict"] == "undecided"])
+
+    def test_nothing_a_typesetter_does_passes(self):
+        r = run("--ledger", EXAMPLE, "--mutate")
+        self.assertEqual(r.returncode, 0, r.stdout)
+        self.assertRegex(r.stdout, r"\d{3} changes: .* 0 survive")
+
+    def test_one_entry_and_an_unknown_one(self):
+        r = run("--ledger", EXAMPLE, "H3")
+        self.assertEqual((r.returncode, r.stdout.split()[0]), (0, "proved"))
+        r = run("--ledger", EXAMPLE, "H99")
+        self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1))
+
+
+class Changed(unittest.TestCase):
+    def judge(self, change, *more):
+        ledger = copy.deepcopy(example())
+        change(ledger)
+        return self.judge_text(json.dumps(ledger), *more)
+
+    def judge_text(self, text, *more):
+        with tempfile.TemporaryDirectory() as d:
+            (pathlib.Path(d) / "ledger.json").write_text(text)
+            return run("--ledger", d, *more)
+
+    def entry(self, ledger, name):
+        return next(e for e in ledger["entries"] if e["id"] == name)
+
+    def refuses(self, change, *words):
+        r = self.judge(change)
+        self.assertEqual(r.returncode, 65, r.stdout + r.stderr)
+        self.assertEqual(r.stderr.count("\n"), 1, r.stderr)
+        for word in ("ledger.json", *words):
+            self.assertIn(word, r.stderr)
+
+    def test_a_wrong_digit_in_a_table_is_found(self):
+        def change(ledger):
+            self.entry(ledger, "T1")["table"]["rows"][2][1] = "0.2930"
+        r = self.judge(change, "T1")
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("zeta = 1", r.stdout)
+
+    def test_cut_off_is_not_rounded(self):
+        def change(ledger):
+            self.entry(ledger, "T1")["table"]["rounding"] = "down"
+        self.assertEqual(self.judge(change, "T1").returncode, 1)  # 0.30028 cut off would be 0.3002
+
+    def test_a_bound_that_is_too_narrow_is_refuted(self):
+        def change(ledger):
+            self.entry(ledger, "S5")["says"] = "shear < 0.300"
+        self.assertEqual(self.judge(change, "S5").returncode, 1)
+
+    def test_a_correction_that_does_not_mend_fails(self):
+        def change(ledger):
+            self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
+        r = self.judge(change, "H4")
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("FAILED H4", r.stdout)
+
+    def test_without_anything_to_follow_from_it_is_undecided(self):
+        def change(ledger):
+            del self.entry(ledger, "H3")["follows"]
+        self.assertEqual(self.judge(change, "H3").returncode, 2)
+
+    def test_bad_input_is_one_line_with_file_and_entry(self):
+        def no_dimension(ledger):
+            ledger["symbols"]["R"].pop("dimension")
+        self.refuses(no_dimension, "'R'", "dimension")
+
+        def undeclared(ledger):
+            self.entry(ledger, "H3")["says"] = "p0 = 2*P/(Pi*b)"
+        self.refuses(undeclared, "'H3'", "'b'", "dimension")
+
+        def no_formula(ledger):
+            self.entry(ledger, "H3")["says"] = "p0 = 2*P/(Pi*a"
+        self.refuses(no_formula, "'H3'", "parse")
+
+        def no_relation(ledger):
+            self.entry(ledger, "H3")["says"] = "p0"
+        self.refuses(no_relation, "'H3'", "relation")
+
+        def unknown(ledger):
+            self.entry(ledger, "H3")["follows"]["equation"] = "H77"
+        self.refuses(unknown, "'H3'", "'H77'")
+
+        def cycle(ledger):
+            self.entry(ledger, "H2")["follows"] = {"equation": "H4"}
+        self.refuses(cycle, "cycle", "H2 -> ")
+
+        def cycle_of_symbols(ledger):
+            ledger["symbols"]["R"]["is"] = "a^2/R"
+        self.refuses(cycle_of_symbols, "cycle")
+
+        def bad_dimension(ledger):
+            ledger["symbols"]["R"]["dimension"] = "length^^2"
+        self.refuses(bad_dimension, "'R'", "length^^2")
+
+        def misspelt(ledger):
+            self.entry(ledger, "H3")["folows"] = {}
+        self.refuses(misspelt, "'H3'", "folows")
+
+        def twice(ledger):
+            ledger["entries"].append(self.entry(ledger, "H3"))
+        self.refuses(twice, "'H3'", "two entries")
+
+        def short_row(ledger):
+            self.entry(ledger, "T1")["table"]["rows"][1] = ["0.3"]
+        self.refuses(short_row, "'T1'", "row 2")
+
+    def test_no_json_and_no_file(self):
+        r = self.judge_text('{"symbols": }')
+        self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1))
+        r = run("--ledger", "/nonexistent")
+        self.assertEqual((r.returncode, r.stderr.count("\n")), (66, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()
