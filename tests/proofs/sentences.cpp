@@ -16,20 +16,22 @@ Verdict verdict_of(const char* id, const std::vector<Edit>& edits)
     return judge_whole(*claim, prints().at(id).edited(edits)).verdict;
 }
 
+bool holds(Verdict v) { return v == Verdict::proved || v == Verdict::argued; }
+
 } // namespace
 
 TEST_CASE("a bound that is weaker than the proved one is true")
 {
-    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(5*G^2)"}}) == Verdict::proved);
-    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(4*G^3)"}}) == Verdict::proved);
-    CHECK(verdict_of("text.several-scales", {{"rhs", "-2*m", "-3*m"}}) == Verdict::proved);
-    CHECK(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "1/(2*G^2)"}}) == Verdict::proved);
-    CHECK(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "2/G^2"}}) == Verdict::proved);
-    CHECK(verdict_of("text.pstar-increases", {{"relation", ">", ">="}}) == Verdict::proved);
-    CHECK(verdict_of("text.constant-decreases", {{"relation", "<", "<="}}) == Verdict::proved);
-    CHECK(verdict_of("text.increasingly-hertzian", {{"relation", "=", "<"}, {"rhs", "1", "2"}}) == Verdict::proved);
-    CHECK(verdict_of("text.full-contact-vanishes", {{"relation", "=", ">="}}) == Verdict::proved);
-    CHECK(verdict_of("text.defines-limit", {{"relation", "=", "<"}, {"rhs", "1", "100"}}) == Verdict::proved);
+    CHECK(holds(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(5*G^2)"}})));
+    CHECK(holds(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(4*G^3)"}})));
+    CHECK(holds(verdict_of("text.several-scales", {{"rhs", "-2*m", "-3*m"}})));
+    CHECK(holds(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "1/(2*G^2)"}})));
+    CHECK(holds(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "2/G^2"}})));
+    CHECK(holds(verdict_of("text.pstar-increases", {{"relation", ">", ">="}})));
+    CHECK(holds(verdict_of("text.constant-decreases", {{"relation", "<", "<="}})));
+    CHECK(holds(verdict_of("text.increasingly-hertzian", {{"relation", "=", "<"}, {"rhs", "1", "2"}})));
+    CHECK(holds(verdict_of("text.full-contact-vanishes", {{"relation", "=", ">="}})));
+    CHECK(holds(verdict_of("text.defines-limit", {{"relation", "=", "<"}, {"rhs", "1", "100"}})));
 }
 
 TEST_CASE("a bound that is false is refuted")
