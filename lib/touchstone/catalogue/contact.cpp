@@ -11,13 +11,31 @@ namespace {
 using recursion::Asked, recursion::Problem;
 
 constexpr long largest_n = 10'000;
+constexpr long largest_n_of_areas = 1'000'000;
 const char* const surface_domain = "load > 0, G > 1";
+
+void check_surface(const Inputs& in)
+{
+    require_load(in);
+    require_surface(in);
+}
 
 void check_contact(const Inputs& in)
 {
     require_integer(in, "n", 0, largest_n);
-    require_load(in);
-    require_surface(in);
+    check_surface(in);
+}
+
+void check_area(const Inputs& in)
+{
+    require_integer(in, "n", 0, largest_n_of_areas);
+    check_surface(in);
+}
+
+void check_count(const Inputs& in)
+{
+    require_integer(in, "n", 1, largest_n_of_areas);
+    check_surface(in);
 }
 
 void check_pressure(const Inputs& in)
@@ -148,10 +166,10 @@ void add_contact(std::vector<Quantity>& all)
     all.push_back(quantity({.name = "contact.area",
                             .equation = "6.7",
                             .unit = "lambda0",
-                            .domain = fmt::format("n from 0 to 10^4, {}; {}", surface_domain, reach_in_words(Asked::area)),
+                            .domain = fmt::format("n from 0 to 10^6, {}; {}", surface_domain, reach_in_words(Asked::area)),
                             .inputs = {"n", "load", "G"},
                             .description = "total contact area at scale n in one wavelength of the largest scale",
-                            .check = check_contact,
+                            .check = check_area,
                             .exact = [](const Inputs& in) { return contact_exact::area(in, in.integer("n")); },
                             .routes = {}},
                            Asked::area, of_area));
@@ -195,10 +213,10 @@ void add_contact(std::vector<Quantity>& all)
     all.push_back(quantity({.name = "segments.count",
                             .equation = "8.1",
                             .unit = "1",
-                            .domain = "n from 1 to 10^4, load > 0, 1 < D < 2, gamma > 1; certified or estimated where contact.area is at n - 1",
+                            .domain = "n from 1 to 10^6, load > 0, 1 < D < 2, gamma > 1; certified or estimated where contact.area is at n - 1",
                             .inputs = {"n", "load", "D", "gamma"},
                             .description = "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
-                            .check = check_segments,
+                            .check = check_count,
                             .exact = contact_exact::segment_count,
                             .routes = {}},
                            Asked::area, of_count, potential_segments, 1));

@@ -3,6 +3,7 @@
 #include "touchstone/catalogue/formula.hpp"
 #include "touchstone/limit/area_constant.hpp"
 #include "touchstone/limit/area_series.hpp"
+#include "touchstone/limit/scale.hpp"
 #include "touchstone/paper/archard_constants.hpp"
 
 #include <fmt/format.h>
@@ -97,6 +98,45 @@ Quantity of_limit(Quantity q, Asked asked)
     return q;
 }
 
+const char* const above_2_only = "certified for G = gamma^(D-1) >= 2.000001 and load <= 1 only";
+
+void check_scale(const Inputs& in)
+{
+    require_load(in);
+    require_surface(in);
+    require(in.real("tolerance") > 0 && in.real("tolerance") < 1, in, "tolerance", "> 0 and < 1");
+}
+
+Plan plan_of_scale(const Inputs& in)
+{
+    Plan result;
+    if (in.compare_G(nearest_G) < 0 || in.real("load") > 1) {
+        result.refusal = above_2_only;
+        return result;
+    }
+    const auto proof = [&](const char* name, Scheme scheme) {
+        result.proofs.push_back({name, [=](Accuracy) {
+                                     return Ball(limit::least_scale(scheme, G_of(in), [in] { return in.ball("load"); }, in.real("tolerance")));
+                                 }});
+    };
+    proof("approach-force-weighted", Scheme::force_weighted);
+    proof("approach-area", Scheme::area);
+    result.shares = shared;
+    result.dear = true;
+    return result;
+}
+
+Plan plan_of_gap(const Inputs& in)
+{
+    Plan result;
+    const bool served = in.compare_G(nearest_G) >= 0 && in.compare_G(large_G) < 0;
+    result.refusal = served ? "no proof: at most 1/2 where G^2 >= 6 is all that is proven" : "estimated for 2.000001 <= G < 5000 only";
+    if (!served) return result;
+    result.witnesses.push_back({"differences-from-1/2", [=](Accuracy) { return limit::gap(Scheme::force_weighted, G_of(in), Rational(1, 2)); }});
+    result.witnesses.push_back({"differences-from-1/7", [=](Accuracy) { return limit::gap(Scheme::area, G_of(in), Rational(1, 7)); }});
+    return result;
+}
+
 } // namespace
 
 void add_limit(std::vector<Quantity>& all)
@@ -122,6 +162,32 @@ void add_limit(std::vector<Quantity>& all)
                             .exact = {},
                             .routes = {}},
                            Asked::ratio));
+
+    all.push_back({.name = "limit.scale",
+                   .equation = "7.21",
+                   .unit = "1",
+                   .domain = "0 < tolerance < 1, load > 0, G > 1; certified for load <= 1, G >= 2.000001",
+                   .inputs = {"load", "tolerance", "G"},
+                   .description = "least n with |A_m/(C(G) G^-m load) - 1| <= tolerance for every m >= n: from where on the limit holds",
+                   .check = check_scale,
+                   .exact = {},
+                   .routes = {},
+                   .costly = true,
+                   .plan = [](const Inputs& in, Accuracy) { return plan_of_scale(in); },
+                   .certified = {{"load <= 1, G >= 2.000001", "any", "approach-force-weighted", "proof approach-area", shared}}});
+
+    all.push_back({.name = "limit.gap",
+                   .equation = "7.21",
+                   .unit = "1",
+                   .domain = "G > 1; estimated for 2.000001 <= G < 5000",
+                   .inputs = {"G"},
+                   .description = "second eigenvalue of one wave's operator over its first, 1/G: by what the distance from the limit shrinks at each scale",
+                   .check = require_surface,
+                   .exact = {},
+                   .routes = {},
+                   .costly = true,
+                   .plan = [](const Inputs& in, Accuracy) { return plan_of_gap(in); },
+                   .certified = {{"2.000001 <= G < 5000", "15", "", "", ""}}});
 }
 
 } // namespace touchstone

@@ -19,4 +19,9 @@ long most_digits_of_area_constant(const Ball& G);
 /// How the error of area_constant() is made up.
 std::string area_constant_certificate(transfer::Scheme, const std::function<Ball()>& G, Accuracy);
 
+/// A_n/lambda_0 = C(G) G^-n load (1 +- delta_n) for G > 2, load <= 1, in no more time for n = 10^6 than for 10^2.
+Ball area_in_the_limit(transfer::Scheme, long n, const transfer::Arguments&, Accuracy);
+/// The most digits of it that delta_n leaves: 240 and more where n >= 2000.
+long most_digits_of_area_in_the_limit(long n, const Ball& load, const Ball& G);
+
 } // namespace touchstone::limit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/recursion/methods.hpp"
 
+#include "touchstone/limit/area_constant.hpp"
 #include "touchstone/paper/as_printed.hpp"
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/paper/westergaard.hpp"
@@ -207,10 +208,27 @@ Method second_area()
 
 // ---- partial contact at every scale
 
+/// Areas of so many scales are not followed scale by scale.
+constexpr long last_followed_scale = 10'000;
+/// From here on they are taken from the limit where it leaves the digits asked for: docs/limit.md, theorem 2.
+constexpr long first_scale_of_limit = 200;
+
+long digits_of_limit(const Problem& p)
+{
+    const WorkingPrecision precision(128);
+    return limit::most_digits_of_area_in_the_limit(p.n, Ball(p.load), p.G.ball());
+}
+bool in_the_limit(const Problem& p, Accuracy a)
+{
+    return p.n > last_followed_scale || (p.n > first_scale_of_limit && a.digits <= digits_of_limit(p));
+}
+
 Method partial_area()
 {
     const auto by = [](Scheme s) {
-        return [s](const Problem& p, Accuracy a) { return transfer::area(s, p.n, arguments(p), a); };
+        return [s](const Problem& p, Accuracy a) {
+            return in_the_limit(p, a) ? limit::area_in_the_limit(s, p.n, arguments(p), a) : transfer::area(s, p.n, arguments(p), a);
+        };
     };
     return {
         .name = "force-weighted-chebyshev",
@@ -224,11 +242,14 @@ Method partial_area()
         },
         .fewer_digits = [](const Problem& p) {
             const WorkingPrecision precision(128);
+            if (p.n > last_followed_scale) return digits_of_limit(p);
             return transfer::most_digits_of_area(Ball(p.load), p.G.ball());
         },
         .cost = [](const Problem&, Accuracy a) { return 0.2 * growth(a, 2.5); },
         .enclose = by(Scheme::force_weighted),
         .budget = [](const Problem& p, Accuracy a) {
+            if (in_the_limit(p, a))
+                return Budget{"A_n = C(G) G^-n load (1 +- delta_n), docs/limit.md, theorem 2", {{limit::area_constant_certificate(Scheme::force_weighted, p.G.ball, a)}}};
             return Budget{"", {{transfer::area_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::area_certificate(Scheme::area, p.n, arguments(p), a)}}};
         },
         .second = "area-gauss-panels",
@@ -305,6 +326,7 @@ Method heavy_load()
         .reach = "1 < load < 1000, 2.02 < G < 10^9",
         .refusal = [](const Problem& p) -> std::string {
             if (p.load <= 1 || p.load >= 1000) return "load must be above 1 and below 1000";
+            if (p.n > last_followed_scale) return "for load > 1 areas are certified for n <= 10^4 only";
             if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
             return G_above(p, Rational(101, 50)) ? "" : "for load > 1 so near G = 2 it would take hours: many scales have ratios about 1";
         },

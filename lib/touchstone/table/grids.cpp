@@ -415,6 +415,27 @@ Rows max_half_width_grid()
     return distinct(rows);
 }
 
+/// G from next to 2, where full contact begins never to end, to where (7.21) is right to all digits; among them those of figures 3 to 5.
+Rows limit_grid()
+{
+    std::vector<double> G{second_G, figure_5_G, 2.01, 2.02, 2.05, 2.1, 2.15, 2.2, 2.25, 2.3, 2.4, 2.5, 2.6, 2.7, 2.75, 2.8, 2.9};
+    for (int k = 12; k <= 40; ++k) G.push_back(k / 4.);
+    for (const double g : {11., 12., 13., 14., 15., 16., 18., 20., 25., 30., 40., 50., 64., 100., 128., 200., 500., 1000., 5000., 1e4, 3e4, 1e5, 1e6}) G.push_back(g);
+    return distinct(as_rows(G));
+}
+
+Rows limit_ratio_grid() { return as_rows({2.05, second_G, figure_5_G, 4, 10, 100, 1000, 1e4, 1e6}); }
+Rows limit_gap_grid() { return as_rows({2.5, 3, figure_5_G, 4, 10, 100}); }
+
+Rows limit_scale_grid()
+{
+    Rows rows;
+    for (const double G : {second_G, figure_5_G})
+        for (const double s : {0.001, 0.1, 1.})
+            for (const double tolerance : {0.01, 1e-6}) rows.push_back({s, tolerance, G});
+    return rows;
+}
+
 } // namespace
 
 const std::vector<TableSpec>& table_specs()
@@ -454,6 +475,10 @@ const std::vector<TableSpec>& table_specs()
         {"contact_density_full", "contact.density", 10, contact_density_full_grid, true},
         {"segments_count", "segments.count", digits, segments_count_grid},
         {"segments_density", "segments.density", 30, segments_density_grid, true},
+        {"limit_constant", "limit.area_constant", 20, limit_grid, true},
+        {"limit_ratio", "limit.area_ratio", 20, limit_ratio_grid, true},
+        {"limit_scale", "limit.scale", 20, limit_scale_grid, true},
+        {"limit_gap", "limit.gap", 10, limit_gap_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };
     return all;

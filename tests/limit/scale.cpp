@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+/// From which scale on the limit holds, areas far beyond it, and the ratio of approach.
+#include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/limit/area_series.hpp"
+#include "touchstone/limit/scale.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using transfer::Scheme;
+
+namespace {
+
+const auto G_4 = [] { return Ball(4); };
+const auto load_of_a_tenth = [] { return Ball(Rational(1, 10)); };
+
+Ball off_limit(long n)
+{
+    const Ball C = limit::area_constant(Scheme::area, G_4, {15});
+    return abs(transfer::area(Scheme::area, n, {load_of_a_tenth, G_4}, {20}) * pow(G_4(), Ball(n)) / load_of_a_tenth() / C - 1);
+}
+
+Evaluation eval(const char* name, std::map<std::string, Rational> in, long digits) { return evaluate(*find_quantity(name), Inputs(std::move(in)), {digits}); }
+
+} // namespace
+
+TEST_CASE("the least scale is the least")
+{
+    const WorkingPrecision precision(128);
+    const Rational tolerance(1, 10'000);
+    const long n = limit::least_scale(Scheme::force_weighted, G_4, load_of_a_tenth, tolerance);
+    REQUIRE(n > 2);
+    CHECK(n < limit::scale(Ball(tolerance), 1000, G_4(), load_of_a_tenth()).value()); // sharper than the bound
+    for (long m = n; m < n + 6; ++m) CHECK(certainly(less(off_limit(m), Ball(tolerance))));
+    CHECK(certainly(less(Ball(tolerance), off_limit(n - 1))));
+}
+
+TEST_CASE("areas far beyond are those of the limit")
+{
+    const WorkingPrecision precision(256);
+    const long n = 230;
+    const transfer::Arguments at{load_of_a_tenth, G_4};
+    const Ball followed = transfer::area(Scheme::force_weighted, n, at, {15}), limit = limit::area_in_the_limit(Scheme::force_weighted, n, at, {15});
+    CHECK(followed.overlaps(limit));
+    CHECK(limit.relative_bits() > 45);
+    CHECK(limit::most_digits_of_area_in_the_limit(n, load_of_a_tenth(), G_4()) > 40);
+    CHECK(limit::most_digits_of_area_in_the_limit(10, load_of_a_tenth(), G_4()) == 0);
+    const Evaluation far = eval("contact.area", {{"n", 1'000'000}, {"load", Rational(1, 10)}, {"G", 4}}, 12);
+    CHECK(far.status == Status::certified);
+    const Ball by_hand = limit::area_constant(Scheme::area, G_4, {12}) * load_of_a_tenth() * pow(Ball(4), Ball(-1'000'000));
+    CHECK(far.ball.overlaps(by_hand));
+    CHECK(far.ball.relative_bits() > 40);
+    CHECK_THROWS_AS(eval("contact.area", {{"n", 1'000'001}, {"load", Rational(1, 10)}, {"G", 4}}, 12), DomainError);
+    CHECK(eval("contact.area", {{"n", 1'000'000}, {"load", 2}, {"G", 4}}, 12).status == Status::undecided);
+    CHECK(eval("contact.area", {{"n", 1'000'000}, {"load", Rational(1, 10)}, {"G", Rational(3, 2)}}, 12).status == Status::undecided);
+}
+
+TEST_CASE("the ratio of approach is near 1/2 for large G, the Hertzian value, and below it; it claims no proof")
+{
+    const Evaluation e = eval("limit.gap", {{"G", 200}}, 8);
+    CHECK(e.status == Status::estimated);
+    CHECK_FALSE(e.proven);
+    // first order in 4/G^2: |ds'/ds| is (1 - x u^2 + ...)/2, x = 4w/G^2, E[u^2] = 1/4, E[w] = m_0(1)
+    const WorkingPrecision precision(72);
+    const Ball small(Rational(1, 10'000)), first = (1 - limit::hertzian_moment(Ball(1)) / 4 * small) / 2;
+    CHECK(certainly(less(abs(e.ball - first), small * small)));
+    CHECK_FALSE(certainly(less(abs(e.ball - Ball(Rational(1, 2))), small * small)));
+    CHECK(eval("limit.gap", {{"G", Rational(3, 2)}}, 8).status == Status::undecided);
+}
+
+TEST_CASE("bad input")
+{
+    const Rational load(1, 10);
+    CHECK_THROWS_AS(eval("limit.scale", {{"G", 4}, {"load", load}, {"tolerance", 1}}, 3), DomainError);
+    CHECK_THROWS_AS(eval("limit.scale", {{"G", 4}, {"load", load}, {"tolerance", 0}}, 3), DomainError);
+    CHECK_THROWS_AS(eval("limit.scale", {{"G", 4}, {"load", 0}, {"tolerance", load}}, 3), DomainError);
+    CHECK_THROWS_AS(eval("limit.gap", {{"G", 1}}, 3), DomainError);
+    CHECK(eval("limit.scale", {{"G", 4}, {"load", 2}, {"tolerance", load}}, 3).status == Status::undecided);
+    CHECK(eval("limit.scale", {{"G", 2}, {"load", 1}, {"tolerance", load}}, 3).status == Status::undecided);
+}
