@@ -4,6 +4,7 @@
 #include "verify/eval.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/own_rows.hpp"
+#include "verify/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -45,7 +46,10 @@ int evaluate_and_print(const EvalOptions& o)
     if (!o.rows.empty() || std::any_of(named.begin(), named.end(), [](const auto& n) { return is_range(n.second); })) return evaluate_rows(o, q, named);
     if (o.resume || o.binary64 || !o.out.empty()) throw Failure(usage_error, "--out, --resume and --binary64 go with --rows or a range such as load=0.1:0.9:0.1");
     const Inputs in = read_inputs(q, named);
-    const Evaluation e = evaluate(q, in, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, rounding_of(o));
+    const Evaluation e = [&] {
+        const Progress progress(q.name);
+        return evaluate(q, in, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, rounding_of(o));
+    }();
     const bool explained = e.status == Status::certified && q.explain; // else there is no proof to explain
     if (o.json) {
         nlohmann::ordered_json inputs = nlohmann::ordered_json::object();

@@ -9,6 +9,7 @@
 #include "verify/eval.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/own_rows.hpp"
+#include "verify/progress.hpp"
 #include "verify/row_table.hpp"
 
 #include <fmt/format.h>
@@ -109,6 +110,8 @@ public:
         : o_(o), job_{q, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, *rounding_named(o.round), o.jobs}, rows_(rows),
           kind_{&q, rows.columns(), o.digits, job_.rounding, o.binary64, o.json}, table_(kind_, o.out, o.resume)
     {
+        // rows that come up on the terminal are their own progress
+        if (!o.out.empty() || ::isatty(STDOUT_FILENO) == 0) progress_.emplace("rows", rows.count());
     }
 
     int all()
@@ -176,6 +179,7 @@ private:
                 }
                 lock.unlock();
                 put(*w, written++);
+                if (progress_) progress_->done(table_.rows());
                 lock.lock();
             }
             if (interrupted != 0 || w->failure) {
@@ -194,7 +198,6 @@ private:
             table_.finish(false);
             std::rethrow_exception(w->failure);
         }
-        if (::isatty(2) != 0 && !ended_) fmt::print(stderr, "\r{} rows", table_.rows());
     }
 
     void put(const Window& w, std::size_t i)
@@ -212,6 +215,7 @@ private:
     void finish_early()
     {
         table_.finish(false);
+        progress_.reset();
         fmt::print(stderr, "touchstone: interrupted; {} rows are done{}\n", table_.rows(),
                    o_.out.empty() ? "" : fmt::format(" and in {}: the same command with --resume goes on", o_.out));
     }
@@ -222,6 +226,7 @@ private:
     OwnRows& rows_;
     RowTableKind kind_;
     RowTable table_;
+    std::optional<Progress> progress_;
     bool ended_ = false;
     std::string trouble_, first_refusal_;
     std::size_t refused_ = 0;

@@ -9,11 +9,11 @@
 #include "verify/judge_adapter.hpp"
 #include "verify/judge_report.hpp"
 #include "verify/judge_rows.hpp"
+#include "verify/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -69,11 +69,8 @@ Reference find_reference(const std::string& name)
         const fs::path file = folder / (name + ".txt");
         if (fs::is_regular_file(file)) return {parse_table(read_file(file), file.string()), file.string()};
     }
-    const bool terminal = ::isatty(2) != 0;
-    const Table t = compute(*spec, spec->digits, std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t done, std::size_t total) {
-        if (terminal && (done % 16 == 0 || done == total)) fmt::print(stderr, "\rcomputing {} {:>5} of {}", name, done, total);
-    });
-    if (terminal) fmt::print(stderr, "\r{:60}\r", "");
+    Progress progress("computing " + name, spec->grid().size());
+    const Table t = compute(*spec, spec->digits, std::max(1u, std::thread::hardware_concurrency()), [&progress](std::size_t done, std::size_t) { progress.done(done); });
     return {parse_table(format(t, "txt"), name), ""};
 }
 
@@ -182,13 +179,34 @@ void check_options(const JudgeOptions& o)
         if (!(seconds > 0 && seconds <= 1e6)) throw Failure(usage_error, fmt::format("a time limit of {} s: must be > 0 and <= 10^6", seconds));
 }
 
-std::function<void(std::size_t, std::size_t)> shown_progress()
-{
-    const bool terminal = ::isatty(2) != 0;
-    return [terminal](std::size_t done, std::size_t total) {
-        if (terminal && (done % 32 == 0 || done == total)) fmt::print(stderr, "\rjudging {:>5} of {}{}", done, total, done == total ? "\r\033[K" : "");
-    };
-}
+/// The steps of a judgement on one bar: rows certified anew, rows held out, rows judged.
+class Steps {
+public:
+    Steps(const std::string& what, std::size_t rechecked, std::size_t held_out, std::size_t rows)
+        : bar_(what, rechecked + 2 * held_out + rows), rechecked_(rechecked), held_out_(held_out), rows_(held_out + rows)
+    {
+    }
+    void rechecked(std::size_t rows)
+    {
+        bar_.next(1, "certifying stored rows anew");
+        bar_.done(rows);
+    }
+    void hold_out() { bar_.next(held_out_, "certifying rows that are held out"); }
+    void ask()
+    {
+        bar_.done(rechecked_ + held_out_);
+        bar_.next(0, "asking the code");
+    }
+    std::function<void(std::size_t, std::size_t)> judge()
+    {
+        bar_.next(rows_, "judging rows");
+        return [this](std::size_t done, std::size_t total) { bar_.done(rechecked_ + held_out_ + done * rows_ / std::max<std::size_t>(1, total)); };
+    }
+
+private:
+    Progress bar_;
+    std::size_t rechecked_, held_out_, rows_;
+};
 
 /// Nothing fails by a stored row that has not been certified again; what passes by a row that takes minutes is left to --recheck.
 void recheck_what_decides(const Case& c, const Reference& reference, const std::vector<std::size_t>& rows)
@@ -239,7 +257,12 @@ int judge_by_table(const JudgeOptions& o)
     if (c.quantity == nullptr || c.quantity->inputs != table.inputs)
         throw CorruptTable(fmt::format("{}: quantity '{}' with inputs '{}' is none of this program's", o.table, table.quantity, fmt::join(table.inputs, " ")));
     const Where where(*c.quantity, o.where);
-    if (!reference.file.empty()) oracle::recheck(*c.quantity, table, sample(table.rows.size(), o.recheck, c.seed), reference.file);
+    const auto rechecked = reference.file.empty() ? std::vector<std::size_t>{} : sample(table.rows.size(), o.recheck, c.seed);
+    std::optional<Steps> steps(std::in_place, "judging by " + table.name, rechecked.size(), o.answers.empty() ? o.held_out : 0, table.rows.size());
+    for (std::size_t i = 0; i < rechecked.size(); ++i) {
+        oracle::recheck(*c.quantity, table, {rechecked[i]}, reference.file);
+        steps->rechecked(i + 1);
+    }
     const oracle::Baseline baseline = o.baseline.empty() ? oracle::Baseline{} : stored_baseline(o, table);
     if (!o.baseline.empty() && !o.update) c.bound.baseline = &baseline;
 
@@ -250,11 +273,13 @@ int judge_by_table(const JudgeOptions& o)
     if (rows.empty()) throw Failure(bad_input, fmt::format("{}: --where leaves no row", table.name));
     for (const std::size_t i : rows) c.questions.push_back(all[i]);
     if (o.answers.empty()) { // a file of answers is to the table's own rows
+        steps->hold_out();
         auto fresh = oracle::held_out(*c.quantity, c.questions, o.held_out, c.seed);
         std::erase_if(fresh, [&](const oracle::Question& q) { return !where.holds(q.inputs); });
         c.held_out = fresh.size();
         std::mt19937_64 random(c.seed + 1);
         for (auto& f : fresh) c.questions.insert(c.questions.begin() + static_cast<long>(random() % (c.questions.size() + 1)), std::move(f));
+        steps->ask();
         c.answers = ask(o, c.questions);
     }
     else {
@@ -266,10 +291,11 @@ int judge_by_table(const JudgeOptions& o)
         }
     }
     if (!c.answers.fault) {
-        c.judgement = oracle::judge(*c.quantity, c.questions, c.answers.values, c.bound, shown_progress());
+        c.judgement = oracle::judge(*c.quantity, c.questions, c.answers.values, c.bound, steps->judge());
         c.regimes = oracle::regimes(*c.quantity, c.questions, c.judgement);
         if (!reference.file.empty()) recheck_what_decides(c, reference, rows);
     }
+    steps.reset(); // before anything is printed
     const int verdict = say(o, c);
     if (o.update) update_baseline(o, c, table, baseline);
     return verdict;
@@ -316,7 +342,8 @@ int judge_by_rows(JudgeOptions o)
     if (file.answers) c.answers.values = std::move(*file.answers);
     else c.answers = ask(o, c.questions);
     if (!c.answers.fault) {
-        c.judgement = oracle::judge(q, c.questions, c.answers.values, c.bound, shown_progress());
+        Steps steps("judging rows", 0, 0, c.questions.size());
+        c.judgement = oracle::judge(q, c.questions, c.answers.values, c.bound, steps.judge());
         c.regimes = oracle::regimes(q, c.questions, c.judgement);
     }
     return say(o, c);

@@ -91,7 +91,8 @@ void add_panel(figures::Figure& f, const Case& c, const std::string& name, const
 {
     const auto x = axis(c, at, label);
     if (!x) return;
-    Panel p{"", name, *x, {"error / allowed", lowest, highest, true, 100}, sorted_rows(c, at, *x), {}, {}, f.panels.empty() ? figures::above_all : ""};
+    const figures::Axis y{"error / allowed", lowest, highest, true, 100};
+    Panel p{"", name, *x, y, sorted_rows(c, at, *x), {}, {}, f.panels.empty() ? figures::above_all : ""};
     p.curves.push_back({"allowed", "allowed", Style::line, 0, {{x->low, "1", "0", "exact"}, {x->high, "1", "0", "exact"}}});
     if (f.panels.empty()) // how many, in the legend; the panels that follow show the same rows
         for (std::size_t k = 1; k < 6; ++k) p.curves[k].legend += fmt::format(" ({})", p.curves[k].points.size());

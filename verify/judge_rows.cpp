@@ -7,10 +7,10 @@
 #include "touchstone/table/table.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
+#include "verify/progress.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,10 +90,8 @@ void certify(const Quantity& q, const std::vector<std::vector<double>>& grid, Ju
     spec.name = "rows";
     spec.quantity = q.name;
     spec.grid = [&grid] { return grid; };
-    const bool terminal = ::isatty(2) != 0;
-    const Table table = compute(spec, row_digits, std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t done, std::size_t total) {
-        if (terminal && (done % 16 == 0 || done == total)) fmt::print(stderr, "\rcertifying {:>6} of {}{}", done, total, done == total ? "\r\033[K" : "");
-    });
+    Progress progress("certifying rows", grid.size());
+    const Table table = compute(spec, row_digits, std::max(1u, std::thread::hardware_concurrency()), [&progress](std::size_t done, std::size_t) { progress.done(done); });
     std::vector<double> kept;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const Evaluation& e = table.rows[i].result;

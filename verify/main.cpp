@@ -86,7 +86,8 @@ int main(int argc, char** argv)
     app.set_version_flag("--version", "touchstone " + std::string(version()));
     app.require_subcommand(1);
     app.fallthrough();
-    app.add_flag_callback("--progress", [] { progress_in_logs(true); }, "Long work says how far it is once a minute, in logs too");
+    app.add_flag_callback("--progress", [] { progress_in_logs(); }, "Long work says how far it is once a minute, in logs too");
+    app.add_option_function<double>("--progress-every", progress_in_logs, "The same, every so many seconds")->check(CLI::Range(0.1, 1e6));
     Run run;
     add_list(app, run);
     add_eval(app, run);

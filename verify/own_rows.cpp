@@ -79,10 +79,21 @@ void fill(OwnRow& row, const Quantity& q, const std::vector<std::string>& column
     row.inputs = in;
 }
 
+/// Lines of a plain file that are no comment; 0 for a stream.
+std::size_t lines_in(const std::string& path)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return 0;
+    std::ifstream in(path);
+    std::size_t lines = 0;
+    for (std::string line; std::getline(in, line);) lines += !line.empty() && line.front() != '#' ? 1U : 0U;
+    return lines;
+}
+
 class RowsOfFile : public OwnRows {
 public:
     RowsOfFile(const Quantity& q, const std::string& path, const NamedTexts& constants, OwnRowsOptions options)
-        : q_(q), options_(options), name_(path == "-" ? "standard input" : path), file_(opened(path)),
+        : q_(q), options_(options), lines_(lines_in(path)), name_(path == "-" ? "standard input" : path), file_(opened(path)),
           reader_(file_ ? *file_ : std::cin, name_, {.known = known(q), .ignored = options.printed ? std::vector<std::string>{} : std::vector<std::string>{"value", "error", "answer", "forced"}, .free_last = options.printed})
     {
         std::vector<std::string> keys;
@@ -107,6 +118,7 @@ public:
     }
 
     const std::vector<std::string>& columns() const override { return columns_; }
+    std::size_t count() const override { return lines_; }
 
     bool next(OwnRow& row) override
     {
@@ -147,6 +159,7 @@ private:
 
     const Quantity& q_;
     OwnRowsOptions options_;
+    std::size_t lines_;
     std::string name_;
     std::unique_ptr<std::ifstream> file_;
     RowsReader reader_;
@@ -172,6 +185,7 @@ public:
     }
 
     const std::vector<std::string>& columns() const override { return columns_; }
+    std::size_t count() const override { return total_; }
 
     bool next(OwnRow& row) override
     {

@@ -29,6 +29,8 @@ public:
     virtual const std::vector<std::string>& columns() const = 0;
     /// The next row; false at the end. \throws Failure, BadRows where no more rows can be read
     virtual bool next(OwnRow&) = 0;
+    /// How many there are, for a progress bar; 0: not known before they are read.
+    virtual std::size_t count() const { return 0; }
 };
 
 /// Whether a word asks for more than one value.

@@ -53,6 +53,16 @@ std::vector<std::string> recompute(const ReportOptions& o)
     return changed;
 }
 
+report::Drawn draw(const figures::Recipe& recipe, const fs::path& base)
+{
+    const figures::Figure f = recipe.make();
+    report::Drawn d{f, recipe.of_paper, figures::svg(f, figures::Layout::wide), figures::svg(f, figures::Layout::narrow), figures::pdf(f)};
+    write_file(base.string() + ".svg", d.wide);
+    write_file(base.string() + ".pdf", d.pdf);
+    write_file(base.string() + ".csv", figures::csv(f));
+    return d;
+}
+
 int make_report(const ReportOptions& o)
 {
     make_folder(o.out);
@@ -62,24 +72,28 @@ int make_report(const ReportOptions& o)
             throw Failure(fails, fmt::format("recomputed tables differ from those compiled in: {} (the new ones are in {}/data; data/figures holds those of the program)", fmt::join(changed, ", "), o.out));
     }
     make_folder(fs::path(o.out) / "figures");
-    std::vector<report::Drawn> drawn;
-    {
-        Progress progress("drawing", figures::recipes().size());
-        for (const auto& recipe : figures::recipes()) {
-            const figures::Figure f = recipe.make();
-            const fs::path base = fs::path(o.out) / "figures" / recipe.id;
-            report::Drawn d{f, recipe.of_paper, figures::svg(f, figures::Layout::wide), figures::svg(f, figures::Layout::narrow), figures::pdf(f)};
-            write_file(base.string() + ".svg", d.wide);
-            write_file(base.string() + ".pdf", d.pdf);
-            write_file(base.string() + ".csv", figures::csv(f));
-            drawn.push_back(std::move(d));
-            progress.done(drawn.size());
-        }
+    const auto codes = report::shipped_codes();
+    // parts as long as each other, about: a figure is drawn while two entries are judged
+    constexpr std::size_t of_figure = 2, of_judgement = 3, of_ledger = 160;
+    Progress progress("report", of_figure * figures::recipes().size() + (codes ? of_judgement * report::judgements() : 0) + of_ledger);
+    report::Contents contents;
+    for (const auto& recipe : figures::recipes()) {
+        progress.next(of_figure, "drawing " + recipe.id);
+        contents.drawn.push_back(draw(recipe, fs::path(o.out) / "figures" / recipe.id));
+        progress.done(of_figure * contents.drawn.size());
     }
-    const nlohmann::ordered_json ledger = o.ledger.empty() ? ledger_json() : report::parse_ledger(read_file(o.ledger), o.ledger);
+    if (codes) {
+        const std::size_t before = of_figure * contents.drawn.size();
+        progress.next(of_judgement, "judging codes");
+        contents.judged = report::judge_shipped(*codes, [&](std::size_t done) { progress.done(before + of_judgement * done); });
+        contents.judged_drawing = report::drawn_judgement(*codes);
+    }
+    progress.next(of_ledger);
+    contents.ledger = o.ledger.empty() ? ledger_json() : report::parse_ledger(read_file(o.ledger), o.ledger);
     const fs::path page = fs::path(o.out) / "index.html";
-    write_file(page, report::page(drawn, ledger));
-    fmt::print("{}: {} figures (SVG, PDF and CSV in {}/figures), {} entries of the ledger\n", page.string(), drawn.size(), o.out, ledger.size());
+    write_file(page, report::page(contents));
+    Progress::clear();
+    fmt::print("{}: {} figures (SVG, PDF and CSV in {}/figures), {} entries of the ledger\n", page.string(), contents.drawn.size(), o.out, contents.ledger.size());
     return holds;
 }
 

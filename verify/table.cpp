@@ -5,6 +5,7 @@
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
+#include "verify/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -121,17 +122,22 @@ int make_tables(const TableOptions& o)
         if (!error && ::access(o.out.c_str(), W_OK) != 0) error = std::error_code(errno, std::generic_category());
         if (error) throw Failure(cannot_write, fmt::format("cannot write into {}: {}", o.out, error.message()));
     }
-    const bool terminal = ::isatty(2) != 0;
+    std::size_t rows = 0;
+    for (const TableSpec* spec : specs) rows += spec->grid().size();
+    Progress progress(specs.size() == 1 ? specs.front()->name : "tables", rows);
+    rows = 0; // of the tables before
     const bool whole_set = own.empty() && specs.size() == table_specs().size();
     nlohmann::ordered_json manifest = nlohmann::ordered_json::array();
     std::vector<std::string> changed;
     bool any_undecided = false;
     for (const TableSpec* spec : specs) {
         const auto start = std::chrono::steady_clock::now();
-        const Table t = compute(*spec, o.digits.value_or(spec->digits), o.jobs, [&](std::size_t done, std::size_t total) {
-            if (terminal) fmt::print(stderr, "\r{:<28} {:>5} of {}", spec->name, done, total);
+        const Table t = compute(*spec, o.digits.value_or(spec->digits), o.jobs, [&](std::size_t done, std::size_t) {
+            progress.next(0, spec->name);
+            progress.done(rows + done);
         });
-        if (terminal) fmt::print(stderr, "\r{:60}\r", "");
+        rows += t.rows.size();
+        progress.clear();
         any_undecided = any_undecided || t.status() == Status::undecided;
         const std::string text = format(t, o.format);
         const std::string file = spec->name + "." + o.format;

@@ -67,6 +67,9 @@ std::vector<Panel> four_panels(const Axis& x, const std::function<Axis(const Sur
     return panels;
 }
 
+/// What dashes mean, whatever the colour.
+void in_legend(Figure& f, const char* name, Style style) { f.panels.front().curves.push_back({name, name, style, 0, {}}); }
+
 const std::string scale_label = "scale {/:Italic n}";
 
 } // namespace
@@ -106,6 +109,7 @@ Figure figure_3()
             return no_better_than(areas.status(load.value, t.G), certified(static_cast<double>(n), areas.at(n, load.value, t.G)));
         }));
     });
+    in_legend(f, "Hertz, (7.18)", Style::dashed);
     return f;
 }
 
@@ -124,7 +128,7 @@ Figure figure_4()
         p.x.low = std::pow(static_cast<double>(s.gamma), -20.5);
         p.x.step = s.gamma == 5 ? 1e2 : 1e4;
         const auto epsilon = [](const Surface& t, long n) { return std::pow(static_cast<double>(t.gamma), static_cast<double>(-n)); };
-        if (colour == 1) p.curves.push_back({"one segment", "", Style::line, 0, {{p.x.low, "1", "0", "exact"}, {1, "1", "0", "exact"}}});
+        if (colour == 1) p.curves.push_back({"one segment", "", Style::line, grey, {{p.x.low, "1", "0", "exact"}, {1, "1", "0", "exact"}}});
         p.curves.push_back(curve(s, l, colour, Style::dotted, "(8.3)", "", 1, [&](const Surface& t, const Load& load, long n) {
             return certified(epsilon(t, n), archard::segments_limit(n, exact(load.value), Ball(t.D), Ball(t.gamma), K(-1)));
         }));
@@ -135,6 +139,8 @@ Figure figure_4()
             return no_better_than(areas.status(load.value, t.G), certified(epsilon(t, n), areas.at(n - 1, load.value, t.G) * power(t, n)));
         }));
     });
+    in_legend(f, "Hertz, (8.2)", Style::dashed);
+    in_legend(f, "limit (8.3)", Style::dotted);
     return f;
 }
 
@@ -162,13 +168,13 @@ Figure apparent_dimension()
     Figure f{"apparent-dimension", "Apparent fractal dimension against scale and load",
              "Slope of figure 4 between scales n and n + 1, log_γ(N_(n+1)/N_n), which §8 calls the apparent fractal dimension. It depends on the load at coarse scales, as Borri-Brunetto et al. (1998) observed, "
              "and tends to 2 − D (grey line) at every load. A simulation that spans 2^8 between its largest and smallest scale sees n up to 3.4 at γ = 5 and 2.4 at γ = 10. The slope is that of (8.1) as it stands: where N is below 1 the paper counts one segment, "
-             "and the slope it sees is 0.",
+             "and the slope it sees is 0 (negative slopes are not drawn).",
              "Four panels of slope against scale; curves of heavy loads begin at 1, those of light loads low, and all meet the line 2 - D.", {}, 2, 300};
-    f.panels = four_panels({scale_label, 0, last_scale, false, 5}, [](const Surface& s) { return s.G < 2 ? Axis{"apparent dimension", 0.4, 1.05, false, 0.1} : Axis{"apparent dimension", 0, 1.05, false, 0.25}; },
+    f.panels = four_panels({scale_label, 0, last_scale, false, 5}, [](const Surface&) { return Axis{"apparent dimension", 0, 1.05, false, 0.25}; },
                            above_all, [&](Panel& p, const Surface& s, const Load& l, int colour) {
         if (colour == 1) {
             const Point limit = certified(0, Ball(Rational(2 - s.D)), 6);
-            p.curves.push_back({"limit 2 - D, (8.7)", "", Style::line, 0, {limit, {last_scale, limit.value, limit.error, limit.status}}});
+            p.curves.push_back({"limit 2 - D, (8.7)", "", Style::line, grey, {limit, {last_scale, limit.value, limit.error, limit.status}}});
         }
         Curve c{fmt::format("slope, load {}", l.text), load_legend(l), Style::marked_line, colour, {}};
         for (long n = 1; n <= last_scale; ++n) {

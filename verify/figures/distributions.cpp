@@ -32,7 +32,7 @@ constexpr std::array scales{Scale{0, 6, false}, Scale{1, 1, false}, Scale{2, 3, 
 Curve normalised(const Data& dense, const Data& sparse, const Scale& s, const Ball& x, const Ball& y, const char* what)
 {
     const Data& from = s.from_reference ? sparse : dense;
-    Curve c{fmt::format("{}, n = {}", what, s.n), fmt::format("{{/:Italic n}} = {}", s.n), s.from_reference ? Style::points : Style::line, s.colour, {}};
+    Curve c{fmt::format("{}, n = {}", what, s.n), fmt::format("{{/:Italic n}} = {}", s.n), s.from_reference ? Style::points : s.n == 0 ? Style::dashed : Style::line, s.colour, {}};
     for (const auto& row : from.rows()) {
         if (row.inputs[0] != static_cast<double>(s.n) || row.inputs[2] != load || row.inputs[3] != G) continue;
         const double at = row.inputs[1] / middle(x);

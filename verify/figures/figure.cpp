@@ -32,6 +32,7 @@ const std::vector<Recipe>& recipes()
         {"print-errors", "Where printed equations fail", false, print_errors},
         {"hertzian-share", "Share of Hertzian contacts", false, hertzian_share},
         {"edge-error", "Error of two codes beside the edge of the contact", false, edge_error},
+        {"certified-digits", "Digits certified over load and G, by method", false, certified_digits},
     };
     return all;
 }
@@ -66,7 +67,7 @@ std::string status_line(const Figure& f)
         for (const Curve& c : p.curves)
             for (const Point& q : c.points) ++count[q.status];
     std::string text;
-    for (const char* status : {"exact", "certified", "estimated", "measured", "undecided"})
+    for (const char* status : {"exact", "certified", "estimated", "measured", "claimed", "undecided"})
         if (count.contains(status)) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count[status], status);
     return text;
 }

@@ -16,13 +16,21 @@ struct Point {
     double x = 0;
     std::string value;  ///< decimal; every digit proven where the status says so
     std::string error;
-    std::string status; ///< exact, certified, estimated, measured
+    std::string status; ///< exact, certified, estimated, measured; claimed: what the table of methods says it can do
 };
 
 /// y, proven to `digits` digits, at x. A ball too wide for them is given the digits it decides.
 Point certified(double x, const Ball& y, long digits = 8);
 
-enum class Style { line, dashed, dotted, points, marked_line, steps };
+enum class Style { line, dashed, dotted, points, marked_line, steps, cells };
+
+/// The last colour of the palette: for lines that are only there to compare with.
+inline constexpr int grey = 7;
+
+/// A row of a map on logarithmic axes: `value` belongs to the cell from x / width to x * width, y / height to y * height.
+struct Cells {
+    double y = 1, width = 1, height = 1;
+};
 
 /// Which marker and colour: the same number is the same in every panel, so that one legend serves all.
 struct Curve {
@@ -30,7 +38,8 @@ struct Curve {
     std::string legend;      ///< gnuplot's enhanced text; empty: not in the legend
     Style style = Style::line;
     int colour = 0;          ///< index into the palette; 0 is ink
-    std::vector<Point> points;
+    std::vector<Point> points; ///< none: the curve stands in the legend only
+    Cells cells = {};          ///< of Style::cells
 };
 
 struct Axis {
@@ -105,5 +114,6 @@ Figure apparent_dimension();
 Figure print_errors();
 Figure hertzian_share();
 Figure edge_error();
+Figure certified_digits();
 
 } // namespace touchstone::figures

@@ -27,9 +27,9 @@ Curve along(const std::string& name, const std::string& legend, Style style, int
 }
 
 /// Up to f, across to the line of slope G, up to f: the corners of (5.6).
-Curve staircase(const std::string& name, int colour, const Rational& start, const Rational& G, int steps)
+Curve staircase(const std::string& name, const std::string& legend, int colour, const Rational& start, const Rational& G, int steps)
 {
-    Curve c{name, "", Style::steps, colour, {}};
+    Curve c{name, legend, Style::steps, colour, {}};
     Ball x(start);
     const auto corner = [&c](const Ball& at, const Ball& y) { c.points.push_back(certified(shown(certified(0, at, 12)), y)); };
     corner(x, Ball(0));
@@ -49,8 +49,8 @@ Panel iteration(const std::string& letter, const std::string& regime, const Rati
             {"load ratio {/:Italic x_{n−1}} = {/:Italic p_{n−1}}^{max} / {/:Italic p*_n}", 0, last}, {"{/:Italic f}({/:Italic x}) = {/:Italic p_n}^{max} / {/:Italic p*_n}", 0, top}, {}, {}, {}, "bottom right"};
     p.curves.push_back(along("f", "{/:Italic f}({/:Italic x}), (5.4), (5.5)", Style::line, 1, last, 200, [](const Ball& x) { return peaks::f(x); }));
     p.curves.push_back(along("G x", "line of slope {/:Italic G}", Style::line, 0, last, 1, [&G](const Ball& x) { return Ball(G) * x; }));
-    p.curves.push_back(staircase("iteration from below", 2, low, G, 12));
-    p.curves.push_back(staircase("iteration from above", 3, high, G, 12));
+    p.curves.push_back(staircase("iteration from below", "(5.6), from below", 2, low, G, 12));
+    p.curves.push_back(staircase("iteration from above", "(5.6), from above", 3, high, G, 12));
     for (std::size_t k = 1; k <= 4; ++k) { // the paper's A, B, C, D: f, line, f, line
         const Point& corner = p.curves.back().points[k];
         p.notes.push_back({corner.x + last * (k % 2 == 1 ? 0.012 : -0.035), shown(corner) + top * (k % 2 == 1 ? -0.035 : 0.035), std::string(1, static_cast<char>('A' + k - 1))});
@@ -59,7 +59,7 @@ Panel iteration(const std::string& letter, const std::string& regime, const Rati
     const double at = shown(certified(0, x_P, 12));
     const Point top_point = certified(at, peaks::f(x_P), 12);
     p.curves.push_back({"fixed point", "", Style::points, 0, {top_point}});
-    p.notes.push_back({at + last * 0.04, shown(top_point) - top * 0.045, "P: {/:Italic x}_P = " + fixed});
+    p.notes.push_back({at + last * 0.04, shown(top_point) - top * 0.055, "P: {/:Italic x}_P = " + fixed});
     return p;
 }
 
@@ -110,7 +110,7 @@ Figure figure_2()
              "Three panels of pressure along one wavelength: a smooth wave, a wave with gaps at its sides, and a finer one with gaps everywhere but under the middle.", {}, 1, 230};
     const double tops[] = {3, 6, 12}, steps[] = {1, 2, 4};
     for (long n = 0; n < 3; ++n) {
-        Panel p{"scale " + std::to_string(n), "scale " + std::to_string(n), {n == 2 ? "{/:Italic x} / λ_0" : "", -0.5, 0.5, false, 0.25}, {"{/:Italic p_" + std::to_string(n) + "} / {/:Italic p*}_0", 0, tops[n], false, steps[n]}, {}, {}, {}, ""};
+        Panel p{"scale " + std::to_string(n), "scale " + std::to_string(n), {"{/:Italic x} / λ_0", -0.5, 0.5, false, 0.25}, {"{/:Italic p_" + std::to_string(n) + "} / {/:Italic p*}_0", 0, tops[n], false, steps[n]}, {}, {}, {}, ""};
         Curve c{"p_" + std::to_string(n), "", Style::line, 1, {}};
         const long pieces = 256 * (n + 1) * (n + 1); // 36 points a wave at the finest
         for (long k = 0; k <= pieces; ++k) {

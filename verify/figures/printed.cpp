@@ -120,8 +120,8 @@ double measured_ulps(const oracle::CertifiedValue& truth, double answer) { retur
 Panel edge_panel(const Judged& j, const char* letter, const char* what, double side)
 {
     constexpr double load = 0.3;
-    Panel p{fmt::format("({}) {}", letter, what), letter, {"distance from the edge |{/:Italic x} − {/:Italic a}| / {/:Italic a}", 1e-16, 1, true, 1e4}, {"error in ulps", 1e-3, 1e20, true, 1e4}, {}, {}, {}, above_all};
-    Curve forced{"forced by rounded inputs", "forced by rounded inputs", Style::line, 0, {}};
+    Panel p{fmt::format("({}) {}", letter, what), letter, {"distance from the edge |{/:Italic x} − {/:Italic a}| / {/:Italic a}", 1e-16, 1, true, 1e4}, {"error in ulps", 1e-3, 1e30, true, 1e4}, {}, {}, {}, above_all};
+    Curve forced{"forced by rounded inputs", "forced by rounded inputs", Style::line, grey, {}};
     Curve printed{"formula as printed", "formula as printed, double", Style::points, 2, {}};
     Curve library{"library", "library, double", Style::points, 1, {}};
     const Quantity& q = *find_quantity(j.quantity);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "proofs/errata.hpp"
 #include "proofs/table_1.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/report/mathml.hpp"
@@ -67,6 +68,8 @@ std::string links_of(const Json& entry, const std::set<std::string>& ids)
     return text;
 }
 
+std::string source_of(const Json& entry);
+
 std::string entry_html(const Json& entry, const std::set<std::string>& ids)
 {
     const std::string id = text_at(entry, "id"), verdict = text_at(entry, "verdict"), kind = severity(entry), command = "touchstone paper " + id;
@@ -78,10 +81,17 @@ std::string entry_html(const Json& entry, const std::set<std::string>& ids)
         body += term("consequence", escaped(text_at(entry, "consequence")));
     }
     body += term("method", escaped(text_at(entry, "method"))) + term("steps", list_of(entry, "steps")) + term("changed prints", controls_of(entry)) + term("rests on", links_of(entry, ids))
-          + term("regenerate", "<code>" + escaped(command) + "</code>") + "</dl>";
+          + term("source", source_of(entry)) + term("regenerate", "<code>" + escaped(command) + "</code>") + "</dl>";
     return fmt::format("<details class=\"entry\" id=\"entry-{0}\" data-verdict=\"{1}\" data-severity=\"{2}\"><summary><span class=\"badge {1}\">{1}</span>{3} <b>{0}</b> "
                        "<span class=\"statement\">{4}</span></summary>{5}</details>\n",
                        escaped(id), escaped(verdict), escaped(kind), kind.empty() ? "" : " <span class=\"kind\">" + escaped(kind) + "</span>", escaped(text_at(entry, "statement")), body);
+}
+
+/// Where the judge of an entry stands: "file" and "line" of the source, if the ledger says so.
+std::string source_of(const Json& entry)
+{
+    const std::string source = text_at(entry, "source");
+    return source.empty() ? "" : "<code>" + escaped(source) + "</code>";
 }
 
 std::string box(const char* group, const std::string& value, std::size_t count)
@@ -131,13 +141,19 @@ std::string ledger_section(const Json& ledger)
 
 std::string erratum_section(const Json& ledger)
 {
-    std::string html;
+    // what `paper --errata html` prints, without its frame
+    const std::string whole = proofs::errata("html");
+    const auto from = whole.find("<dl>"), to = whole.rfind("</dl>");
+    if (from == std::string::npos || to == std::string::npos) throw Failure(internal_error, "the erratum has no list of equations");
+    std::string html = "<h3>Equations</h3>\n<p>The forms to read are proved; both columns of symbols are set from the transcription and its proved correction.</p>\n<dl class=\"errata\">"
+                     + whole.substr(from + 4, to - from - 4) + "</dl>\n";
+    std::string sentences;
     for (const auto& e : ledger) {
-        if (text_at(e, "verdict") != "refuted") continue;
-        html += fmt::format("<div class=\"erratum\"><h3><a href=\"#entry-{0}\">{0}</a> <span class=\"kind\">{1}</span></h3>{2}<dl>{3}{4}</dl></div>\n", escaped(text_at(e, "id")), escaped(severity(e)), printed(e),
-                            term("wrong", escaped(text_at(e, "wrong"))), term("holds", escaped(text_at(e, "correction"))));
+        if (text_at(e, "verdict") != "refuted" || !is_sentence(e)) continue;
+        sentences += fmt::format("<div class=\"erratum\"><h4><a href=\"#entry-{0}\">{0}</a> <span class=\"kind\">{1}</span></h4>{2}<dl>{3}{4}</dl></div>\n", escaped(text_at(e, "id")), escaped(severity(e)), printed(e),
+                                 term("wrong", escaped(text_at(e, "wrong"))), term("holds", escaped(text_at(e, "correction"))));
     }
-    return html;
+    return sentences.empty() ? html : html + "<h3>Sentences</h3>\n" + sentences;
 }
 
 std::string table_1_section()

@@ -63,23 +63,17 @@ std::string figure_html(const Drawn& d)
                        escaped(figures::status_line(f)), f.id, download("svg", "image/svg+xml", d.wide), download("pdf", "application/pdf", d.pdf), download("csv", "text/csv", figures::csv(f)));
 }
 
-/// Largest and median error of each code in the figure beside the edge.
-std::string judged_codes(const std::vector<Drawn>& drawn)
+/// A drawing that a phone scrolls sideways: it was made for a page.
+std::string scrolled(const std::string& drawing, const char* alternative)
 {
-    const auto found = std::find_if(drawn.begin(), drawn.end(), [](const Drawn& d) { return d.figure.id == "edge-error"; });
-    if (found == drawn.end()) return "";
-    std::string rows;
-    for (const auto& panel : found->figure.panels)
-        for (const auto& curve : panel.curves) {
-            std::vector<double> ulps;
-            for (const auto& p : curve.points) ulps.push_back(std::stod(p.value));
-            if (ulps.empty()) continue;
-            std::sort(ulps.begin(), ulps.end());
-            rows += fmt::format("<tr><td>{}</td><th scope=\"row\">{}</th><td class=\"number\">{:.3g}</td><td class=\"number\">{:.3g}</td><td class=\"number\">{}</td></tr>\n",
-                                panel.name == "a" ? "pressure (2.4)" : "gap", escaped(curve.name), ulps[ulps.size() / 2], ulps.back(), ulps.size());
-        }
-    return "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>code</th><th>median, ulps</th><th>largest, ulps</th><th>rows</th></tr></thead><tbody>\n" + rows
-         + "</tbody></table></div>\n<p>Your own code beside these: <code>touchstone judge westergaard_pressure --svg errors.svg -- ./mycode</code></p>\n";
+    if (drawing.empty()) return "";
+    return fmt::format("<div class=\"scroll\"><img class=\"wide\" src=\"{}\" alt=\"{}\"></div>\n", data_uri("image/svg+xml", drawing), alternative);
+}
+
+std::string judged(const Contents& c)
+{
+    const std::string drawing = scrolled(c.judged_drawing, "Error of the formula as printed over what is allowed, against x, load, 1 - load and the distance from the edge of the contact");
+    return judged_section(c.judged, drawing.empty() ? "" : drawing + "<p>The first of them as <code>judge --svg</code> draws it. Above 1 a row fails; near the edge of the contact the inputs' own rounding forces most of the error.</p>\n");
 }
 
 std::string contents(const std::vector<Drawn>& drawn)
@@ -96,8 +90,10 @@ std::string section(const char* id, const char* title, const std::string& comman
 
 } // namespace
 
-std::string page(const std::vector<Drawn>& drawn, const nlohmann::ordered_json& ledger)
+std::string page(const Contents& c)
 {
+    const auto& drawn = c.drawn;
+    const auto& ledger = c.ledger;
     std::string of_paper, beyond;
     for (const Drawn& d : drawn) (d.of_paper ? of_paper : beyond) += figure_html(d);
     std::string html = fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -111,8 +107,8 @@ std::string page(const std::vector<Drawn>& drawn, const nlohmann::ordered_json& 
     html += section("figures", "The paper's figures", "touchstone report --out DIR", of_paper);
     html += section("table1", "Table 1", "touchstone paper table1.n07", table_1_section());
     html += section("beyond", "What the paper could not show", "touchstone report --out DIR", beyond);
-    html += section("judged", "Judged codes", "touchstone judge TABLE -- COMMAND", judged_codes(drawn));
-    html += section("erratum", "Erratum", "touchstone paper --json", erratum_section(ledger));
+    html += section("judged", "Judged codes", "touchstone judge TABLE --svg FILE -- COMMAND", judged(c));
+    html += section("erratum", "Erratum", "touchstone paper --errata html", erratum_section(ledger));
     html += section("ledger", "The ledger", "touchstone paper", ledger_section(ledger));
     html += fmt::format("</main>\n<script>\n{}</script>\n</body>\n</html>\n", data::report_filter_text());
     return html;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "verify/figures/figure.hpp"
+#include "verify/report/judged.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +20,14 @@ struct Drawn {
     std::string pdf;
 };
 
-std::string page(const std::vector<Drawn>&, const nlohmann::ordered_json& ledger);
+struct Contents {
+    std::vector<Drawn> drawn;
+    nlohmann::ordered_json ledger;
+    std::vector<Judged> judged; ///< none where there are no codes to judge
+    std::string judged_drawing; ///< SVG
+};
+
+std::string page(const Contents&);
 
 // ---- its parts, ledger.cpp
 
