@@ -331,7 +331,10 @@ int judge_by_rows(JudgeOptions o)
 {
     const Quantity& q = quantity_or_table(o.table);
     const auto fixed = take_fixed_inputs(q, o.command);
+    std::optional<Progress> progress(std::in_place, "steps of judging", 2); // certifying, judging
+    progress->next(1);
     JudgedFile file = read_rows(q, o.rows, fixed, Where(q, o.where));
+    progress->next(1);
     if (subjects(o) + (file.answers ? 1 : 0) != 1) throw Failure(usage_error, one_subject);
     Case c = new_case(o);
     c.table = o.rows;
@@ -346,6 +349,7 @@ int judge_by_rows(JudgeOptions o)
         c.judgement = oracle::judge(q, c.questions, c.answers.values, c.bound, steps.judge());
         c.regimes = oracle::regimes(q, c.questions, c.judgement);
     }
+    progress.reset(); // before anything is printed
     return say(o, c);
 }
 

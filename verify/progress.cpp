@@ -250,12 +250,12 @@ void show_steps_of_engines()
 std::string progress_line(std::string_view what, std::size_t done, std::size_t total, double share, double seconds)
 {
     if (total == 0) return fmt::format("{}{}, {} so far", what, done > 0 ? fmt::format(" {}", done) : "", duration(seconds));
-    std::string line = fmt::format("{} {:.0f} % ({} of {})", what, std::floor(100 * std::clamp(share, 0.0, 1.0)), done, total);
     // a guess needs something to stand on: a few parts, or a few seconds
     constexpr double least_share = 0.005;
-    if (share >= least_share && share < 1 && seconds > 1) line += fmt::format(", about {} left", duration(seconds * (1 - share) / share));
-    else line += fmt::format(", {} so far", duration(seconds));
-    return line;
+    const bool guess = share >= least_share && share < 1 && seconds > 1;
+    const std::string time = guess ? fmt::format("about {} left", duration(seconds * (1 - share) / share)) : duration(seconds) + " so far";
+    // the count last: it is what a narrow terminal cuts off
+    return fmt::format("{} {:.0f} %, {} ({} of {})", what, std::floor(100 * std::clamp(share, 0.0, 1.0)), time, done, total);
 }
 
 } // namespace touchstone::program

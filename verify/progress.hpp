@@ -39,7 +39,7 @@ private:
 /// What the engines of the recursion say of their own steps: shown after the share of the work they are part of, or alone.
 void show_steps_of_engines();
 
-/// The line as it is shown: "table 42 % (210 of 500), about 3 min left". A total of 0 is not known: "rows 210, 34 s so far".
+/// The line as it is shown: "table 42 %, about 3 min left (210 of 500)". A total of 0 is not known: "rows 210, 34 s so far".
 /// \param share from 0 to 1
 std::string progress_line(std::string_view what, std::size_t done, std::size_t total, double share, double seconds);
 

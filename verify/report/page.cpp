@@ -31,8 +31,14 @@ std::string data_uri(const char* type, const std::string& bytes) { return fmt::f
 std::string typeset(const std::string& caption)
 {
     std::string out;
+    bool code = false;
     for (std::size_t at = 0; at < caption.size(); ++at) {
         const char c = caption[at];
+        if (c == '`') {
+            out += code ? "</code>" : "<code>";
+            code = !code;
+            continue;
+        }
         if ((c != '_' && c != '^') || at + 1 >= caption.size()) {
             out += escaped(std::string(1, c));
             continue;

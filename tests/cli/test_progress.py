@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Long work says how far it is: a bar on a terminal, lines in a log with --progress, else nothing; its share never goes back.
+
+usage: test_progress.py PROGRAM
+"""
+import fcntl
+import os
+import pty
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import termios
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+SUBJECTS = os.path.join(os.path.dirname(PROGRAM), "verify", "subjects")
+# seconds each
+VALUE = ["eval", "contact.density", "n=6", "p=1/100", "load=1/100", "G=3", "--digits", "12"]
+SUBJECT = ["--", os.path.join(SUBJECTS, "subject_library_forms"), "westergaard.gap"]
+LEDGER = ["paper"]
+
+
+def on_a_terminal(arguments, columns=80):
+    """What the program writes to a terminal of its own on stderr; its stdout goes nowhere."""
+    master, slave = pty.openpty()
+    fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    process = subprocess.Popen([PROGRAM, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=slave)
+    os.close(slave)
+    text = b""
+    while True:
+        try:
+            part = os.read(master, 65536)
+        except OSError:
+            break
+        if not part:
+            break
+        text += part
+    os.close(master)
+    process.wait()
+    return text.decode()
+
+
+class Progress(unittest.TestCase):
+    def check_bar(self, arguments, least):
+        text = on_a_terminal(arguments)
+        pictures = [p for p in text.split("\r\033[K") if p]
+        self.assertGreaterEqual(len(pictures), least, text)
+        shares, bars = [], []
+        for picture in pictures:
+            self.assertLess(len(picture), 80, "wider than the terminal")
+            self.assertNotIn("\n", picture)
+            if share := re.search(r" (\d+) %, ", picture):
+                shares.append(int(share.group(1)))
+            if bar := re.match(r"\[(#*)(\.*)\] ", picture):
+                self.assertEqual(len(bar.group(1)) + len(bar.group(2)), 24)
+                bars.append(len(bar.group(1)))
+        self.assertEqual(shares, sorted(shares), "the share goes back")
+        self.assertEqual(bars, sorted(bars), "the bar goes back")
+        self.assertTrue(text.endswith("\r\033[K"), "the line is left behind")
+        return pictures, shares
+
+    def test_a_judgement(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = os.path.join(folder, "rows.txt")
+            with open(rows, "w") as file:
+                file.write("# x load\n" + "".join(f"0.{k:06d} 0.3\n" for k in range(200000, 206000)))
+            for arguments in (["westergaard.gap", "--rows", rows], ["westergaard_gap", "--held-out", "2500"]):
+                pictures, shares = self.check_bar(["judge", *arguments, *SUBJECT], 4)
+                self.assertGreater(len(set(shares)), 3)
+                self.assertTrue(any("left" in p for p in pictures), pictures)
+
+    def test_one_value(self):
+        pictures, shares = self.check_bar(VALUE, 4)
+        self.assertTrue(shares, pictures)
+
+    @unittest.skipUnless(os.environ.get("TOUCHSTONE_SLOW"), "the whole ledger, half a minute: TOUCHSTONE_SLOW=1")
+    def test_the_ledger(self):
+        pictures, shares = self.check_bar(LEDGER, 20)
+        self.assertGreater(shares[-1], 80)
+        self.assertTrue(any("left" in p for p in pictures), pictures)
+
+    def test_rows(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = os.path.join(folder, "rows.txt")
+            with open(rows, "w") as file:
+                file.write("# load\n" + "".join(f"0.{k:05d}\n" for k in range(1, 4001)))
+            for source in (["--rows", rows], ["load=0.0001:0.4:0.0001"]):
+                pictures, shares = self.check_bar(["eval", "westergaard.half_width", *source, "--digits", "700", "--out", os.path.join(folder, "out.txt")], 4)
+                self.assertGreater(len(set(shares)), 3, pictures)
+            text = subprocess.run(["sh", "-c", f"cat {rows} | {PROGRAM} eval westergaard.half_width --rows - --digits 700 --out {folder}/out2.txt --progress-every 0.5"],
+                                  capture_output=True, text=True).stderr
+            self.assertRegex(text, r"touchstone: rows \d+, \d+ s so far")  # how many will come cannot be known
+            self.assertNotIn("%", text)
+
+    def test_a_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pictures, shares = self.check_bar(["table", "contact_area", "--digits", "25", "--out", folder], 4)
+            self.assertGreater(len(set(shares)), 3, pictures)
+
+    def test_logs(self):
+        """Nothing where stderr is no terminal; whole lines with --progress-every."""
+        silent = subprocess.run([PROGRAM, *VALUE], capture_output=True, text=True)
+        self.assertEqual(silent.stderr, "")
+        logged = subprocess.run([PROGRAM, "--progress-every", "1", *VALUE], capture_output=True, text=True)
+        self.assertEqual(logged.stdout, silent.stdout)
+        lines = logged.stderr.splitlines()
+        self.assertGreater(len(lines), 1)
+        for line in lines:
+            self.assertRegex(line, r"^touchstone: .*(\d %, .*(left|so far) \(\d+ of \d+\)|so far)")
+        self.assertNotIn("\r", logged.stderr)
+        once_a_minute = subprocess.run([PROGRAM, "--progress", *VALUE], capture_output=True, text=True)
+        self.assertLessEqual(len(once_a_minute.stderr.splitlines()), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
