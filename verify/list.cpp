@@ -2,9 +2,9 @@
 /// `touchstone list`: all quantities, a line each; one quantity with an adapter to copy; or all as a page of the documentation.
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/table/table.hpp"
-#include "verify/adapters.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/judge_adapter.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -84,8 +84,8 @@ int print_one(const std::string& name, bool json)
     for (const Route& r : q->routes) routes.push_back(r.name);
     fmt::print("{}  {}\n\n  equation  {}\n  inputs    {}\n  unit      {}\n  domain    {}\n  routes    {}\n  cost      {}\n  tables    {}\n\n", q->name, q->description, q->equation,
                q->inputs.empty() ? "none" : fmt::format("{}", fmt::join(q->inputs, " ")), q->unit, q->domain, fmt::join(routes, ", "), cost(*q), fmt::join(tables, " "));
-    fmt::print("To judge your own code, put it where the adapter says `your function`:\n  touchstone judge {} -- COMMAND\n\n", tables.empty() ? "TABLE" : tables.front());
-    fmt::print("-- Python --\n{}\n-- C++ --\n{}\n-- Fortran --\n{}", python_adapter(*q), cpp_adapter(*q), fortran_adapter(*q));
+    fmt::print("To judge your own code, put it where the adapter says `your code here`:\n  touchstone judge {} -- COMMAND\n\n", tables.empty() ? "TABLE" : tables.front());
+    fmt::print("-- Python --\n{}\n-- C and C++ --\n{}\n-- Fortran --\n{}", adapter(*q, "python"), adapter(*q, "c"), adapter(*q, "fortran"));
     return holds;
 }
 
@@ -110,7 +110,7 @@ void add_list(CLI::App& app, Run& run)
 {
     auto* command = app.add_subcommand("list", "All quantities, or one with an adapter to copy: touchstone list westergaard.pressure");
     auto o = std::make_shared<ListOptions>();
-    command->add_option("quantity", o->quantity, "One quantity: its definition, and adapters in Python, C++ and Fortran for judge");
+    command->add_option("quantity", o->quantity, "One quantity: its definition, and adapters in Python, C, C++ and Fortran for judge");
     command->add_flag("--json", o->json, "An array of objects, or one object");
     command->add_flag("--markdown", o->markdown, "docs/quantities.md");
     command->callback([&run, o] { run = [o] { return list(*o); }; });

@@ -92,7 +92,8 @@ public:
     }
     void show()
     {
-        if (!begun_ || !speaks() || since(start_) < std::min(quiet, terminal_ ? quiet : log_every) || since(last_) < (terminal_ ? redraw : log_every)) return;
+        const double often = log_every > 0 ? log_every : quiet;
+        if (!begun_ || !speaks() || since(start_) < std::min(quiet, often) || since(last_) < (terminal_ ? std::min(redraw, often) : log_every)) return;
         last_ = Clock::now();
         const double share = shown_ = std::max(shown_, share_now());
         const std::string text = line(share);
@@ -148,7 +149,7 @@ private:
         std::unique_lock waiting(own);
         std::condition_variable_any never;
         while (!stop.stop_requested()) {
-            never.wait_for(waiting, stop, std::chrono::duration<double>(redraw), [] { return false; });
+            never.wait_for(waiting, stop, std::chrono::duration<double>(log_every > 0 ? std::min(redraw, log_every) : redraw), [] { return false; });
             const std::scoped_lock lock(mutex);
             show();
         }

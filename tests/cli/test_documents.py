@@ -88,6 +88,34 @@ class Documents(unittest.TestCase):
                 self.assertNotRegex(text, r"<(script|img|iframe)[^>]*src=\"(https?:)?//|<link[^>]*href=\"(https?:)?//", page.name)
 
 
+class Reference(unittest.TestCase):
+    """The API from the docstrings, without a warning; and a docstring that is wrong is a failure."""
+
+    def doxygen(self, *more):
+        if not shutil.which("doxygen"):
+            self.skipTest("no doxygen")
+        with tempfile.TemporaryDirectory() as folder:
+            settings = (SOURCE / "Doxyfile").read_text() + f"OUTPUT_DIRECTORY = {folder}\n" + "".join(line + "\n" for line in more)
+            answer = subprocess.run(["doxygen", "-"], input=settings, cwd=SOURCE, capture_output=True, text=True)
+            pages = list(pathlib.Path(folder, "api").glob("*.html"))
+            text = pathlib.Path(folder, "api", "westergaard_8hpp.html")
+            return answer, len(pages), text.read_text() if text.exists() else ""
+
+    def test_without_warnings(self):
+        answer, pages, text = self.doxygen()
+        self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+        self.assertGreater(pages, 100)
+        self.assertIn("half_width", text)
+
+    def test_a_wrong_docstring_fails(self):
+        with tempfile.TemporaryDirectory() as folder:
+            header = pathlib.Path(folder) / "wrong.hpp"
+            header.write_text("/// \\file\n\n/// \\ref nowhere\nint f(int x);\n")
+            answer, _, _ = self.doxygen(f"INPUT = {header}", "USE_MDFILE_AS_MAINPAGE =")
+            self.assertNotEqual(answer.returncode, 0)
+            self.assertIn("wrong.hpp", answer.stderr)
+
+
 class Adapters(unittest.TestCase):
     """What `list QUANTITY` shows compiles, speaks the protocol, and is right once the function is put in."""
 
@@ -104,30 +132,33 @@ class Adapters(unittest.TestCase):
             path = pathlib.Path(folder) / "code.py"
             path.write_text(code)
             self.assertEqual(self.judge(sys.executable, str(path)).returncode, 1)  # nan everywhere
-            path.write_text("import math\n" + code.replace("float('nan')", "math.atan2(math.sqrt(load), math.sqrt(1 - load)) / math.pi"))
+            path.write_text("import math\n" + code.replace('float("nan")', "math.atan2(math.sqrt(load), math.sqrt(1 - load)) / math.pi"))
             self.assertEqual(self.judge(sys.executable, str(path)).returncode, 0)
 
-    def compiled(self, language, compiler, suffix, hole, right):
+    def compiled(self, language, compiler, suffix, hole, right, *libraries):
         if not shutil.which(compiler[0]):
             self.skipTest(f"no {compiler[0]}")
         with tempfile.TemporaryDirectory() as folder:
             for quantity in ("westergaard.pressure", "archard.K_inf", "segments.count"):  # two, none, four inputs
                 source = pathlib.Path(folder) / f"other{suffix}"
                 source.write_text(self.adapter(quantity, language))
-                subprocess.run([*compiler, str(source), "-o", f"{folder}/other"], check=True, capture_output=True)
+                subprocess.run([*compiler, str(source), "-o", f"{folder}/other", *libraries], check=True, capture_output=True)
             source = pathlib.Path(folder) / f"code{suffix}"
             code = self.adapter("westergaard.half_width", language)
             self.assertIn(hole, code)
             source.write_text(code.replace(hole, right))
-            subprocess.run([*compiler, str(source), "-o", f"{folder}/code"], check=True, capture_output=True)
+            subprocess.run([*compiler, str(source), "-o", f"{folder}/code", *libraries], check=True, capture_output=True)
             answer = self.judge(f"{folder}/code")
             self.assertEqual(answer.returncode, 0, answer.stdout)
 
     def test_cpp(self):
-        self.compiled("C++", ["g++", "-std=c++17", "-Wall", "-Werror"], ".cpp", "return NAN", "return std::atan2(std::sqrt(load), std::sqrt(1 - load)) / std::acos(-1.0)")
+        self.compiled("C and C++", ["g++", "-std=c++17", "-Wall", "-Werror"], ".cpp", "return NAN", "return atan2(sqrt(load), sqrt(1 - load)) / acos(-1.0)")
+
+    def test_c(self):
+        self.compiled("C and C++", ["gcc", "-std=c99", "-Wall", "-Werror"], ".c", "return NAN", "return atan2(sqrt(load), sqrt(1 - load)) / acos(-1.0)", "-lm")
 
     def test_fortran(self):
-        self.compiled("Fortran", ["gfortran"], ".f90", "ieee_value(0.0_c_double, ieee_quiet_nan)", "atan2(sqrt(load), sqrt(1 - load)) / acos(-1.0_c_double)")
+        self.compiled("Fortran", ["gfortran"], ".f90", "ieee_value(x(1), ieee_quiet_nan)", "atan2(sqrt(x(1)), sqrt(1 - x(1))) / acos(-1.0_c_double)")
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ import unittest
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 SUBJECTS = os.path.join(os.path.dirname(PROGRAM), "verify", "subjects")
 # seconds each
-VALUE = ["eval", "contact.density", "n=6", "p=1/100", "load=1/100", "G=3", "--digits", "12"]
+VALUE = ["eval", "contact.density", "n=3", "p=1/100", "load=1/100", "G=3", "--digits", "12"]
 SUBJECT = ["--", os.path.join(SUBJECTS, "subject_library_forms"), "westergaard.gap"]
 LEDGER = ["paper"]
 
@@ -27,7 +27,7 @@ def on_a_terminal(arguments, columns=80):
     """What the program writes to a terminal of its own on stderr; its stdout goes nowhere."""
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-    process = subprocess.Popen([PROGRAM, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=slave)
+    process = subprocess.Popen([PROGRAM, "--progress-every", "0.1", *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=slave)
     os.close(slave)
     text = b""
     while True:
@@ -66,8 +66,8 @@ class Progress(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             rows = os.path.join(folder, "rows.txt")
             with open(rows, "w") as file:
-                file.write("# x load\n" + "".join(f"0.{k:06d} 0.3\n" for k in range(200000, 206000)))
-            for arguments in (["westergaard.gap", "--rows", rows], ["westergaard_gap", "--held-out", "2500"]):
+                file.write("# x load\n" + "".join(f"0.{k:06d} 0.3\n" for k in range(200000, 201500)))
+            for arguments in (["westergaard.gap", "--rows", rows], ["westergaard_gap", "--held-out", "600"]):
                 pictures, shares = self.check_bar(["judge", *arguments, *SUBJECT], 4)
                 self.assertGreater(len(set(shares)), 3)
                 self.assertTrue(any("left" in p for p in pictures), pictures)
@@ -86,25 +86,25 @@ class Progress(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             rows = os.path.join(folder, "rows.txt")
             with open(rows, "w") as file:
-                file.write("# load\n" + "".join(f"0.{k:05d}\n" for k in range(1, 4001)))
-            for source in (["--rows", rows], ["load=0.0001:0.4:0.0001"]):
+                file.write("# load\n" + "".join(f"0.{k:05d}\n" for k in range(1, 2001)))
+            for source in (["--rows", rows], ["load=0.0001:0.2:0.0001"]):
                 pictures, shares = self.check_bar(["eval", "westergaard.half_width", *source, "--digits", "700", "--out", os.path.join(folder, "out.txt")], 4)
                 self.assertGreater(len(set(shares)), 3, pictures)
-            text = subprocess.run(["sh", "-c", f"cat {rows} | {PROGRAM} eval westergaard.half_width --rows - --digits 700 --out {folder}/out2.txt --progress-every 0.5"],
+            text = subprocess.run(["sh", "-c", f"cat {rows} | {PROGRAM} eval westergaard.half_width --rows - --digits 700 --out {folder}/out2.txt --progress-every 0.1"],
                                   capture_output=True, text=True).stderr
             self.assertRegex(text, r"touchstone: rows \d+, \d+ s so far")  # how many will come cannot be known
             self.assertNotIn("%", text)
 
     def test_a_table(self):
         with tempfile.TemporaryDirectory() as folder:
-            pictures, shares = self.check_bar(["table", "contact_area", "--digits", "25", "--out", folder], 4)
+            pictures, shares = self.check_bar(["table", "westergaard_density", "--digits", "300", "--out", folder], 4)
             self.assertGreater(len(set(shares)), 3, pictures)
 
     def test_logs(self):
         """Nothing where stderr is no terminal; whole lines with --progress-every."""
         silent = subprocess.run([PROGRAM, *VALUE], capture_output=True, text=True)
         self.assertEqual(silent.stderr, "")
-        logged = subprocess.run([PROGRAM, "--progress-every", "1", *VALUE], capture_output=True, text=True)
+        logged = subprocess.run([PROGRAM, "--progress-every", "0.2", *VALUE], capture_output=True, text=True)
         self.assertEqual(logged.stdout, silent.stdout)
         lines = logged.stderr.splitlines()
         self.assertGreater(len(lines), 1)
