@@ -68,7 +68,17 @@ std::string links_of(const Json& entry, const std::set<std::string>& ids)
     return text;
 }
 
-std::string source_of(const Json& entry);
+/// Where the judge of an entry stands, with the lemmas and the rows of data it asked: file and line.
+std::string source_of(const Json& entry)
+{
+    std::string html;
+    const auto add = [&html](const std::string& place) { html += (html.empty() ? "<code>" : "<br><code>") + escaped(place) + "</code>"; };
+    if (const std::string judge = text_at(entry, "judge"); !judge.empty()) add(judge);
+    for (const char* key : {"lemmas", "rows"})
+        if (entry.contains(key))
+            for (const auto& place : entry[key]) add((std::string(key) == "rows" ? "data/paper/values.txt: " : "") + place.get<std::string>());
+    return html;
+}
 
 std::string entry_html(const Json& entry, const std::set<std::string>& ids)
 {
@@ -81,17 +91,10 @@ std::string entry_html(const Json& entry, const std::set<std::string>& ids)
         body += term("consequence", escaped(text_at(entry, "consequence")));
     }
     body += term("method", escaped(text_at(entry, "method"))) + term("steps", list_of(entry, "steps")) + term("changed prints", controls_of(entry)) + term("rests on", links_of(entry, ids))
-          + term("source", source_of(entry)) + term("regenerate", "<code>" + escaped(command) + "</code>") + "</dl>";
+          + term("judged by", source_of(entry)) + term("regenerate", "<code>" + escaped(command) + "</code>") + "</dl>";
     return fmt::format("<details class=\"entry\" id=\"entry-{0}\" data-verdict=\"{1}\" data-severity=\"{2}\"><summary><span class=\"badge {1}\">{1}</span>{3} <b>{0}</b> "
                        "<span class=\"statement\">{4}</span></summary>{5}</details>\n",
                        escaped(id), escaped(verdict), escaped(kind), kind.empty() ? "" : " <span class=\"kind\">" + escaped(kind) + "</span>", escaped(text_at(entry, "statement")), body);
-}
-
-/// Where the judge of an entry stands: "file" and "line" of the source, if the ledger says so.
-std::string source_of(const Json& entry)
-{
-    const std::string source = text_at(entry, "source");
-    return source.empty() ? "" : "<code>" + escaped(source) + "</code>";
 }
 
 std::string box(const char* group, const std::string& value, std::size_t count)
@@ -142,7 +145,11 @@ std::string ledger_section(const Json& ledger)
 std::string erratum_section(const Json& ledger)
 {
     // what `paper --errata html` prints, without its frame
-    const std::string whole = proofs::errata("html");
+    std::string whole = proofs::errata("html");
+    for (const auto& e : ledger) { // each equation leads to its entry
+        const std::string id = escaped(text_at(e, "id")), heading = "<dt>(" + id + ")";
+        if (const auto at = whole.find(heading); at != std::string::npos) whole.replace(at, heading.size(), fmt::format("<dt><a href=\"#entry-{0}\">({0})</a>", id));
+    }
     const auto from = whole.find("<dl>"), to = whole.rfind("</dl>");
     if (from == std::string::npos || to == std::string::npos) throw Failure(internal_error, "the erratum has no list of equations");
     std::string html = "<h3>Equations</h3>\n<p>The forms to read are proved; both columns of symbols are set from the transcription and its proved correction.</p>\n<dl class=\"errata\">"
