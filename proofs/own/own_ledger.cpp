@@ -87,6 +87,12 @@ ex formula(const std::string& t, const Place& at)
     return e;
 }
 
+/// A declared symbol, not a formula.
+void must_be_symbol(const std::string& name, const Place& at)
+{
+    if (!alphabet().symbols.count(name)) at.fail("no symbol '" + name + "' is declared");
+}
+
 /// "A = B <= C" as parts of a print.
 void take_chain(Print& p, const std::string& says, const std::string& where, const Place& at)
 {
@@ -159,7 +165,11 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
     table.rounding = text(t, "rounding", at, "nearest");
     if (table.rounding != "nearest" && table.rounding != "down") at.fail("rounding is nearest or down, not '" + table.rounding + "'");
     if (!t.contains("columns") || !t["columns"].is_array()) at.fail("'columns' is a list of symbols");
-    for (const auto& c : t["columns"]) table.columns.push_back(c);
+    for (const auto& c : t["columns"]) {
+        if (!c.is_string()) at.fail("'columns' is a list of symbols");
+        must_be_symbol(c, at);
+        table.columns.push_back(c);
+    }
     std::set<std::string> names;
     collect(formula(table.formula, at), names);
     for (const std::string& n : names)
@@ -226,13 +236,15 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
         follows.side = text(f, "side", at, "rhs");
         if (follows.side != "rhs" && follows.side != "lhs") at.fail("\"side\" is lhs or rhs, not '" + follows.side + "'");
         follows.derivative_by = text(f, "derivative_by", at);
+        if (!follows.derivative_by.empty()) must_be_symbol(follows.derivative_by, at.in("derivative_by"));
         e.rests_on.push_back(follows.equation);
         if (f.contains("with")) {
             if (!f["with"].is_object()) at.fail("\"with\" is { symbol: formula, ... }");
             for (const auto& [symbol, by] : f["with"].items()) {
                 if (!by.is_string()) at.fail("'" + symbol + "' is replaced by a formula in quotes");
-                formula(symbol, at);
+                must_be_symbol(symbol, at.in("with"));
                 follows.with.emplace_back(symbol, by);
+                formula(std::regex_replace(by.get<std::string>(), std::regex("@([\\w.-]+)"), "1"), at.in("with"));
                 for (const std::string& id : references(by)) e.rests_on.push_back(id);
             }
         }
@@ -241,7 +253,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
     if (content.contains("over")) {
         if (!content["over"].is_object()) at.fail("\"over\" is { symbol: [low, high], ... }");
         for (const auto& [symbol, value] : content["over"].items()) {
-            formula(symbol, at);
+            must_be_symbol(symbol, at.in("over"));
             const auto [low, high] = range(value, at.in("over " + symbol));
             e.over.push_back({symbol, low, high});
         }

@@ -116,6 +116,14 @@ class Changed(unittest.TestCase):
             self.entry(ledger, "H3")["follows"]["equation"] = "H77"
         self.refuses(unknown, "'H3'", "'H77'")
 
+        def no_symbol(ledger):
+            self.entry(ledger, "H3")["follows"]["with"] = {"x+1": "0"}
+        self.refuses(no_symbol, "'H3'", "'x+1'")
+
+        def no_formula_in_with(ledger):
+            self.entry(ledger, "H3")["follows"]["with"] = {"x": "2*"}
+        self.refuses(no_formula_in_with, "'H3'", "2*")
+
         def cycle(ledger):
             self.entry(ledger, "H2")["follows"] = {"equation": "H4"}
         self.refuses(cycle, "cycle", "H2 -> ")
