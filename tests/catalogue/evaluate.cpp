@@ -64,12 +64,16 @@ Inputs typical(const Quantity& q)
 /// Quantities whose cost grows with the cube of the digits: asked for 70 digits here, not 1000.
 bool costly(const Quantity& q) { return q.name.starts_with("contact.") || q.name == "segments.count" || q.name == "segments.density"; }
 
+/// Seconds a value: tests/limit.
+bool of_the_limit(const Quantity& q) { return q.name.starts_with("limit."); }
+
 } // namespace
 
 TEST_CASE("every quantity answers at 1, 50 and 1000 digits, by two routes")
 {
     for (const auto& q : catalogue()) {
         CAPTURE(q.name);
+        if (of_the_limit(q)) continue;
         CHECK(plan_of(q, typical(q), {20}).proofs.size() >= 2);
         CHECK_FALSE(q.description.empty());
         std::string longest;
@@ -93,6 +97,7 @@ TEST_CASE("digits do not depend on the precision a search starts from, nor on th
 {
     for (const auto& q : catalogue()) {
         CAPTURE(q.name);
+        if (of_the_limit(q)) continue;
         const Evaluation reference = evaluate(q, typical(q), {.digits = 60});
         for (const slong start : {2L, 33L, 64L, 300L, 1111L}) {
             if (costly(q) && start > 300) continue;

@@ -96,6 +96,20 @@ TEST_CASE("the coefficients in powers of 4/G^2")
     CHECK(certainly(less(abs((C - 1 - R[1] * small) / (small * small) - R[2] - R[3] * small), 3 * small * small)));
 }
 
+TEST_CASE("the area law of four terms is within 0.01 (4/G^2)^5 where G >= 3")
+{
+    const WorkingPrecision precision(160);
+    const std::vector<Ball> R = limit::area_coefficients(12, {4});
+    const Ball most(Rational(4, 9));
+    Ball rest(0), power(1);
+    for (std::size_t N = 5; N <= 12; ++N, power *= most) rest += abs(R[N]) * power;
+    rest += 2 * power / (1 - most); // |R_N| <= 2
+    CHECK(certainly(less(rest, Ball(Rational(1, 100)))));
+    CHECK_FALSE(certainly(less(rest, Ball(Rational(99, 10'000))))); // no slack is claimed that is not there
+    const Rational printed[] = {1, Rational(208379, 1'000'000), Rational(37321, 1'000'000), Rational(12173, 1'000'000), Rational(5790, 1'000'000)};
+    for (std::size_t N = 0; N < 5; ++N) CHECK(certainly(less(abs(R[N] - Ball(printed[N])), Ball(Rational(1, 2'000'000)))));
+}
+
 TEST_CASE("the paper's constant is wrong by 9 and 20 percent where D = 1.5")
 {
     const auto ratio = [](long gamma) {
@@ -104,6 +118,24 @@ TEST_CASE("the paper's constant is wrong by 9 and 20 percent where D = 1.5")
     };
     CHECK(ratio(10) == "1.09029");
     CHECK(ratio(5) == "1.20136");
+}
+
+TEST_CASE("fewer digits are the rounding of more, and every value of the limit has a second look")
+{
+    const Inputs in({{"G", Rational(10)}, {"load", Rational(1, 2)}, {"tolerance", Rational(1, 100)}});
+    for (const auto& q : catalogue()) {
+        if (!q.name.starts_with("limit.")) continue;
+        CAPTURE(q.name);
+        const Plan plan = plan_of(q, in, {15});
+        CHECK(plan.proofs.size() + plan.witnesses.size() >= 2);
+        CHECK_FALSE(q.description.empty());
+    }
+    const Quantity& C = *find_quantity("limit.area_constant");
+    const Evaluation more = evaluate(C, in, {25}), fewer = evaluate(C, in, {.digits = 9, .start_bits = 64});
+    CHECK(more.status == Status::certified);
+    CHECK(more.second_look->is_proof);
+    CHECK(fewer.value == round_to_digits(*parse_rational(more.value), 9).text(9));
+    CHECK(more.binary64.has_value());
 }
 
 TEST_CASE("edges of the domain")
