@@ -33,6 +33,8 @@ struct PaperOptions {
     std::string svg, pdf, csv;
     bool mutate = false;
     bool recompute = false, values = false, verdicts = false;
+    bool recompute = false, values = false;
+    bool own = false;
     std::string errata; ///< md, tex, html
     std::string ledger; ///< a directory with a ledger of one's own
 };
@@ -261,6 +263,7 @@ int run_paper(const PaperOptions& options)
     if (!options.ledger.empty()) return run_own_ledger(options.ledger, options.id, options.json, options.mutate);
     if (options.recompute || options.values) recompute_values();
     if (!options.svg.empty() || !options.pdf.empty() || !options.csv.empty()) return write_figure(options.id, options.svg, options.pdf, options.csv);
+    if (options.own) return print_own(options.id, options.json);
     if (!options.id.empty()) {
         const auto claim = std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == options.id; });
         if (claim == claims().end())
@@ -329,6 +332,7 @@ void add_paper(CLI::App& app, Run& run)
     command->add_flag("--recompute", options->recompute, "Compute what takes long, instead of taking it from data/paper/values.txt (hash checked), and compare");
     command->add_flag("--values", options->values, "Print data/paper/values.txt, computed anew");
     command->add_flag("--verdicts", options->verdicts, "Print data/paper/verdicts.txt, as judged now");
+    command->add_flag("--own", options->own, "What the program itself rests on: the lemmas of its operator and every constant of its proofs, each with a control");
     command->callback([&run, options, command] {
         if (command->count("entry") > 0 && options->id.empty()) throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
         run = [options] { return run_paper(*options); };

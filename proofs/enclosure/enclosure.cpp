@@ -161,39 +161,69 @@ Check less_at(const ex& left, const ex& right, const Points& points)
     return {Verdict::verified, "at " + std::to_string(n) + " points in balls"};
 }
 
-Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces)
+namespace {
+
+Ball middle_of(const Range& r) { return Ball(Rational((r.low + r.high) / 2)); }
+
+std::string in_words(const std::vector<Range>& box)
+{
+    std::string where;
+    for (const auto& r : box) where += (where.empty() ? "" : ", ") + r.symbol + " in [" + r.low.get_str() + ", " + r.high.get_str() + "]";
+    return where;
+}
+
+/// The two halves of a piece, cut where it is widest against the whole.
+std::pair<std::vector<Range>, std::vector<Range>> halves(std::vector<Range> piece, const std::vector<Range>& whole)
+{
+    std::size_t widest = 0;
+    const auto share = [&](std::size_t i) { return Rational((piece[i].high - piece[i].low) / (whole[i].high - whole[i].low)); };
+    for (std::size_t i = 1; i < piece.size(); ++i)
+        if (share(i) > share(widest)) widest = i;
+    const Rational cut = (piece[widest].low + piece[widest].high) / 2;
+    std::vector<Range> upper = piece;
+    upper[widest].low = cut;
+    piece[widest].high = cut;
+    return {std::move(piece), std::move(upper)};
+}
+
+} // namespace
+
+Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces)
 {
     std::deque<std::vector<Range>> todo{box};
     int pieces = 0;
     const Ball zero(0);
     while (!todo.empty()) {
         if (++pieces > most_pieces) return {Verdict::undecided, "undecided after " + std::to_string(most_pieces) + " pieces"};
-        std::vector<Range> piece = std::move(todo.front());
+        const std::vector<Range> piece = std::move(todo.front());
         todo.pop_front();
-        std::map<std::string, Ball> values, middle;
-        std::size_t widest = 0;
-        for (std::size_t i = 0; i < piece.size(); ++i) {
-            values.emplace(piece[i].symbol, hull(Ball(piece[i].low), Ball(piece[i].high)));
-            middle.emplace(piece[i].symbol, Ball(Rational((piece[i].low + piece[i].high) / 2)));
-            if (piece[i].high - piece[i].low > piece[widest].high - piece[widest].low) widest = i;
+        std::vector<Ball> values, middle;
+        for (const Range& r : piece) {
+            values.push_back(hull(Ball(r.low), Ball(r.high)));
+            middle.push_back(middle_of(r));
         }
-        if (certainly(less(zero, evaluate(e, values)))) continue;
-        const Ball at_middle = evaluate(e, middle);
+        if (certainly(less(zero, f(values)))) continue;
+        const Ball at_middle = f(middle);
         if (at_middle.is_finite() && !possibly(less(zero, at_middle))) {
             std::string where;
-            for (const auto& r : piece) where += " " + r.symbol + " = " + Rational((r.low + r.high) / 2).get_str();
+            for (const Range& r : piece) where += " " + r.symbol + " = " + Rational((r.low + r.high) / 2).get_str();
             return {Verdict::refuted, "at" + where + " it is " + at_middle.to_string(8)};
         }
-        const Rational cut = (piece[widest].low + piece[widest].high) / 2;
-        std::vector<Range> upper = piece;
-        upper[widest].low = cut;
-        piece[widest].high = cut;
-        todo.push_back(std::move(piece));
-        todo.push_back(std::move(upper));
+        auto [left, right] = halves(piece, box);
+        todo.push_back(std::move(left));
+        todo.push_back(std::move(right));
     }
-    std::string where;
-    for (const auto& r : box) where += (where.empty() ? "" : ", ") + r.symbol + " in [" + r.low.get_str() + ", " + r.high.get_str() + "]";
-    return {Verdict::proved, "enclosed for " + where + " in " + std::to_string(pieces) + " pieces"};
+    return {Verdict::proved, "enclosed for " + in_words(box) + " in " + std::to_string(pieces) + " pieces"};
+}
+
+Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces)
+{
+    const auto at = [&](const std::vector<Ball>& v) {
+        std::map<std::string, Ball> values;
+        for (std::size_t i = 0; i < box.size(); ++i) values.emplace(box[i].symbol, v[i]);
+        return evaluate(e, values);
+    };
+    return positive_over(at, box, most_pieces);
 }
 
 Check less_than(const Ball& a, const Ball& b, const std::string& what)

@@ -8,6 +8,7 @@
 
 #include "touchstone/scalar/ball.hpp"
 
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <string>
@@ -52,6 +53,9 @@ struct Range {
 };
 /// e > 0 on the whole box, by subdivision until every piece is decided.
 Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces = 20000);
+/// The same of a function of as many balls as there are ranges.
+using BallFunction = std::function<Ball(const std::vector<Ball>&)>;
+Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces = 20000);
 
 /// a < b, decided in balls.
 Check less_than(const Ball& a, const Ball& b, const std::string& what);

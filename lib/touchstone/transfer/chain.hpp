@@ -35,13 +35,14 @@
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/wave/lemmas.hpp"
 
 #include <vector>
 
 namespace touchstone::transfer {
 
-/// c_0 ... c_levels of Lemma 2, enclosed. \pre G >= 2
-std::vector<Ball> magnitudes(const Ball& G, long levels);
+/// c_0 ... c_levels of Lemma 2.
+inline std::vector<Ball> magnitudes(const Ball& G, long levels) { return wave::size(G, levels); }
 
 /// The load ratios a quadrature rule is to serve: all of 0 < x <= highest, or the one x = highest <= 1.
 struct Ratios {

@@ -2,6 +2,7 @@
 #include "touchstone/transfer/heavy_load.hpp"
 
 #include "touchstone/scalar/refusal.hpp"
+#include "touchstone/wave/lemmas.hpp"
 
 #include <fmt/format.h>
 
@@ -98,7 +99,7 @@ public:
             if (!((shape.rho + 1 / shape.rho) / 2 < limit * 0.99)) throw std::logic_error("full contact: an ellipse leaves its disc");
         }
         chain = std::make_shared<Discretisation>(scheme, a.G, std::max(wanted + 8, -std::log(last) / 0.95));
-        c = magnitudes(G, 64).back() * (1 + Traits::power_of_two(-30));
+        c = wave::size(G, 64).back() * (1 + Traits::power_of_two(-30));
         spread_measure();
     }
 
@@ -119,8 +120,7 @@ public:
         while (!generation.empty()) {
             std::vector<Ball> next;
             for (const Ball& s : generation)
-                for (const long sign : {-1L, 1L}) {
-                    const Ball t = G * s + sign;
+                for (const Ball& t : {wave::meets_upper_end_full(s, G), wave::meets_lower_end(s, G)}) {
                     if (!is_below(Ball(1), t) || !is_below(t, limit)) continue; // 1 itself is there; G s - 1 = 1 only for G s = 2, s = 1
                     next.push_back(t);
                     all.push_back({below(t), above(t)});
@@ -364,7 +364,7 @@ public:
     {
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w);
         const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
-        const Ball lo = (x - 1) / G, hi = (x + 1) / G;
+        const Ball lo = wave::lowest_full(x, G), hi = wave::highest_full(x, G);
         std::vector<Bracket> cuts{{below(lo), above(lo)}};
         double room_lo = 0, room_hi = 0; // how far B goes on beyond the ends, unless a point of S is there
         for (const Bracket& s : S) {
@@ -401,7 +401,7 @@ public:
             Piece piece{is_first ? lo : a, is_last ? hi : b, tolerance, finest, is_first ? room_lo : 0, is_last ? std::min(room_hi, 1.0) : 0, {}, {}};
             const double off_a = is_first ? 0 : std::max(approximate(a - lo), 0.0), off_b = is_last ? 0 : std::max(approximate(hi - b), 0.0);
             integrate(
-                to, level, piece, w, [&](const Ball& y) { return one_over_pi / sqrt((y - lo) * (hi - y)); },
+                to, level, piece, w, [&](const Ball& y) { return one_over_pi * wave::kernel_full(Ball(hi - y), Ball(y - lo)); },
                 [&](double from_a, double from_b, double) { return 1 / (std::numbers::pi * std::sqrt((from_a + off_a) * (from_b + off_b))) * 1.000001; },
                 [&](bool left, const Ball& y) { return 2 * one_over_pi / sqrt(left ? hi - y : y - lo); },
                 [&](bool left, double, double other) { return 2 / (std::numbers::pi * std::sqrt(other + (left ? off_b : off_a))) * 1.000001; });
@@ -425,23 +425,22 @@ public:
     {
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w), g = approximate(G), root_x = approximate(sqrt(x));
         const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
-        const Ball hi = 2 * sqrt(x) / G, gap = 1 - x, scale_of = G * G / (2 * Traits::pi());
+        const Ball hi = wave::highest_partial(x, G), gap = 1 - x;
         Piece piece{Ball(0), hi, tolerance, finest, 0, approximate(1 - hi) * 0.999, {}, {}};
-        const auto root = [&](const Ball& R) { return sqrt((1 + x + R) / (gap + R)) / R; };
         const auto root_bound = [](double R) { return std::sqrt(2 / R + 1) / R; };
         // Re R > 0, |R| >= G Re y, |1-x+R| >= |R|, |1+x+R| <= 2 + |R|; x - G^2 y^2/4 = (G/2) (hi - y) (x^(1/2) + G y/2)
         integrate(
             to, level, piece, w,
             [&](const Ball& y) {
                 const Ball Gy = G * y;
-                return scale_of * y * root(sqrt(gap * gap + Gy * Gy)) / sqrt(x - Gy * Gy / 4);
+                return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (2 * Traits::pi() * sqrt(x - Gy * Gy / 4));
             },
             [&](double from_a, double from_b, double largest) {
                 return g * g * largest / (2 * std::numbers::pi) * root_bound(g * from_a) / std::sqrt(g / 2 * from_b * root_x) * 1.0001;
             },
             [&](bool, const Ball& y) {
                 const Ball Gy = G * y;
-                return 2 * scale_of * y * root(sqrt(gap * gap + Gy * Gy)) / sqrt(G / 2 * (sqrt(x) + Gy / 2));
+                return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (Traits::pi() * sqrt(G / 2 * (sqrt(x) + Gy / 2)));
             },
             [&](bool, double beyond, double from_a) {
                 return 2 * g * g * (approximate(hi) + beyond) / (2 * std::numbers::pi) * root_bound(g * from_a) / std::sqrt(g / 2 * root_x) * 1.0001;
@@ -450,8 +449,8 @@ public:
         const double start = upper_double(piece.from);
         moved[level + 1] += weight * std::sqrt(6 * g / approximate(x)) / std::numbers::pi * start * 1.001;
         if (arb_equal(piece.to.get(), hi.get())) return;
-        const Ball P = G * piece.to, R = sqrt(gap * gap + P * P);
-        const Ball share_high = 2 / Traits::pi() * asin(sqrt((4 * x - P * P) / (2 * (1 + x + R)))); // (2.17)
+        const Ball P = G * piece.to, R = wave::radius(gap, Ball(P * P));
+        const Ball share_high = 2 / Traits::pi() * asin(sqrt(wave::one_minus_c_partial(x, R, Ball(P * P)) / 2)); // (2.17)
         leave(to, level, piece.to, hi - piece.to, w, share_high, weight);
     }
 

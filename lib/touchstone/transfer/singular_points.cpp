@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/singular_points.hpp"
 
+#include "touchstone/wave/wave.hpp"
+
 #include <algorithm>
 
 namespace touchstone::transfer {
@@ -41,8 +43,8 @@ std::vector<SingularPoint> orbit(std::vector<Ball> seeds, const Images& images, 
 std::vector<SingularPoint> area_points(const Ball& G, const Tracking& t)
 {
     const auto images = [&](const Ball& s) {
-        const Ball down = G * s - 1; // a ball that cannot tell which side of 1 it is on: both forms give 1
-        return std::vector<Ball>{G * s + 1, certainly(less(down, Ball(1))) ? Ball(G * G * s * s / 4) : down};
+        const Ball down = wave::meets_upper_end_full(s, G); // a ball that cannot tell which side of 1 it is on: both forms give 1
+        return std::vector<Ball>{wave::meets_lower_end(s, G), certainly(less(down, Ball(1))) ? wave::meets_upper_end_partial(s, G) : down};
     };
     return orbit({Ball(1)}, images, t);
 }
@@ -50,8 +52,8 @@ std::vector<SingularPoint> area_points(const Ball& G, const Tracking& t)
 std::vector<SingularPoint> exceedance_points(const Ball& load, const Ball& G, const Tracking& t)
 {
     const auto images = [&](const Ball& s) { // s = 1: both forms give 2/G
-        if (certainly(less(s, Ball(1)))) return std::vector<Ball>{2 * sqrt(s) / G};
-        return std::vector<Ball>{(s + 1) / G, (s - 1) / G};
+        if (certainly(less(s, Ball(1)))) return std::vector<Ball>{wave::highest_partial(s, G)};
+        return std::vector<Ball>{wave::highest_full(s, G), wave::lowest_full(s, G)};
     };
     std::vector<Ball> seeds = images(load);
     seeds.push_back(2 / G);

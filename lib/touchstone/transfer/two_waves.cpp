@@ -4,6 +4,7 @@
 
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/disc.hpp"
+#include "touchstone/wave/lemmas.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -347,7 +348,7 @@ std::pair<Real, double> TwoWaves::value(const Real& x) const
 double TwoWaves::on_disc(const Real& low, const Real& high, const Real& x, double r) const
 {
     // the ends of the first wave move by less than 0.3 of their distance from every point that matters
-    constexpr double share = 0.3, most = 75;
+    constexpr double share = wave::disc_two_waves.share, most = wave::disc_two_waves.most;
     const bool full_first = low >= 1;
     const double x_ = double(x), G = double(ends_->G_near);
     if (!full_first && (high > 1 || !(r < share * double(1 - x)) || !(r < share * x_))) return infinite;

@@ -23,6 +23,7 @@
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/wave/wave.hpp"
 
 #include <cmath>
 #include <limits>
@@ -95,28 +96,27 @@ public:
         using std::sqrt;
         switch (kind) {
         case Kind::partial: {
-            const Real gy = G * y, R = sqrt(one_minus_x * one_minus_x + gy * gy);
-            return inverse_pi() * gy / R * sqrt((1 + x + R) / ((one_minus_x + R) * to_hi * (hi.high + y)));
+            const Real gy = G * y, R = wave::radius<Real>(one_minus_x, gy * gy);
+            return inverse_pi() * wave::kernel_partial<Real>(x, one_minus_x, R, gy, to_hi, hi.high + y);
         }
         case Kind::needed_partial: {
-            const Real R = sqrt(to_one * to_one + P * P), up = R + to_one;
-            return (moves ? P / up : Real(1)) * inverse_pi() / (2 * R) * sqrt(up * (1 + R + y) / to_lo);
+            const Real R = wave::radius<Real>(to_one, P * P);
+            return (moves ? wave::needed_slope_partial<Real>(P, to_one, R) : Real(1)) * inverse_pi() * wave::needed_kernel_partial_rest<Real>(y, to_one, R) / sqrt(to_lo);
         }
-        default: return inverse_pi() / sqrt(to_hi * to_lo);
+        default: return inverse_pi() * wave::kernel_full<Real>(to_hi, to_lo);
         }
     }
     /// Density of the angle.
     Real angular_density(const Real& y, const Real& to_one) const
     {
-        using std::sqrt;
         switch (kind) {
         case Kind::partial: {
-            const Real gy = G * y, R = sqrt(one_minus_x * one_minus_x + gy * gy);
-            return inverse_pi() * gy / R * sqrt((1 + x + R) / (one_minus_x + R));
+            const Real gy = G * y;
+            return inverse_pi() * wave::kernel_partial_rest<Real>(x, one_minus_x, wave::radius<Real>(one_minus_x, gy * gy), gy);
         }
         case Kind::needed_partial: {
-            const Real R = sqrt(to_one * to_one + P * P), up = R + to_one;
-            return (moves ? P / up : Real(1)) * inverse_pi() / R * sqrt(up * (1 + R + y));
+            const Real R = wave::radius<Real>(to_one, P * P);
+            return (moves ? wave::needed_slope_partial<Real>(P, to_one, R) : Real(1)) * inverse_pi() * 2 * wave::needed_kernel_partial_rest<Real>(y, to_one, R);
         }
         default: return inverse_pi();
         }

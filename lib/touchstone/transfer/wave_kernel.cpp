@@ -27,12 +27,7 @@ struct Sum {
 
 TOUCHSTONE_INLINE Four wide_kernel_density(const Four& x, const Four& G, const Four& G2, bool full, const Four& z)
 {
-    if (full) {
-        const Four y = sqrt(z), gy = G * y;
-        return G / (2 * y * sqrt((1 + x - gy) * (gy - x + 1)));
-    }
-    const Four r = sqrt((1 - x) * (1 - x) + G2 * z), up = 1 + x + r;
-    return G2 * up / (2 * r * sqrt(up * (4 * x - G2 * z) * (r + 1 - x)));
+    return full ? wave::kernel_full_squared<Four>(x, G, z) : wave::kernel_partial_squared<Four>(x, G2, z);
 }
 
 } // namespace
@@ -59,11 +54,8 @@ double wave_nodes(const WaveKernel<Real>& k, Substitution variable, Real mid, Re
             w = wide_kernel_density(x, G, G2, k.full, z);
         }
         else { // c = 1 - 2 q or 2 q - 1
-            if (k.full) {
-                const Four P = variable == Substitution::sine ? x + 1 - 2 * q : x - 1 + 2 * q;
-                z = P * P / G2;
-            }
-            else z = 4 * (variable == Substitution::sine ? (1 - q) * (x - q) : q * (q - (1 - x))) / G2;
+            if (k.full) z = (variable == Substitution::sine ? wave::square_full_from_above<Four>(x, q) : wave::square_full_from_below<Four>(x, q)) / G2;
+            else z = (variable == Substitution::sine ? wave::square_partial_from_above<Four>(x, q) : wave::square_partial_from_below<Four>(1 - x, q)) / G2;
             w = 2 / sqrt(1 - q);
         }
         w = w * scale * load(weights, i);

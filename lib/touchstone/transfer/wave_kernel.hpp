@@ -6,6 +6,7 @@
 #pragma once
 
 #include "touchstone/transfer/double_double.hpp"
+#include "touchstone/wave/wave.hpp"
 
 #include <cstddef>
 #include <cstring>
@@ -55,22 +56,14 @@ struct WaveKernel {
         begin = full ? squared : -squared; // x < 1: where R = x + c vanishes
         end = full ? high * high : 4 * x / G2;
     }
-    TOUCHSTONE_INLINE R root(const R& z) const { return sqrt((1 - x) * (1 - x) + G2 * z); }
+    TOUCHSTONE_INLINE R root(const R& z) const { return wave::radius<R>(1 - x, G2 * z); }
     TOUCHSTONE_INLINE R one_minus_c(const R& z) const
     {
-        return positive_part(full ? 1 + x - G * sqrt(z) : (4 * x - G2 * z) / (1 + x + root(z)));
+        return positive_part(full ? 1 + x - G * sqrt(z) : wave::one_minus_c_partial<R>(x, root(z), G2 * z));
     }
-    TOUCHSTONE_INLINE R one_plus_c(const R& z) const { return positive_part(full ? G * sqrt(z) - x + 1 : root(z) + 1 - x); }
+    TOUCHSTONE_INLINE R one_plus_c(const R& z) const { return positive_part(full ? G * sqrt(z) - x + 1 : wave::one_plus_c_partial<R>(1 - x, root(z))); }
     /// dtheta/dz
-    TOUCHSTONE_INLINE R density(const R& z) const
-    {
-        if (full) {
-            const R y = sqrt(z), gy = G * y;
-            return G / (2 * y * sqrt((1 + x - gy) * (gy - x + 1)));
-        }
-        const R r = root(z), up = 1 + x + r;
-        return G2 * up / (2 * r * sqrt(up * (4 * x - G2 * z) * (r + 1 - x)));
-    }
+    TOUCHSTONE_INLINE R density(const R& z) const { return full ? wave::kernel_full_squared<R>(x, G, z) : wave::kernel_partial_squared<R>(x, G2, z); }
 };
 
 enum class Substitution { sine, cosine, square }; ///< sin(theta/2), cos(theta/2), z
