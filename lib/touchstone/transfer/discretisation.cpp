@@ -174,23 +174,110 @@ double Discretisation::to_error_units(const Ball& error) const
     return (d + 1e-300) * up;
 }
 
-/// The weights and abscissae of the step (R1) at ratio x = e^-s, and its moments sum_q W_q T_k(tau_q).
+namespace {
+
+/// How many of its lowest words a moment of order k can do without: coefficients of order k are below a multiple of rho^-k, so 2^(64 words) <= rho^k.
+std::vector<std::size_t> words_to_spare(double rho, long points)
+{
+    std::vector<std::size_t> spare;
+    const double bits = std::log2(rho) * (1 - 1e-12);
+    for (long k = 0; k < points; ++k) spare.push_back(static_cast<std::size_t>(static_cast<double>(k) * bits / 64));
+    return spare;
+}
+
+/// The sums of W T_k(tau), a node at a time, each term with the words that it needs.
+class Moments {
+public:
+    explicit Moments(const FixedFormat& format) : format_(format), limbs_(static_cast<std::size_t>(format.limbs())), tau_(limbs_), a_(limbs_), b_(limbs_), c_(limbs_), scratch_(2 * limbs_)
+    {
+        for (int m = 0; m <= format.limbs(); ++m) formats_.emplace_back(64L * m - FixedFormat::headroom);
+    }
+
+    /// U_0 = W, U_1 = tau W, U_{k+1} = 2 tau U_k - U_{k-1}, added to sum[k limbs]. In units of the lowest word kept a step is off by less than 2 (the product, and tau's words below), the words let go by 2.
+    void add(const Ball& weight, const Ball& tau, const std::vector<std::size_t>& spare, mp_limb_t* sum)
+    {
+        format_.put(tau_.data(), tau);
+        format_.put(a_.data(), weight);
+        std::size_t words = significant(a_.data()), gone = 0; // of U, above `gone`
+        mp_limb_t *before = a_.data(), *now = b_.data(), *next = c_.data();
+        multiply(now, before, words, 0);
+        add_at(sum, before, words, 0);
+        if (spare.size() > 1) add_at(sum + limbs_, now, words, 0);
+        for (std::size_t k = 2; k < spare.size(); ++k) {
+            if (const std::size_t drop = spare[k] - gone; drop > 0) {
+                if (drop >= words) return; // the rest is less than a unit
+                words -= drop;
+                gone = spare[k];
+                for (mp_limb_t* u : {before, now}) std::copy(u + drop, u + drop + words, u);
+            }
+            multiply(next, now, words, 1);
+            mpn_sub_n(next, next, before, static_cast<mp_size_t>(words));
+            add_at(sum + k * limbs_, next, words, gone);
+            mp_limb_t* const free = before;
+            before = now, now = next, next = free;
+        }
+    }
+
+private:
+    /// Words that hold it with 18 bits to spare.
+    std::size_t significant(const mp_limb_t* w) const
+    {
+        const mp_limb_t sign = w[limbs_ - 1] >> 63 ? ~mp_limb_t{0} : 0;
+        std::size_t top = limbs_;
+        while (top > 1 && w[top - 1] == sign) --top;
+        const mp_limb_t rest = w[top - 1] ^ sign;
+        return std::min(limbs_, top + (rest >> (64 - 18) ? 1 : 0));
+    }
+    void multiply(mp_limb_t* out, const mp_limb_t* u, std::size_t words, unsigned shift)
+    {
+        formats_[words].multiply(out, u, tau_.data() + (limbs_ - words), shift, scratch_.data());
+    }
+    void add_at(mp_limb_t* sum, const mp_limb_t* u, std::size_t words, std::size_t gone) const
+    {
+        const bool negative = u[words - 1] >> 63;
+        const mp_limb_t carry = mpn_add_n(sum + gone, sum + gone, u, static_cast<mp_size_t>(words));
+        const std::size_t above = gone + words;
+        if (above == limbs_ || negative == (carry != 0)) return;
+        if (negative) mpn_sub_1(sum + above, sum + above, static_cast<mp_size_t>(limbs_ - above), 1);
+        else mpn_add_1(sum + above, sum + above, static_cast<mp_size_t>(limbs_ - above), 1);
+    }
+
+    const FixedFormat& format_;
+    std::size_t limbs_;
+    std::vector<FixedFormat> formats_; ///< of so many words
+    std::vector<mp_limb_t> tau_, a_, b_, c_, scratch_;
+};
+
+/// e with |b| < 2^e
+slong exponent(const Ball& b)
+{
+    return arf_is_zero(arb_midref(b.get())) ? -ARF_PREC_EXACT / 2 : arf_abs_bound_lt_2exp_si(arb_midref(b.get()));
+}
+
+} // namespace
+
+/// The weights and abscissae of the step (R1) at ratio x = e^-s, and its moments sum_q W_q T_k(tau_q). A node of small weight needs fewer bits.
 Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule& rule) const
 {
     const auto limbs = static_cast<std::size_t>(format_.limbs());
-    const std::size_t N = nodes_.size();
     Row r;
-    r.moments.assign(N * limbs, 0);
+    r.moments.assign(nodes_.size() * limbs, 0);
     r.tau_error = r.weight_error = r.total = Ball(0);
     const Ball gap = 1 - x;
     const Ball half_G = G_ / 2, root_of_x = sqrt(x), outer = half_G * root_of_x, inner = root_of_x / half_G;
-    std::vector<mp_limb_t> tau(limbs), a(limbs), b(limbs), c(limbs), scratch(2 * limbs);
+    const Ball root_outer = sqrt(outer), half_inner = half_G * sqrt(inner), before_log = log_half_G_ + s / 2;
+    std::vector<std::vector<std::size_t>> spare;
+    for (const Block& b : blocks_) spare.push_back(words_to_spare(b.rho, b.points));
+    Moments moments(format_);
     for (const Rule::Node& q : rule.nodes) {
+        const slong size = scheme_ == Scheme::force_weighted ? exponent(q.force_weight) + exponent(root_outer) : exponent(q.area_weight) + exponent(half_inner);
+        const WorkingPrecision needed(std::clamp(bits_ + size + 16, slong{96}, bits_));
         const Ball root = sqrt(1 + gap * q.sinh_squared);
         Ball s_y, weight;
         if (scheme_ == Scheme::force_weighted) { // g of (R1), with x/y = (G/2) x^(1/2) cosh^2 v / root
-            s_y = log_half_G_ + s / 2 + 2 * q.log_cosh - log(root);
-            weight = q.force_weight * sqrt(outer / root);
+            s_y = before_log + 2 * q.log_cosh - log(root);
+            arb_rsqrt(weight.get(), root.get(), needed.bits());
+            weight *= q.force_weight * root_outer;
         }
         else { // (C2) with B = G^-m y^(1/2) F and du = sech^2 v dv
             const Ball y = inner * root * q.sech_squared;
@@ -198,40 +285,23 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
             weight = q.area_weight * half_G * sqrt(y) / root;
         }
         const double s_near = approximate(s_y);
-        const Block* block = &blocks_.front();
-        for (const Block& candidate : blocks_) {
-            if (scheme_ == Scheme::area && s_near > candidate.mid + candidate.half) continue;
-            block = &candidate;
-            break;
-        }
+        std::size_t at = 0;
+        if (scheme_ == Scheme::area)
+            while (at + 1 < blocks_.size() && s_near > blocks_[at].mid + blocks_[at].half) ++at;
+        if (scheme_ == Scheme::area && s_near > blocks_[at].mid + blocks_[at].half) at = 0; // beyond the last: refused below
+        const Block& block = blocks_[at];
         const Ball variable = scheme_ == Scheme::force_weighted ? log(s_y) : s_y;
-        const Ball t = (variable - Ball::exactly(block->mid)) / Ball::exactly(block->half);
+        const Ball t = (variable - Ball::exactly(block.mid)) / Ball::exactly(block.half);
         // tau is taken inside [-1, 1]; what that moves it by counts as error
         const Ball t_used = certainly(less(Ball(1), t)) ? Ball(1) : certainly(less(t, Ball(-1))) ? Ball(-1) : t;
         const Ball moved = upper(2 * radius(t) + abs(t_used - t));
         if (!certainly(less(moved, Traits::power_of_two(-30))))
             throw BeyondReach("the load is below the reach of the grid");
-        r.tau_error = larger(r.tau_error, moved);
+        r.tau_error = upper(r.tau_error + upper(abs(weight)) * moved);
         r.weight_error = larger(r.weight_error, upper(radius(weight)));
         r.total += weight;
         ++r.terms;
-
-        format_.put(tau.data(), at_least(at_most(t_used, Ball(1)), Ball(-1)));
-        format_.put(a.data(), weight);
-        // U_k = W T_k(tau): U_0 = W, U_1 = tau W, U_{k+1} = 2 tau U_k - U_{k-1}
-        mp_limb_t *before = a.data(), *now = b.data(), *next = c.data(), *sum = &r.moments[block->first * limbs];
-        const auto n = static_cast<mp_size_t>(limbs);
-        format_.multiply(now, before, tau.data(), 0, scratch.data());
-        mpn_add_n(sum, sum, before, n);
-        if (block->points > 1) mpn_add_n(sum + n, sum + n, now, n);
-        sum += 2 * n;
-        for (long k = 2; k < block->points; ++k, sum += n) {
-            format_.multiply(next, now, tau.data(), 1, scratch.data());
-            mpn_sub_n(next, next, before, n);
-            mpn_add_n(sum, sum, next, n);
-            mp_limb_t* const free = before;
-            before = now, now = next, next = free;
-        }
+        moments.add(weight, at_least(at_most(t_used, Ball(1)), Ball(-1)), spare[at], &r.moments[block.first * limbs]);
     }
     return r;
 }
@@ -293,12 +363,14 @@ std::vector<mp_limb_t> Discretisation::nodal(const std::vector<mp_limb_t>& momen
 Budget Discretisation::budget(const Row& r, const Ball& x, const Rule& rule) const
 {
     const WorkingPrecision coarse(64);
-    Ball interpolation(0), slope(0);
+    Ball interpolation(0), slope(0), aliased(0), growth(1);
     long p = 0;
     for (const Block& b : blocks_) {
         const Ball rho = Ball::exactly(b.rho);
         interpolation = larger(interpolation, upper(4 * pow(rho, Ball(1 - b.points)) / (rho - 1)));
         slope = larger(slope, upper(1 / ((rho + 1 / rho) / 2 - 1 - Traits::power_of_two(-29))));
+        aliased = larger(aliased, upper(2 + 4 / (rho * rho - 1)));
+        growth = larger(growth, upper(pow(rho, Ball(b.points))));
         p = std::max(p, b.points);
     }
     const Ball u = format_.unit();
@@ -308,12 +380,13 @@ Budget Discretisation::budget(const Row& r, const Ball& x, const Rule& rule) con
     b.rule = upper(rule.discretisation * fourth_root);
     b.truncation = upper(rule.truncation * fourth_root);
     b.interpolation = upper(total * interpolation);
-    b.abscissae = upper(total * (r.tau_error + u) * slope);
+    b.abscissae = upper((r.tau_error + total * u) * slope);
     b.weights = upper(r.terms * (r.weight_error + u));
-    // moments: u p^2 a term; nodal entries: sum_k |C_kj| <= 2 times that, the C_kj off by 2u, and the last rounding
-    const Ball moment = r.terms * u * p * p;
-    const Ball entry = 2 * moment + (p * (total + moment) * 2 + 2) * u;
-    b.entries = upper(static_cast<long>(nodes_.size()) * entry);
+    // A moment of order k: 4 u rho^k p^2 a term (Moments), against a coefficient of at most c_m aliased rho^-k. Nodal entries: the C_kj off by 2u,
+    // and the last rounding.
+    const Ball moment = r.terms * 4 * u * p * p;
+    const Ball entry = (p * (total + moment * growth) * 2 + 2) * u;
+    b.entries = upper(static_cast<long>(nodes_.size()) * entry + p * moment * aliased);
     return b;
 }
 

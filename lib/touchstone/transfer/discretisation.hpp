@@ -15,10 +15,11 @@
 ///  1. the rule's discretisation and truncation, bounds of rule.hpp times c_m;
 ///  2. interpolation, R_i 4 c_m rho^-(p-1)/(rho - 1), R_i = sum_q W_iq: the p Chebyshev points of a block whose ellipse
 ///     E_rho lies in Re s > 0 (coefficients <= 2 c_m rho^-k, each k >= p aliased once);
-///  3. the point where the interpolant is evaluated, off by dtau: R_i dtau c_m/((rho + 1/rho)/2 - 1), Cauchy's bound of F';
+///  3. the point where the interpolant is evaluated, off by dtau: sum_q W_iq dtau c_m/((rho + 1/rho)/2 - 1), Cauchy's bound of F';
 ///  4. the weights, off by dW: (number of nodes) dW c_m;
-///  5. the matrix entries' rounding: N dB max|F|, from the counts in fixed.hpp and the recurrence of T_k:
-///     an error u in each step contributes at most u (k - j + 1), so sum_q W T_k is off by (nodes) u p^2.
+///  5. the matrix entries' rounding. A moment sum_q W T_k(tau) of order k only ever meets a coefficient of the interpolant of F, at most
+///     2 c_m (1 + 2/(rho^2 - 1)) rho^-k, aliases and all: so it is summed in units u rho^k, words below that let go. An error of 4 units in each step of the
+///     recurrence contributes at most 4 (k - j + 1), so it is off by (nodes) 4 u rho^k p^2. Then N dB max|F| for the rounding of the nodal entries.
 /// All five are computed for every row and added up in balls.
 ///
 /// **Errors over n steps.** e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases to its
@@ -27,7 +28,7 @@
 /// |B| alone has a spectral radius of 1.05 to 2 and more, for large G; high powers come down to |rank one|. No stability theory is used:
 /// the |B^p| and the W(k) are computed, in `double`, each rounded up by more than its own rounding errors.
 ///
-/// **Cost.** Rows: N x nodes x p products of fixed-point numbers; then N^2 products for each level and N x nodes
+/// **Cost.** Rows: N x nodes x p products of fixed-point numbers, most of them short: a term of weight W and order k has the words of W rho^-k; then N^2 products for each level and N x nodes
 /// for each load. N and the nodes grow like the number of digits.
 #pragma once
 
@@ -100,7 +101,7 @@ private:
     struct Row {
         std::vector<mp_limb_t> moments; ///< sum_q W T_k(tau), by block
         Ball total;                     ///< sum_q W
-        Ball tau_error, weight_error;
+        Ball tau_error, weight_error; ///< sum_q W dtau_q, and the largest of dW_q
         long terms = 0;
     };
     struct Level {
