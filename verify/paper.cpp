@@ -33,7 +33,6 @@ struct PaperOptions {
     std::string svg, pdf, csv;
     bool mutate = false;
     bool recompute = false, values = false, verdicts = false;
-    bool recompute = false, values = false;
     bool own = false;
     std::string errata; ///< md, tex, html
     std::string ledger; ///< a directory with a ledger of one's own
