@@ -24,6 +24,7 @@
 #include <fstream>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <system_error>
 #include <thread>
@@ -34,6 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr unsigned long default_seed = 1; ///< the same run gives the same verdict
+constexpr std::size_t rechecked_rows = 16;
 
 struct JudgeOptions {
     std::string table;
@@ -43,7 +45,8 @@ struct JudgeOptions {
     oracle::Bound bound;
     bool strict = false, json = false, update = false;
     std::string junit, svg, baseline;
-    std::size_t held_out = 32, recheck = 16;
+    std::size_t held_out = 32;
+    std::optional<std::size_t> recheck; ///< else `rechecked_rows`, of those that take less than seconds
     std::string seed_text = std::to_string(default_seed);
     double start_limit = 60, silence_limit = 10, total_limit = 600;
 };
@@ -110,13 +113,18 @@ oracle::Answers ask(const JudgeOptions& o, const std::vector<oracle::Question>& 
 }
 
 /// A sample of rows is certified anew, so that a table with a right hash and wrong digits is found out.
-std::vector<std::size_t> sample(std::size_t rows, std::size_t count, unsigned long seed)
+std::vector<std::size_t> sample(const Quantity& q, const StoredTable& table, const std::optional<std::size_t>& asked, unsigned long seed)
 {
-    std::vector<std::size_t> all(rows);
-    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<std::size_t> all;
+    if (asked) {
+        all.resize(table.rows.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+    }
+    else all = oracle::quick_rows(q, oracle::questions(table), seed);
+    const std::size_t count = std::min(asked.value_or(rechecked_rows), all.size());
     std::mt19937_64 random(seed);
-    for (std::size_t i = 0; i < std::min(count, rows); ++i) std::swap(all[i], all[i + random() % (rows - i)]);
-    all.resize(std::min(count, rows));
+    for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + random() % (all.size() - i)]);
+    all.resize(count);
     return all;
 }
 
@@ -208,14 +216,14 @@ private:
     std::size_t rechecked_, held_out_, rows_;
 };
 
-/// Nothing fails by a stored row that has not been certified again; what passes by a row that takes minutes is left to --recheck.
+/// Nothing fails by a stored row that has not been certified again, but for rows that take minutes: those are left to --recheck.
 void recheck_what_decides(const Case& c, const Reference& reference, const std::vector<std::size_t>& rows)
 {
     std::vector<std::size_t> decisive;
     const bool dear = oracle::of_the_recursion(*c.quantity); // the worst row is what a verdict needs
     for (const std::size_t i : c.judgement.worst) {
         if (decisive.size() == (dear ? 1 : oracle::shown_rows)) break;
-        const bool spared = dear && c.judgement.rows[i].verdict == oracle::Verdict::pass;
+        const bool spared = dear && (c.judgement.rows[i].verdict == oracle::Verdict::pass || !oracle::quickly_certified(*c.quantity, c.questions[i].inputs));
         if (!c.questions[i].held_out && !spared)
             decisive.push_back(rows[static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
                                                                            [](const auto& q) { return !q.held_out; }))]);
@@ -257,7 +265,7 @@ int judge_by_table(const JudgeOptions& o)
     if (c.quantity == nullptr || c.quantity->inputs != table.inputs)
         throw CorruptTable(fmt::format("{}: quantity '{}' with inputs '{}' is none of this program's", o.table, table.quantity, fmt::join(table.inputs, " ")));
     const Where where(*c.quantity, o.where);
-    const auto rechecked = reference.file.empty() ? std::vector<std::size_t>{} : sample(table.rows.size(), o.recheck, c.seed);
+    const auto rechecked = reference.file.empty() ? std::vector<std::size_t>{} : sample(*c.quantity, table, o.recheck, c.seed);
     std::optional<Steps> steps(std::in_place, "judging by " + table.name, rechecked.size(), o.answers.empty() ? o.held_out : 0, table.rows.size());
     for (std::size_t i = 0; i < rechecked.size(); ++i) {
         oracle::recheck(*c.quantity, table, {rechecked[i]}, reference.file);
@@ -387,7 +395,8 @@ void add_judge(CLI::App& app, Run& run)
     command->add_option("--baseline", o->baseline, "Bounds row by row, as the code reached them before; they replace --ulps")->check(not_empty());
     command->add_flag("--update-baseline", o->update, "Write --baseline from this run and say what changed");
     command->add_option("--held-out", o->held_out, "Rows that are not in the table, certified now")->check(CLI::Range(0, 10000))->capture_default_str();
-    command->add_option("--recheck", o->recheck, "Rows of a stored table certified anew before it is trusted (those that decide always are)")->check(CLI::Range(0, 1000000000))->capture_default_str();
+    command->add_option("--recheck", o->recheck, fmt::format("Rows of a stored table certified anew before it is trusted (default: {}, and what decides; none that takes minutes)", rechecked_rows))
+        ->check(CLI::Range(0, 1000000000));
     command->add_option("--seed", o->seed_text, "Which rows are held out and rechecked: a number, or random (then printed)")->capture_default_str();
     command->add_option("--start-limit", o->start_limit, "Seconds until the first answer")->capture_default_str();
     command->add_option("--row-limit", o->silence_limit, "Seconds of silence between answers")->capture_default_str();

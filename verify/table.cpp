@@ -35,6 +35,7 @@ struct TableOptions {
     unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
     bool check = false;
     bool skip_slow = false;
+    bool renew_forced = false;
 };
 
 /// Some characters of a line from about a place on; what cannot be seen is named.
@@ -108,8 +109,32 @@ nlohmann::ordered_json with_entries(const std::string& stored, const nlohmann::o
     return entries;
 }
 
+/// Only what rounded inputs force is worked out anew, in the stored tables; their values stay as they are.
+int renew_forced(const TableOptions& o)
+{
+    if (o.out.empty() || o.check || o.format != "txt") throw Failure(usage_error, "--renew-forced needs --out DIR, the folder of the stored txt tables, and no --check");
+    std::list<TableSpec> own;
+    nlohmann::ordered_json fresh = nlohmann::ordered_json::array();
+    for (const TableSpec* spec : chosen(o.names, own)) {
+        const fs::path path = fs::path(o.out) / (spec->name + ".txt");
+        const std::string text = read_file(path);
+        const StoredTable stored = parse_table(text, path.string());
+        const std::string renewed = with_forced(stored, text);
+        if (renewed != text) write_file(path, renewed);
+        fresh.push_back({{"name", spec->name}, {"file", spec->name + ".txt"}, {"quantity", spec->quantity}, {"rows", stored.rows.size()}, {"digits", stored.digits},
+                         {"status", nlohmann::json::parse(stored.header_json).at("status")}, {"sha256", sha256(renewed)}});
+        fmt::print("{:<28} {:>5} rows, {}\n", spec->name + ".txt", stored.rows.size(), renewed == text ? "unchanged" : "written");
+        std::fflush(stdout);
+    }
+    const fs::path manifest = fs::path(o.out) / "manifest.txt.json";
+    if (fs::exists(manifest))
+        write_file(manifest, nlohmann::ordered_json{{"version", std::string(version())}, {"tables", with_entries(read_file(manifest), fresh, manifest.string())}}.dump(1) + "\n");
+    return holds;
+}
+
 int make_tables(const TableOptions& o)
 {
+    if (o.renew_forced) return renew_forced(o);
     std::list<TableSpec> own;
     auto specs = chosen(o.names, own);
     if (o.skip_slow) std::erase_if(specs, [](const TableSpec* t) { return t->slow; });
@@ -187,6 +212,7 @@ void add_table(CLI::App& app, Run& run)
     command->add_option("--jobs", o->jobs, "Threads")->check(CLI::Range(1u, 1024u));
     command->add_flag("--skip-slow", o->skip_slow, "Leave out the tables that take minutes (full contact, distributions at all scales)");
     command->add_flag("--check", o->check, "Write nothing: regenerate and compare with the files in --out, byte for byte");
+    command->add_flag("--renew-forced", o->renew_forced, "Only what rounded inputs force is worked out anew, in the tables in --out; their values are kept");
     command->callback([&run, o] { run = [o] { return make_tables(*o); }; });
 }
 

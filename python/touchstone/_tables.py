@@ -76,11 +76,12 @@ class Judgement:
 
 
 def judge(code: Callable[..., float], name: str, *, rtol: float = 0.0, atol: float = 0.0, ulps: float | None = None,
-          where: Callable[..., bool] | None = None) -> Judgement:
+          where: Callable[..., bool] | None = None, forgive_inputs: bool = True) -> Judgement:
     """Calls code(*inputs) for each row of a table, binary64 numbers in the order of its columns, in the units of `quantity(...)`.
 
     A row fails if |answer - true value| > atol + rtol |true value| is proven (or more than `ulps` units in the last place, if that is
-    given; without any tolerance: 4 ulps). `where(*inputs)` chooses rows. For pytest:
+    given; without any tolerance: 4 ulps), beyond what the rounding of its inputs forces on any code unless `forgive_inputs` is False.
+    `where(*inputs)` chooses rows; `failing` holds all rows that fail. For pytest:
 
         def test_pressure():
             assert ts.judge(my_pressure, "westergaard_pressure", rtol=1e-12)
@@ -100,8 +101,7 @@ def judge(code: Callable[..., float], name: str, *, rtol: float = 0.0, atol: flo
         answer = float(code(*row.inputs))
         least = reference.ulps(answer, row.value, row.error)[0]
         off = _least_distance(answer, row)
-        within = off <= Fraction(atol) + Fraction(rtol) * abs(Fraction(row.value)) if math.isfinite(answer) else least == 0
-        if not within and not (ulps is not None and least <= ulps):
+        if not reference.within(answer, row, rtol, atol, ulps or 0.0, forgive_inputs):
             result.failing.append(Failing(row.inputs, answer, row.value, float(off) if math.isfinite(answer) else math.inf, least))
     return result
 

@@ -89,7 +89,7 @@ class Attacks(unittest.TestCase):
         self.assertEqual((r.returncode, json.loads(r.stdout)["verdict"]), (0, "pass"))
 
     def test_every_attack_on_a_table_is_caught(self):
-        swapped = [" ".join([b, a, v, e]) + "\n" for a, b, v, e in (r.split() for r in self.rows)]
+        swapped = [" ".join([b, a, v, e, f]) + "\n" for a, b, v, e, f in (r.split() for r in self.rows)]
         other_order = [line.replace("# x load value", "# load x value").replace('"inputs":["x","load"]', '"inputs":["load","x"]') for line in self.head]
         attacks = {
             "a digit flipped": "".join(self.head + self.changed(2, lambda v: flip(v, 9))),
@@ -113,6 +113,10 @@ class Attacks(unittest.TestCase):
             "NaN bound": resealed(self.head, self.changed(3, lambda e: "nan")),
             "infinite bound": resealed(self.head, self.changed(3, lambda e: "inf")),
             "negative bound": resealed(self.head, self.changed(3, lambda e: "-" + e)),
+            "what rounded inputs force made large, hash made right": resealed(self.head, self.changed(4, lambda f: "1e9")),
+            "what rounded inputs force made unknown, hash made right": resealed(self.head, self.changed(4, lambda f: "-1")),
+            "a NaN for what rounded inputs force": resealed(self.head, self.changed(4, lambda f: "nan")),
+            "the last column cut off, hash made right": resealed(self.head, self.changed(4, lambda f: "")),
             "NaN value": resealed(self.head, self.changed(2, lambda v: "nan")),
             "infinite input": resealed(self.head, self.changed(0, lambda v: "inf")),
             "fewer digits than announced": resealed(self.head, self.changed(2, lambda v: v[:-3])),

@@ -16,9 +16,9 @@ import unittest
 PROGRAM, LIBRARY_FORMS = sys.argv.pop(1), sys.argv.pop(1)
 # quantities whose formula takes the inputs of a table, and what they may be worse than the library on any row (another order of fma)
 JUDGED = {"westergaard.half_width": 2, "westergaard.pressure": 3, "hertz.pressure": 3, "westergaard.exceedance": 4, "westergaard.density": 4, "westergaard.energy": 3,
-          "hertz.half_width": 2, "weierstrass.bound": 2, "peaks.f": 1.5, "peaks.fixed_point": 2}
+          "hertz.half_width": 2, "westergaard.gap": 3, "westergaard.mean_gap": 2, "hertz.gap": 3, "weierstrass.bound": 2, "peaks.f": 1.5, "peaks.fixed_point": 2}
 INPUTS = {name: count for name, count in (("westergaard.half_width", 1), ("westergaard.pressure", 2), ("hertz.pressure", 2), ("westergaard.exceedance", 2),
-                                          ("westergaard.density", 2), ("westergaard.energy", 1), ("hertz.half_width", 1), ("weierstrass.bound", 2), ("peaks.f", 1), ("peaks.fixed_point", 1))}
+                                          ("westergaard.density", 2), ("westergaard.energy", 1), ("hertz.half_width", 1), ("westergaard.gap", 2), ("westergaard.mean_gap", 1), ("hertz.gap", 2), ("weierstrass.bound", 2), ("peaks.f", 1), ("peaks.fixed_point", 1))}
 
 
 def run(*words):
@@ -54,7 +54,7 @@ class Formula(unittest.TestCase):
         for quantity, margin in JUDGED.items():
             with self.subTest(quantity=quantity):
                 mine = self.worst(quantity, *command(quantity))
-                self.assertLessEqual(mine, self.worst(quantity, LIBRARY_FORMS, quantity) + margin)
+                self.assertLessEqual(mine, 1.01 * self.worst(quantity, LIBRARY_FORMS, quantity) + margin)  # where rounded inputs force 10^15 ulps, so much
 
     def test_c_reaches_the_library(self):
         def command(quantity):
@@ -112,7 +112,8 @@ class Formula(unittest.TestCase):
 
     def test_scales_written_out(self):
         for quantity, words, inputs in (("archard.K", ("n=3",), {}), ("peaks.iterate", ("n=4",), {"load": 0.5, "G": 3.0}), ("archard.area", ("n=2",), {"load": 0.25, "G": 4.0}),
-                                        ("segments.max_half_width", ("n=2",), {"load": 0.5, "G": 3.0}), ("archard.alpha", ("n=2",), {"D": 1.5}), ("archard.delta", ("n=5",), {})):
+                                        ("segments.max_half_width", ("n=2",), {"load": 0.5, "G": 3.0}), ("archard.alpha", ("n=2",), {"D": 1.5}), ("archard.delta", ("n=5",), {}), ("archard.segments", ("n=3",), {"load": 0.25, "D": 1.5, "gamma": 4.0}),
+                                        ("archard.segments_limit", ("n=3",), {"load": 0.25, "D": 1.5, "gamma": 4.0})):
             scope = {}
             exec(formula(quantity, "python", *words), scope)
             found = scope[name_of(quantity)](**inputs)

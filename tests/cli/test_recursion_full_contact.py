@@ -35,7 +35,7 @@ class Recursion(unittest.TestCase):
     def report(self, quantity, *tables, wanted=lambda inputs: True):
         """{inputs: ulps}, printed by scale."""
         rows = [line.split() for name in tables for line in (options.tables / f"{name}.txt").read_text().splitlines() if not line.startswith("#")]
-        rows = [(tuple(map(float, fields[:-2])), fields[-2], fields[-1]) for fields in rows]
+        rows = [(tuple(map(float, fields[:-3])), fields[-3], fields[-2]) for fields in rows]
         rows = [row for row in rows if wanted(row[0])]
         given = answers(quantity, [inputs for inputs, _, _ in rows])
         self.assertEqual(len(given), len(rows))
@@ -56,7 +56,7 @@ class Recursion(unittest.TestCase):
     def test_exceedance(self):
         errors = self.report("contact.exceedance", "contact_exceedance_scale_1")
         lines = [line.split() for line in (options.tables / "contact_density_scale_1.txt").read_text().splitlines() if not line.startswith("#")]
-        density = {tuple(map(float, fields[:-2])): float(fields[-2]) for fields in lines}
+        density = {tuple(map(float, fields[:-3])): float(fields[-3]) for fields in lines}
         share = dict(zip(errors, answers("contact.exceedance", errors)))
         # p q/Q is what a relative change of p costs: 10^6 next to the end of the support; load and G cost about the same
         own = {inputs: e - 4 * inputs[1] * density[inputs] / share[inputs] for inputs, e in errors.items()}

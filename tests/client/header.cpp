@@ -51,6 +51,32 @@ TEST_CASE("one call judges a function")
     CHECK(bad.message().find("answer 0x") != std::string::npos);
 }
 
+TEST_CASE("all failing rows, beyond what rounded inputs force")
+{
+    const auto table = ref::load(table_file());
+    const auto good = [](const auto& x) { return half_width(x[0]); };
+    INFO(ref::message(table.failing(good)));
+    CHECK(table.failing(good).empty());
+    for (const auto& row : table.rows) CHECK(row.forced >= 0);
+    // next to full contact half an ulp of the load moves the edge by many
+    const auto forced = [](const ref::Row& row) { return row.forced > 1e3; };
+    CHECK(std::any_of(table.rows.begin(), table.rows.end(), forced));
+    const auto rounded = [](const auto& x) { return half_width(std::nextafter(x[0], 0)); };
+    ref::Tolerance strict;
+    strict.forgive_inputs = false;
+    CHECK(table.failing(rounded, strict).size() > 20);
+    ref::Tolerance wide;
+    wide.rtol = 1e-6;
+    const auto off = [](const auto& x) { return half_width(x[0]) * (1 + 1e-9); };
+    CHECK(table.failing(off).size() > 0.9 * static_cast<double>(table.rows.size()));
+    CHECK(table.failing(off, wide).empty());
+    CHECK(table.failing([](const auto&) { return std::nan(""); }, wide).size() == table.rows.size());
+    const auto some = table.failing([](const auto&) { return 1.0; }, {}, [](const auto& x) { return x[0] < 0.25; });
+    REQUIRE(!some.empty());
+    for (const auto& w : some) CHECK(w.row->inputs[0] < 0.25);
+    CHECK(ref::message(some).find(std::to_string(some.size()) + " rows fail") == 0);
+}
+
 TEST_CASE("ulps against known distances")
 {
     CHECK(close(ref::ulps(1.0, "1.000000000000000000000", "5e-22"), 0));
@@ -72,14 +98,16 @@ TEST_CASE("damaged tables are refused")
     CHECK_THROWS(ref::load(table_file() + ".missing"));
     CHECK_THROWS(ref::load(written("")));
     CHECK_THROWS(ref::load(written(text.substr(0, text.size() - 200))));
-    for (const char* bound : {" nan\n", " inf\n", " -5e-41\n", " 0.1\n", "\n"}) {
+    for (const char* bound : {" nan ", " inf ", " -5e-41 ", " 0.1 ", " "}) { // before the last column
         std::string damaged = text;
-        const auto end = damaged.rfind('\n', damaged.size() - 2);
-        const auto line_end = damaged.rfind('\n', end - 1);
-        const auto bound_begin = damaged.rfind(' ', end);
+        const auto line_end = damaged.rfind('\n', damaged.rfind('\n', damaged.size() - 2) - 1);
+        const auto end = damaged.rfind(' ', damaged.rfind('\n', damaged.size() - 2));
+        const auto bound_begin = damaged.rfind(' ', end - 1);
         REQUIRE(bound_begin > line_end);
         damaged.replace(bound_begin, end - bound_begin + 1, bound);
         CHECK_THROWS(ref::load(written(damaged)));
     }
+    for (const char* forced : {"nan", "inf", "-2", "x"})
+        CHECK_THROWS(ref::load(written(text.substr(0, text.rfind(' ') + 1) + forced + "\n")));
     std::remove((table_file() + ".damaged").c_str());
 }

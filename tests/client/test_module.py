@@ -47,6 +47,35 @@ class Client(unittest.TestCase):
         self.assertTrue(0.5 < worst.ulps <= 4, worst)
         self.assertGreater(table.worst(lambda x: 2 * half_width(x)).ulps, 1e15)
 
+    def test_all_failing_rows_beyond_what_rounded_inputs_force(self):
+        table = ref.load(self.table)
+        self.assertEqual(table.failing(half_width), [])
+        self.assertTrue(all(row.forced is not None for row in table.rows))
+        rounded = lambda load: half_width(math.nextafter(load, 0))  # noqa: E731
+        self.assertGreater(len(table.failing(rounded, forgive_inputs=False)), 20)
+        self.assertLess(len(table.failing(rounded)), len(table.failing(rounded, forgive_inputs=False)))
+        off = lambda load: half_width(load) * (1 + 1e-9)  # noqa: E731
+        self.assertGreater(len(table.failing(off)), 0.9 * len(table.rows))
+        self.assertEqual(table.failing(off, rtol=1e-6), [])
+        self.assertEqual(table.failing(off, atol=1e-6), [])
+        self.assertEqual(len(table.failing(lambda load: math.nan, rtol=1)), len(table.rows))
+        some = table.failing(lambda load: 1.0, where=lambda load: load < 0.25)
+        self.assertTrue(some and all(w.row.inputs[0] < 0.25 for w in some))
+
+    def test_a_table_without_that_column_is_read_too(self):
+        lines = self.table.read_text().splitlines(keepends=True)
+        import hashlib
+        import json
+        rows = "".join(" ".join(line.split()[:-1]) + "\n" for line in lines if not line.startswith("#"))
+        header = json.loads(next(line for line in lines if line.startswith("# {"))[2:])
+        header["sha256"] = hashlib.sha256(rows.encode()).hexdigest()
+        old = pathlib.Path(self.folder.name) / "old.txt"
+        old.write_text("# " + json.dumps(header) + "\n# load value error\n" + rows)
+        self.assertTrue(all(row.forced is None for row in ref.load(old).rows))
+        if options.read_table:
+            out = subprocess.run([options.read_table, str(old)], capture_output=True, text=True)
+            self.assertEqual(out.returncode, 0, out.stderr)
+
     def test_ulps_against_known_distances(self):
         one = "1.000000000000000000000"
         self.assertEqual(ref.ulps(1 + 2**-52, one, "0"), (1.0, 1.0))
@@ -79,7 +108,11 @@ class Client(unittest.TestCase):
         if not options.read_table:
             self.skipTest("no Fortran compiler")
         out = subprocess.run([options.read_table, str(self.table)], check=True, capture_output=True, text=True).stdout
-        self.assertTrue(0.5 < float(out) <= 4, out)
+        self.assertTrue(0 < float(out) <= 4, out)
+        for words, failing in ((["1e-30"], True), (["1e-30", "1"], False)):
+            out = subprocess.run([options.read_table, str(self.table), *words], check=True, capture_output=True, text=True).stdout
+            self.assertEqual("fails: " in out, failing, out)
+        self.assertIn("not a number", subprocess.run([options.read_table, str(self.table), "x"], capture_output=True, text=True).stderr)
 
     def test_examples_without_a_table_say_so_in_a_line(self):
         if options.read_table:
@@ -102,7 +135,11 @@ class Client(unittest.TestCase):
         if octave is None:
             self.skipTest("octave-cli is not installed")
         out = subprocess.run([octave, "--path", options.client, "--eval", f"read_table('{self.table}')"], check=True, capture_output=True, text=True).stdout
-        self.assertTrue(0.5 < float(out) <= 4, out)
+        self.assertTrue(0 < float(out) <= 4, out)
+        call = (f"[w, f] = read_table('{self.table}', @(x) 1 + 0 * x, 0, 0, @(x) x(:, 1) < 0.25); "
+                f"[v, g] = read_table('{self.table}', @(x) 1 + 0 * x, 0, 1); printf('%d %d %d\\n', rows(f) > 20, all(f(:, 1) < 0.25), rows(g));")
+        out = subprocess.run([octave, "--path", options.client, "--eval", call], check=True, capture_output=True, text=True).stdout
+        self.assertEqual(out.split(), ["1", "1", "0"], out)
 
 
 if __name__ == "__main__":

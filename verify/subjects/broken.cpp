@@ -128,8 +128,8 @@ int look_up(const char* table)
     for (std::string line; std::getline(file, line);) {
         if (line.starts_with("#")) continue;
         Row r = numbers(line);
-        const double value = r[r.size() - 2];
-        r.resize(r.size() - 2);
+        const double value = r[r.size() - 3]; // then its error, and what rounded inputs force
+        r.resize(r.size() - 3);
         rows[r] = value;
     }
     return answer_rows([&](const Row& r) {

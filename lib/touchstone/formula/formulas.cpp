@@ -18,6 +18,10 @@ namespace touchstone::formula {
 namespace {
 
 constexpr long most_scales = 30; ///< written out one after another
+constexpr long series_terms = 110; ///< (3/4)^110/110^2 is below a thousandth of an ulp of the sum
+
+/// (7.20), to the digits of binary64; a test compares it with archard.K_inf.
+constexpr const char* K_infinity = "0.3913876963120100124";
 
 using Build = std::function<Term(const std::function<Term(const char*)>& in, long n)>;
 
@@ -50,6 +54,11 @@ const std::map<std::string, Entry>& entries()
          {[](auto in, long) { return density(in("p"), in("load")); },
           [](auto in, long) { return by_load(in("load"), as_printed::density_partial(in("p"), in("load")), as_printed::density_full(in("p"), in("load"))); }}},
         {"westergaard.energy", {[](auto in, long) { return westergaard::energy(in("load")); }, {}}},
+        {"westergaard.gap",
+         {[](auto in, long) { return westergaard::gap(in("x"), in("load")); },
+          [](auto in, long) { return by_load(in("load"), westergaard::gap_closed_form(in("x"), in("load")), Term(0)); }}},
+        {"westergaard.mean_gap", {[](auto in, long) { return westergaard::mean_gap(in("load")); }, {}}},
+        {"hertz.gap", {[](auto in, long) { return hertz::gap(in("x"), in("load")); }, {}}},
         {"hertz.half_width", {[](auto in, long) { return hertz::half_width(in("load")); }, {}}},
         {"hertz.pressure", {[](auto in, long) { return hertz::pressure(in("x"), in("load")); }, [](auto in, long) { return as_printed::hertz_pressure(in("x"), in("load")); }}},
         {"weierstrass.bound",
@@ -61,6 +70,8 @@ const std::map<std::string, Entry>& entries()
         {"archard.delta", {[](auto, long n) { return archard::delta<Term>(n); }, {}}},
         {"archard.alpha", {[](auto in, long n) { return archard::alpha<Term>(n, in("D")); }, {}}},
         {"archard.area", {[](auto in, long n) { return archard::area(n, in("load"), in("G"), archard::K_by_recursion<Term>(n)); }, {}}},
+        {"archard.segments", {[](auto in, long n) { return archard::segments(n, in("load"), in("D"), in("gamma"), archard::K_by_recursion<Term>(n - 1)); }, {}}},
+        {"archard.segments_limit", {[](auto in, long n) { return archard::segments_limit(n, in("load"), in("D"), in("gamma"), Term::literal(K_infinity)); }, {}}},
         {"segments.max_half_width", {[](auto in, long n) { return segments::max_half_width(n, in("load"), in("G")); }, {}}},
     };
     return all;
@@ -76,6 +87,14 @@ Term positive(const Term& x) { return sqrt(at_least(x, Term(0))); }
 Term scale(const Term& a) { return select(a, Term::literal("1.499696813895631e-241"), Term::literal("3.273390607896142e+150"), Term(1)); } // 2^-800, 2^500
 /// x less its nearest even number, exactly: an angle in half turns.
 Term turn(const Term& x) { return x - 2 * Term::call("nearest", {x / 2}); }
+
+/// sum_j x^j/coefficient(j) for 0 <= x <= 3/4, from the last term inwards.
+Term horner(const Term& x, long (*coefficient)(long))
+{
+    Term sum = 1 / Term(coefficient(series_terms));
+    for (long j = series_terms - 1; j >= 0; --j) sum = 1 / Term(coefficient(j)) + x * sum;
+    return sum;
+}
 
 std::map<std::string, Helper> make_helpers()
 {
@@ -99,6 +118,19 @@ std::map<std::string, Helper> make_helpers()
     Term tail = Term(1);
     for (long j = 11; j >= 2; --j) tail = 1 - square * tail * 4 / Term((2 * j + 1) * (2 * j + 2));
     h["minus_sin_square"] = {{"a", "x"}, minus_pi_square(a, x) + square * square * tail / 3};
+    // the gap's roots: the same differences, the other way round
+    h["sqrt_pi_square_minus"] = {{"x", "a"}, select(a, Term::literal("1.499696813895631e-241"),
+                                                    select(Term::literal("4.909093465297727e-91"), absolute(x), pi_ * absolute(x), positive(-minus_pi_square(a * f * f, x * f)) / f),
+                                                    positive(-minus_pi_square(a, x)))};
+    const Term far = positive(minus_sin_square(1 - a, half - absolute(x)));
+    const Term close = select(a, Term::literal("1.499696813895631e-241"),
+                              select(Term::literal("4.909093465297727e-91"), absolute(x), ScalarTraits<Term>::sin_pi(absolute(x)), ScalarTraits<Term>::sqrt_pi_square_minus(x, a)),
+                              positive(-minus_sin_square(a, absolute(x))));
+    h["sqrt_sin_pi_square_minus"] = {{"x", "a"}, select(Term::literal("0.3"), absolute(x), far, select(quarter, absolute(x), select(a, half, close, far), close))};
+    h["series_3_15"] = {{"x"}, horner(x, [](long j) { return (2 * j + 1) * (2 * j + 3); })};
+    h["series_2_6"] = {{"x"}, horner(x, [](long j) { return (j + 1) * (j + 2); })};
+    const Term e = a * b;
+    h["pow_product"] = {{"x", "a", "b"}, pow(x, e) * (1 + fma(a, b, -e) * log(x))};
     const Term size = absolute(x);
     h["sqrt_minus_sin_pi_square"] = {{"a", "x"}, select(quarter, size, positive(-minus_sin_square(1 - a, half - size)),
                                                         select(a, Term::literal("1.499696813895631e-241"), ScalarTraits<Term>::sqrt_minus_pi_square(a, x), positive(minus_sin_square(a, size))))};
@@ -135,6 +167,14 @@ Term mathematical(const Term& t)
     if (t->text == "sqrt_minus_square") return root_of(at_least(a[0] - square(a[1]), Term(0)));
     if (t->text == "sqrt_minus_pi_square") return root_of(at_least(a[0] - square(pi<Term>() * a[1]), Term(0)));
     if (t->text == "sqrt_minus_sin_pi_square") return root_of(at_least(a[0] - square(sin(pi<Term>() * a[1])), Term(0)));
+    if (t->text == "sqrt_pi_square_minus") return root_of(at_least(square(pi<Term>() * a[0]) - a[1], Term(0)));
+    if (t->text == "sqrt_sin_pi_square_minus") return root_of(at_least(square(sin(pi<Term>() * a[0])) - a[1], Term(0)));
+    if (t->text == "pow_product") return pow(a[0], a[1] * a[2]);
+    if (t->text == "series_2_6") return (a[0] + (1 - a[0]) * log(1 - a[0])) / square(a[0]);
+    if (t->text == "series_3_15") { // artanh by its logarithm
+        const Term s = sqrt(a[0]), artanh = log((1 + s) / (1 - s)) / 2;
+        return ((1 - 1 / a[0]) * artanh / s + 1 / a[0]) / 2;
+    }
     if (t->text == "hypot") return root_of(square(a[0]) + square(a[1]));
     return t;
 }
@@ -157,7 +197,8 @@ Formula formula_of(std::string_view name, std::optional<long> n)
     }
     if (scale && !n) throw DomainError(fmt::format("{} is written out for one scale: give n=0, 1, ... {}", name, most_scales));
     if (!scale && n) throw DomainError(fmt::format("{} has no n", name));
-    if (n && (*n < 0 || *n > most_scales)) throw DomainError(fmt::format("n = {}: must be an integer from 0 to {}", *n, most_scales));
+    const long first = name.starts_with("archard.segments") ? 1 : 0;
+    if (n && (*n < first || *n > most_scales)) throw DomainError(fmt::format("n = {}: must be an integer from {} to {}", *n, first, most_scales));
     std::map<std::string, Term> inputs; // the same node wherever it occurs
     for (const auto& input : f.inputs) inputs.emplace(input, Term::input(input));
     const auto in = [&inputs](const char* key) { return inputs.at(key); };

@@ -88,6 +88,15 @@ struct ScalarTraits<Term> {
     static Term sqrt_minus_square(const Term& a, const Term& b) { return Term::call("sqrt_minus_square", {a, b}); }
     static Term sqrt_minus_pi_square(const Term& a, const Term& x) { return Term::call("sqrt_minus_pi_square", {a, x}); }
     static Term sqrt_minus_sin_pi_square(const Term& a, const Term& x) { return Term::call("sqrt_minus_sin_pi_square", {a, x}); }
+    static Term sqrt_pi_square_minus(const Term& x, const Term& a) { return Term::call("sqrt_pi_square_minus", {x, a}); }
+    static Term sqrt_sin_pi_square_minus(const Term& x, const Term& a) { return Term::call("sqrt_sin_pi_square_minus", {x, a}); }
+    static Term pow_product(const Term& x, const Term& a, const Term& b) { return Term::call("pow_product", {x, a, b}); }
+    /// sum_j x^j/coefficient(j): a helper, named after its first two coefficients.
+    template <class Coefficient>
+    static Term series(const Term& x, Coefficient coefficient)
+    {
+        return Term::call("series_" + std::to_string(coefficient(0)) + "_" + std::to_string(coefficient(1)), {x});
+    }
     static Term hypot(const Term& a, const Term& b) { return Term::call("hypot", {a, b}); }
     static Term gamma(const Term& x) { return Term::call("gamma", {x}); }
     static Term power_of_two(long e) { return e >= 0 ? integer(1L << e) : quotient(1, 1L << -e); }

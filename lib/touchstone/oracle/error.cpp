@@ -2,6 +2,7 @@
 #include "touchstone/oracle/error.hpp"
 
 #include "touchstone/rounding/decimal.hpp"
+#include "touchstone/table/forced.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,15 +79,6 @@ void combinations(const std::vector<std::size_t>& choices, Visit visit)
 
 } // namespace
 
-Rational ulp_at(const Rational& value)
-{
-    const Rational a = abs(value);
-    if (a < exact_rational(std::numeric_limits<double>::min())) return exact_rational(std::numeric_limits<double>::denorm_min());
-    long e = static_cast<long>(mpz_sizeinbase(a.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(a.get_den_mpz_t(), 2));
-    while (power(Rational(2), e) > a) --e;
-    return power(Rational(2), std::min(e, 1023L) - 52);
-}
-
 bool is_special(double answer, const CertifiedValue& truth)
 {
     return std::isnan(answer) || (std::isinf(answer) && nearest_double(truth.value) != answer);
@@ -110,9 +102,23 @@ Inputs exact_inputs(const Quantity& q, const std::vector<double>& row)
     return Inputs(std::move(values));
 }
 
-Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const CertifiedValue& truth, int pieces, double enough)
+bool quickly_certified(const Quantity& q, const std::vector<double>& row)
 {
-    const WorkingPrecision precision(q.costly ? 112 : 192);
+    if (!of_the_recursion(q)) return true;
+    const bool segments = q.name.starts_with("segments.");
+    if (row.front() <= (segments ? 2 : 1)) return true;
+    const Inputs in = exact_inputs(q, row);
+    return !q.costly && in.compare_G(2) > 0 && in.real("load") <= 1;
+}
+
+Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const CertifiedValue& truth, int pieces, std::optional<double> known)
+{
+    if (of_the_recursion(q)) {
+        const auto ulps = forced_ulps(q, row, truth.value);
+        if (!ulps) return {};
+        return {ulps->ulps, ulps->estimated ? std::optional(estimate_slack * ulps->ulps) : std::nullopt};
+    }
+    const WorkingPrecision precision(192);
     const Inputs centre = exact_inputs(q, row);
     std::vector<std::string> real; // n counts, and is never rounded
     std::vector<std::vector<Side>> sides;
@@ -133,12 +139,11 @@ Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const
     // from where it moves is computed here and not taken from the table: a wrong entry must not excuse itself
     const Ball value = enclosure(q, centre);
 
-    Forced forced;
+    Forced forced{known.value_or(0), {}};
     if (!value.is_finite()) return forced;
     std::vector<std::size_t> corners;
     for (const auto& s : sides) corners.push_back(s.size() + 1); // the first choice is x itself
-    combinations(corners, [&](const std::vector<std::size_t>& at) {
-        if (q.costly && forced.least >= enough) return;
+    if (!known) combinations(corners, [&](const std::vector<std::size_t>& at) {
         auto values = centre.values();
         for (std::size_t i = 0; i < at.size(); ++i)
             if (at[i] > 0) values[real[i]] = sides[i][at[i] - 1].end;

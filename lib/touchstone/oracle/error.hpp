@@ -9,8 +9,8 @@
 #pragma once
 
 #include "touchstone/catalogue/quantity.hpp"
+#include "touchstone/rounding/ulp.hpp"
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -29,8 +29,7 @@ struct CertifiedValue {
     bool is_zero() const { return value == 0 && error == 0; }
 };
 
-/// The distance of neighbouring binary64 numbers at the certified value.
-Rational ulp_at(const Rational& value);
+using touchstone::ulp_at;
 
 /// |answer - truth| in ulps; in absolute terms where the truth is zero, which has no ulp of its own.
 /// An infinite answer to a value that rounds to infinity is right. `answer` is no NaN.
@@ -46,13 +45,17 @@ struct Forced {
     std::optional<double> most; ///< exceeded by none; infinite where f is unbounded on the box; nothing if not known
 };
 
-/// The corners of the box give `least`, ball enclosures over its parts `most`, the tighter the more
-/// `pieces` each side of each input is cut into; inputs outside the quantity's domain do not count.
-/// Cost for k real inputs: 3^k + (2 pieces)^k evaluations at 192 bits; 3^k at 112 bits for a quantity that is `costly`, whose
-/// corners are left out as soon as `least` is `enough`: one input after the other is moved, so that what the first
-/// input explains needs none of the tables that another load or G would.
-Forced forced_by_inputs(const Quantity&, const std::vector<double>& inputs, const CertifiedValue& truth, int pieces,
-                        double enough = std::numeric_limits<double>::infinity());
+/// For a closed form the corners of the box give `least` (or it is `known`), ball enclosures over its parts `most`, the tighter the
+/// more `pieces` each side of each input is cut into; inputs outside the quantity's domain do not count.
+/// Cost for k real inputs: 3^k (nothing if known) + (2 pieces)^k evaluations at 192 bits.
+/// For the recursion it is as in table/forced.hpp, and an estimate may be off by a factor of `estimate_slack`.
+Forced forced_by_inputs(const Quantity&, const std::vector<double>& inputs, const CertifiedValue& truth, int pieces, std::optional<double> known = {});
+
+/// How far an estimated condition number is trusted: beyond this many times it a row fails, between it and that it is undecided.
+inline constexpr double estimate_slack = 4;
+
+/// Whether a row is certified anew in less than seconds. (A distribution beyond scale 1, or an area with full contact, is not.)
+bool quickly_certified(const Quantity&, const std::vector<double>& inputs);
 
 /// Whether another load or G needs another solution of the recursion: seconds a row, where a closed form takes microseconds.
 bool of_the_recursion(const Quantity&);

@@ -5,11 +5,13 @@
 #include "touchstone/oracle/mixup.hpp"
 #include "touchstone/rounding/decimal.hpp"
 #include "touchstone/rounding/shown.hpp"
+#include "touchstone/table/forced.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <random>
@@ -46,22 +48,15 @@ double own_allowance(const Question& question, const Bound& bound)
     return std::max(least, tolerance >= exact_rational(std::numeric_limits<double>::max()) ? std::numeric_limits<double>::max() : tolerance.get_d());
 }
 
-/// What rounding the inputs forces on a row, if that can matter to an answer so many ulps `beyond` what is allowed anyway.
-///
-/// Corners of a box of inputs to the recursion cost minutes, and a row that is farther off than rounding can plausibly force is
-/// not worth them: its report says that they were not worked out. No area beyond n = 0 is known with a condition number above
-/// 10^6, no share or density above 10^9 but within that of an edge. At n = 0 the area is twice the half-width (2.5), in closed form.
-std::optional<Forced> forced_if_it_matters(const Quantity& q, const Question& question, int pieces, double beyond)
+/// What rounding the inputs forces: as the table has it, and at first no more; then with a bound that a row must be over to fail.
+Forced forced_on(const Quantity& q, const Question& question, int pieces)
 {
-    constexpr double most_of_areas = 1e6, most_of_distributions = 1e9;
-    if (!of_the_recursion(q)) return forced_by_inputs(q, question.inputs, question.truth, pieces);
-    if (q.name == "contact.area" && question.inputs.front() == 0) {
-        const double load = question.inputs[1];
-        if (load > 1) return Forced{0, 0};
-        return forced_by_inputs(*find_quantity("westergaard.half_width"), {load}, {question.truth.value / 2, question.truth.error / 2}, pieces);
-    }
-    if (beyond > (q.costly ? most_of_distributions : most_of_areas)) return std::nullopt;
-    return forced_by_inputs(q, question.inputs, question.truth, pieces, beyond);
+    if (question.forced && (pieces == 0 || of_the_recursion(q))) return *question.forced;
+    Forced forced = forced_by_inputs(q, question.inputs, question.truth, std::max(pieces, 1));
+    // a corner may be farther off than the inputs one by one: outside the contact, where only both together reach it
+    if (question.forced) forced.least = std::max(forced.least, question.forced->least);
+    if (forced.most) forced.most = std::max(*forced.most, forced.least);
+    return forced;
 }
 
 JudgedRow judge_row(const Quantity& q, const Question& question, double answer, const Bound& bound)
@@ -84,17 +79,16 @@ JudgedRow judge_row(const Quantity& q, const Question& question, double answer, 
     }
     const double own = own_allowance(question, bound);
     row.verdict = compare(row, {own, own});
-    for (const int pieces : {1, 4}) { // a rough bound of what the inputs force settles most rows
+    for (const int pieces : {0, 1, 2, 4}) { // the table's figure, and else a rough bound of what the inputs force, settle most rows
         if (row.verdict == Verdict::pass || (pieces > 1 && row.verdict == Verdict::fail)) break;
-        if (!bound.forgive_inputs || (row.forced && !row.forced->most)) break; // pieces tighten `most` alone
-        row.forced = forced_if_it_matters(q, question, pieces, row.error.most - own);
-        if (!row.forced) break;
+        if (!bound.forgive_inputs || (row.forced && of_the_recursion(q))) break; // pieces tighten the bound of closed forms alone
+        if (pieces == 0 && !question.forced) continue;
+        row.forced = forced_on(q, question, pieces);
         row.verdict = compare(row, allowance(row, own));
     }
     if (row.verdict == Verdict::pass) return row;
     const std::string_view unit = question.truth.is_zero() ? "off zero" : "ulps";
     row.why = fmt::format("{:.4g} {}, allowed {:.4g}", row.error.least, unit, own);
-    if (!row.forced && bound.forgive_inputs) row.why += " (what rounded inputs force is not worked out this far off)";
     if (row.forced) row.why += fmt::format(" and {:.4g} that rounded inputs force", row.forced->most.value_or(row.forced->least));
     return row;
 }
@@ -156,8 +150,29 @@ std::string_view to_string(Verdict v)
 std::vector<Question> questions(const StoredTable& table)
 {
     std::vector<Question> all;
-    for (const auto& r : table.rows) all.push_back({r.inputs, r.value, {*parse_rational(r.value), *parse_rational(r.error)}, false});
+    for (const auto& r : table.rows) {
+        all.push_back({r.inputs, r.value, {*parse_rational(r.value), *parse_rational(r.error)}, false});
+        if (!r.forced) continue;
+        all.back().forced = Forced{*r.forced, table.forced_estimated ? std::optional(estimate_slack * *r.forced) : std::nullopt};
+    }
     return all;
+}
+
+std::vector<std::size_t> quick_rows(const Quantity& q, const std::vector<Question>& table, unsigned long seed)
+{
+    std::vector<std::size_t> quick, chosen;
+    for (std::size_t i = 0; i < table.size(); ++i)
+        if (quickly_certified(q, table[i].inputs)) quick.push_back(i);
+    if (!of_the_recursion(q) || quick.empty()) return quick;
+    const auto surface = [&](std::size_t i) {
+        std::vector<double> s;
+        for (std::size_t k = 0; k < q.inputs.size(); ++k)
+            if (q.inputs[k] == "G" || q.inputs[k] == "D" || q.inputs[k] == "gamma") s.push_back(table[i].inputs[k]);
+        return s;
+    };
+    const auto wanted = surface(quick[seed % quick.size()]);
+    std::copy_if(quick.begin(), quick.end(), std::back_inserter(chosen), [&](std::size_t i) { return surface(i) == wanted; });
+    return chosen;
 }
 
 std::vector<Question> held_out(const Quantity& q, const std::vector<Question>& table, std::size_t count, unsigned long seed)
@@ -168,10 +183,17 @@ std::vector<Question> held_out(const Quantity& q, const std::vector<Question>& t
     for (const auto& t : table) taken.insert(t.inputs);
     std::mt19937_64 random(seed);
     const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    const std::vector<std::size_t> near = quick_rows(q, table, seed); // rows that others are made of
+    if (near.empty()) return fresh;
+    const bool recursion = of_the_recursion(q);
     for (std::size_t tries = 0; fresh.size() < count && tries < 20 * count; ++tries) {
-        std::vector<double> row = table[random() % table.size()].inputs;
-        for (std::size_t k = 0; k < row.size(); ++k)
-            if (q.inputs[k] != "n") row[k] *= 1 + std::ldexp(uniform() - 0.5, -static_cast<int>(random() % 12));
+        std::vector<double> row = table[near[random() % near.size()]].inputs;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            const double change = std::ldexp(uniform() - 0.5, -static_cast<int>(random() % 12));
+            const bool surface = recursion && (q.inputs[k] == "G" || q.inputs[k] == "D" || q.inputs[k] == "gamma");
+            if (q.inputs[k] == "n" || surface) continue;
+            row[k] *= 1 + (recursion && q.inputs[k] == "load" ? -std::fabs(change) : change); // no partial contact becomes full contact
+        }
         if (!taken.insert(row).second) continue;
         try {
             const Evaluation e = evaluate(q, exact_inputs(q, row), {.digits = 40});
@@ -199,6 +221,10 @@ void recheck(const Quantity& q, const StoredTable& table, const std::vector<std:
         if (e.value != row.value || e.error_bound != row.error)
             throw CorruptTable(fmt::format("{}: row {} ({}) holds {} +- {}, certified is {} +- {}", file, i + 1, row_key(row.inputs),
                                            row.value, row.error, e.value, e.error_bound));
+        if (!table.has_forced || of_the_recursion(q)) continue; // another load or G would be another solution there
+        const auto forced = forced_ulps(q, row.inputs, *parse_rational(row.value));
+        const std::string right = forced ? forced_text(forced->ulps) : "-1", found = row.forced ? forced_text(*row.forced) : "-1";
+        if (right != found) throw CorruptTable(fmt::format("{}: row {} ({}) says that rounded inputs force {} ulps; it is {}", file, i + 1, row_key(row.inputs), found, right));
     }
 }
 
@@ -236,7 +262,7 @@ Judgement judge(const Quantity& q, const std::vector<Question>& questions, const
     for (std::size_t k = 0; k < std::min(shown_rows, result.worst.size()); ++k) {
         const std::size_t i = result.worst[k];
         JudgedRow& row = result.rows[i];
-        if (!row.special && (bound.forgive_inputs || !of_the_recursion(q))) row.forced = forced_if_it_matters(q, questions[i], 4, row.error.most);
+        if (!row.special && (bound.forgive_inputs || !of_the_recursion(q))) row.forced = forced_on(q, questions[i], 4);
     }
     find_order_violations(questions, result);
     result.looked_up = wrong_in == 0 && out > 0 && 2 * wrong_out > out;

@@ -23,6 +23,7 @@ struct Question {
     std::string value;          ///< the certified value as text
     CertifiedValue truth;
     bool held_out = false;      ///< not from the table: certified at judge time
+    std::optional<Forced> forced{}; ///< as the table has it
 };
 
 struct MixUp {
@@ -91,8 +92,12 @@ struct Judgement {
 /// The questions of a stored table.
 std::vector<Question> questions(const StoredTable&);
 
+/// The rows that are quickly certified; of the recursion those of one surface, which the seed chooses.
+std::vector<std::size_t> quick_rows(const Quantity&, const std::vector<Question>&, unsigned long seed);
+
 /// `count` rows near those of the table but not in it, with freshly certified values. The seed decides
-/// which: a subject that looks its answers up cannot know them.
+/// which: a subject that looks its answers up cannot know them. For the recursion they are near rows that are quickly certified
+/// and keep the surface, so that judging takes seconds.
 std::vector<Question> held_out(const Quantity&, const std::vector<Question>&, std::size_t count, unsigned long seed);
 
 /// Certifies stored rows again and compares digit by digit: a table may be well formed, carry the

@@ -91,6 +91,7 @@ Regime summary(const Quantity& q, const std::string& name, const std::vector<std
         const JudgedRow& row = judgement.rows[*worst];
         const Question& question = questions[*worst];
         r.forced = row.forced;
+        if (!r.forced) r.forced = question.forced;
         if (!r.forced && !of_the_recursion(q)) r.forced = forced_by_inputs(q, question.inputs, question.truth, 1);
         if (r.forced) r.forced_relative = r.forced->least * nearest_double(Rational(ulp_at(question.truth.value) / abs(question.truth.value)));
     }

@@ -61,16 +61,19 @@ inline void add_tail(Ball& sum, const Ball& tail) { arb_add_error(sum.get(), tai
 template <OrderedScalar T, class Coefficient>
 T series(const T& x, Coefficient coefficient)
 {
-    std::vector<T> terms;
-    T power = integer<T>(1);
-    for (long j = 0; !negligible(power, j); ++j) {
-        terms.push_back(power / integer<T>(coefficient(j)));
-        power = power * x;
+    if constexpr (requires { ScalarTraits<T>::series(x, coefficient); }) return ScalarTraits<T>::series(x, coefficient); // written down, not summed
+    else {
+        std::vector<T> terms;
+        T power = integer<T>(1);
+        for (long j = 0; !negligible(power, j); ++j) {
+            terms.push_back(power / integer<T>(coefficient(j)));
+            power = power * x;
+        }
+        T sum = integer<T>(0);
+        for (auto term = terms.rbegin(); term != terms.rend(); ++term) sum = sum + *term;
+        add_tail(sum, T(4 * power));
+        return sum;
     }
-    T sum = integer<T>(0);
-    for (auto term = terms.rbegin(); term != terms.rend(); ++term) sum = sum + *term;
-    add_tail(sum, T(4 * power));
-    return sum;
 }
 
 /// (closed form) and (series) of the gap for v >= w = sqrt(v^2 - S), v > 0; 0 for w = 0.

@@ -5,6 +5,7 @@
 
 #include "touchstone/table/table.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,8 +34,11 @@ struct StoredTable {
     struct Row {
         std::vector<double> inputs;
         std::string value, error;
+        std::optional<double> forced{};  ///< ulps; see forced.hpp
     };
     std::vector<Row> rows;
+    bool has_forced = false;       ///< the column is there
+    bool forced_estimated = false; ///< and holds estimates
 };
 
 /// A file that is not a canonical table, or not the one its hash says it is. One line, with the line number.
@@ -46,6 +50,10 @@ class CorruptTable : public std::runtime_error {
 /// rounding to nearest can prove, that no row is there twice, and the hash.
 /// \throws CorruptTable
 StoredTable parse_table(std::string_view text, std::string_view file_name);
+
+/// The same table with what rounded inputs force beside each row, worked out now (forced.hpp); the values are kept as they stand. As
+/// format() writes it when all is computed anew.
+std::string with_forced(const StoredTable&, std::string_view text);
 
 /// The program's version, as tables carry it.
 std::string_view version();

@@ -438,7 +438,7 @@ Rows limit_scale_grid()
 
 } // namespace
 
-const std::vector<TableSpec>& table_specs()
+static const std::vector<TableSpec>& grids()
 {
     constexpr long digits = 40;
     static const std::vector<TableSpec> all{
@@ -481,6 +481,16 @@ const std::vector<TableSpec>& table_specs()
         {"limit_gap", "limit.gap", 10, limit_gap_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };
+    return all;
+}
+
+const std::vector<TableSpec>& table_specs()
+{
+    static const std::vector<TableSpec> all = [] {
+        std::vector<TableSpec> specs = grids();
+        for (auto& spec : specs) spec.forced = !spec.quantity.starts_with("limit."); // another G is another solution there
+        return specs;
+    }();
     return all;
 }
 

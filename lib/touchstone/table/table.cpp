@@ -24,6 +24,7 @@ Table compute(const TableSpec& spec, long digits, unsigned jobs,
     table.quantity = find_quantity(spec.quantity);
     table.inputs = table.quantity->inputs;
     table.digits = digits;
+    table.forced = spec.forced;
     const auto grid = spec.grid();
     table.rows.resize(grid.size());
 
@@ -38,7 +39,9 @@ Table compute(const TableSpec& spec, long digits, unsigned jobs,
                 for (std::size_t k = 0; k < grid[i].size(); ++k) values[table.inputs[k]] = exact_rational(grid[i][k]);
                 EvaluationOptions options;
                 options.digits = digits;
-                table.rows[i] = {grid[i], evaluate(*table.quantity, Inputs(values), options)};
+                TableRow& row = table.rows[i];
+                row = {grid[i], evaluate(*table.quantity, Inputs(values), options), {}};
+                if (table.forced) row.forced = forced_ulps(*table.quantity, grid[i], *parse_rational(row.result.value));
             }
             catch (...) {
                 const std::scoped_lock lock(mutex);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/table/forced.hpp"
 
 #include <functional>
 #include <string>
@@ -19,11 +20,13 @@ struct TableSpec {
     long digits = 40;
     std::function<std::vector<std::vector<double>>()> grid; ///< rows of inputs, in the quantity's order, distinct
     bool slow = false;                      ///< takes minutes
+    bool forced = false;                    ///< with what rounded inputs force beside each row, see forced.hpp
 };
 
 struct TableRow {
     std::vector<double> inputs;
     Evaluation result;
+    std::optional<ForcedUlps> forced;       ///< if the table has it and it is known
 };
 
 struct Table {
@@ -31,6 +34,7 @@ struct Table {
     const Quantity* quantity = nullptr;
     std::vector<std::string> inputs;        ///< column names
     long digits = 0;
+    bool forced = false;                    ///< has the column
     std::vector<TableRow> rows;
     Status status() const;                  ///< the weakest status of any row
 };

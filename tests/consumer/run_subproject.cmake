@@ -1,0 +1,16 @@
+# A project that takes the clone into its own build: by add_subdirectory (built and run) and by FetchContent (configured; the same targets).
+file(REMOVE_RECURSE ${WORK_DIR})
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN} failed:\n${output}")
+  endif()
+endfunction()
+foreach(how IN ITEMS FetchContent add_subdirectory)
+  run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/subproject -B ${WORK_DIR}/${how} -DHOW=${how} -DTOUCHSTONE=${TOUCHSTONE} -DCMAKE_CXX_COMPILER=${CXX}
+    -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -G ${GENERATOR})
+endforeach()
+if(BUILD)
+  run(${CMAKE_COMMAND} --build ${WORK_DIR}/add_subdirectory --target consumer)
+  run(${WORK_DIR}/add_subdirectory/consumer)
+endif()
