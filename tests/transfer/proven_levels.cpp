@@ -150,7 +150,7 @@ TEST_CASE("above a pressure: against the forward chain in partial contact, and s
 {
     for (const auto& [P, G] : {std::pair{"1/50", "5/2"}, {"1/2", "3/2"}, {"21/10", "5/2"}}) { // P above 2: nothing below x = 1
         const Ball pressure(*parse_rational(P)), ratio(*parse_rational(G));
-        const ProvenLevels levels(ratio, pressure, 3, 1e-12);
+        const ProvenLevels levels(ratio, pressure, 3, 1e-12, 2);
         const WorkingPrecision precision(100);
         for (const char* load : {"1/2", "1", "3"})
             for (const long n : {1L, 2L}) {

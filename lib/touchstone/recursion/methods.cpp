@@ -14,6 +14,7 @@
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
+#include "touchstone/transfer/three_waves.hpp"
 
 #include <fmt/format.h>
 
@@ -418,6 +419,35 @@ Method proven_densities()
     };
 }
 
+transfer::ThreeWaves after_three_waves(const Problem& p, Accuracy a)
+{
+    constexpr long fewest = 4, most = 23;
+    if (a.digits > most) throw BeyondReach("numbers of 106 bits prove no more digits of a density");
+    const double tolerance = std::pow(10.0, -static_cast<double>(std::max(a.digits, fewest)) - 2);
+    const WorkingPrecision precision(256);
+    return transfer::density_after_three_waves(p.G.ball(), p.p.ball() / unit_pressure(p), Ball(p.load), tolerance);
+}
+
+/// q_2 needs no level but the first: one integral instead of a mesh.
+Method third_wave_density()
+{
+    return {
+        .name = "three-waves",
+        .asked = {Asked::density},
+        .reach = fmt::format("n = 2, load <= {}, G > 1.003, p >= p*_n/1024", largest_load_of_levels.get_str()),
+        .refusal = [levels = proven_densities()](const Problem& p) -> std::string { return p.n == 2 ? levels.refusal(p) : "n must be 2"; },
+        .digits = 22, // of the 31 of two binary64
+        .cost = [](const Problem&, Accuracy a) { return 6 * growth(a, 2); },
+        .enclose = [](const Problem& p, Accuracy a) {
+            const WorkingPrecision precision(256);
+            return above_support(p) ? Ball(0) : after_three_waves(p, a).value / unit_pressure(p);
+        },
+        .budget = [](const Problem& p, Accuracy a) { return Budget{above_support(p) ? "above the support" : after_three_waves(p, a).certificate}; },
+        .second = "",
+        .shares = witness_shares,
+    };
+}
+
 Witness observe(Grid grid, const Problem& p)
 {
     const WorkingPrecision precision(256);
@@ -464,7 +494,7 @@ long Method::most_digits(const Problem& p) const { return fewer_digits ? std::mi
 const std::vector<Method>& methods()
 {
     static const std::vector<Method> all{single_wave_area(),     single_wave_exceedance(), single_wave_density(), one_integral(),    second_area(), partial_area(),
-                                         partial_distribution(), heavy_load(),             proven_shares(),       proven_densities()};
+                                         partial_distribution(), heavy_load(),             proven_shares(),       third_wave_density(), proven_densities()};
     return all;
 }
 

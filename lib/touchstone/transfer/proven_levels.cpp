@@ -166,7 +166,8 @@ struct Check { ///< Chebyshev points of an interval inside a disc whose radius i
 struct ProvenLevels::State {
     Real G;
     double tolerance;
-    int levels; ///< a multiple of four, for the sums in wave_kernel.hpp
+    int levels;  ///< V_0 ... V_(levels-1)
+    int columns; ///< of every array: `levels`, made a multiple of four for the sums in wave_kernel.hpp, where it is not 1
     std::unique_ptr<const First> first;
     Orders orders;
     Gauss gauss, exact;
@@ -174,11 +175,11 @@ struct ProvenLevels::State {
     std::vector<Check> checks;
     Check first_check; ///< of B_0, whose bound on a disc may be far above its size
     std::unique_ptr<Layer> all;
-    std::vector<double> defect;          ///< [panel * levels + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|
+    std::vector<double> defect;          ///< [panel * columns + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|
     std::vector<double> sum_of_effects;  ///< [m]: at least T |B_m - V_m|
 
     State(Real G_, std::unique_ptr<const First> first_, double highest, double tolerance_, const Spoiled& spoiled, int scales)
-        : G(G_), tolerance(tolerance_), levels(min(most_levels, (scales + 3) / 4 * 4)), first(std::move(first_)), orders(tolerance_), gauss(orders.gauss), exact(orders.terms), own(orders.terms), kernel_points(orders.kernel), first_check(orders.terms + (first->is_share() ? 7 : 19), 4)
+        : G(G_), tolerance(tolerance_), levels(min(most_levels, scales)), columns(levels == 1 ? 1 : (levels + 3) / 4 * 4), first(std::move(first_)), orders(tolerance_), gauss(orders.gauss), exact(orders.terms), own(orders.terms), kernel_points(orders.kernel), first_check(orders.terms + (first->is_share() ? 7 : 19), 4)
     {
         for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {1.0, 4.0}}) checks.emplace_back(static_cast<int>(orders.terms * share) + 7, rho);
         collocate(highest, spoiled);
@@ -318,7 +319,7 @@ void ProvenLevels::State::collocate(double highest, const Spoiled& spoiled)
             return result.value[0];
         }, m));
     }
-    all = std::make_unique<Layer>(orders, gauss, kernel_points, exact, G, tolerance, found.back().panels, levels);
+    all = std::make_unique<Layer>(orders, gauss, kernel_points, exact, G, tolerance, found.back().panels, columns);
     for (int m = 0; m < levels; ++m) { // on the last mesh, of which each panel is a part of one of each earlier mesh
         Layer on(orders, gauss, kernel_points, exact, G, tolerance, std::move(found[m].panels), 1);
         on.coefficients = std::move(found[m].coefficients);
@@ -343,7 +344,7 @@ void ProvenLevels::State::collocate(double highest, const Spoiled& spoiled)
             }
         all->set(m, series);
     }
-    defect.resize(all->panels.size() * levels);
+    defect.resize(all->panels.size() * columns);
 }
 
 // ---- the proof
@@ -352,10 +353,10 @@ void ProvenLevels::State::collocate(double highest, const Spoiled& spoiled)
 void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Real& right)
 {
     const Panel& p = all->panels[i];
-    const double rounding = all->rounding[i * levels], half_z = double(p.half), width = size_of(right - left);
+    const double rounding = all->rounding[i * columns], half_z = double(p.half), width = size_of(right - left);
     const Check& check = first_check;
     const WorkingPrecision precision(160);
-    double& D = defect[i * levels];
+    double& D = defect[i * columns];
     const double negligible = first->is_share() ? 0 : tolerance / 1024 / largest_second_share(double(G), width);
     int intervals = 0;
     std::vector<std::pair<Real, Real>> waiting{{left, right}};
@@ -391,11 +392,11 @@ void ProvenLevels::State::prove_first(std::size_t i, const Real& left, const Rea
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
         }
-        else if (!share) add_hole(0, low, high, first->weight_on(double(low), double(high - low), all->size[i * levels]), true);
+        else if (!share) add_hole(0, low, high, first->weight_on(double(low), double(high - low), all->size[i * columns]), true);
         else { // increasing, between its ends
             double change = 0;
             for (int k = 1; k < orders.terms; ++k) change += all->magnitude(i, k, 0) * k * k;
-            change = margin * min(change * double(high * high - low * low) / half_z, 2 * all->size[i * levels]);
+            change = margin * min(change * double(high * high - low * low) / half_z, 2 * all->size[i * columns]);
             const Real v = all->value(i, 0, local(low));
             const auto [least, least_error] = value(low * Real{1, -4 * u});
             const auto [most, most_error] = value(high * Real{1, 4 * u});
@@ -408,7 +409,7 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
 {
     const auto& panels = all->panels;
     const auto& rounding = all->rounding;
-    const auto at = [this](std::size_t panel, int m) { return panel * levels + m; };
+    const auto at = [this](std::size_t panel, int m) { return panel * columns + m; };
     const Panel& p = panels[i];
     const int terms = orders.terms;
     double* D = &defect[at(i, 0)];
@@ -429,12 +430,13 @@ void ProvenLevels::State::prove_panel(std::size_t i, const std::vector<double>& 
     const Real slack = (p.y1 - p.y0) * 1e-3, left = max(sqrt(p.left()), p.y0 - slack), right = p.y1 + slack;
     const double width = size_of(right - left);
     prove_first(i, left, right);
+    if (levels == 1) return;
     int intervals = 0;
     std::vector<std::pair<Real, Real>> waiting{{left, right}};
     Result here, a, b;
     while (!waiting.empty()) {
         if (!first->is_share() && ++intervals > most_intervals) {
-            std::fill(D, D + levels, infinite);
+            std::fill(D, D + columns, infinite);
             return;
         }
         const auto [low, high] = waiting.back();
@@ -563,8 +565,8 @@ void ProvenLevels::State::prove()
 {
     // how far the polynomial of a panel is from its neighbours' on their side of the edge: polynomials of terms - 1, so nodes suffice
     const auto& panels = all->panels;
-    std::vector<double> overlap_defect(panels.size() * levels);
-    const auto at = [this](std::size_t panel, int m) { return panel * levels + m; };
+    std::vector<double> overlap_defect(panels.size() * columns);
+    const auto at = [this](std::size_t panel, int m) { return panel * columns + m; };
     const double lebesgue = 1.01 * (1 + 2 / pi_below * std::log(orders.terms));
     const int count = static_cast<int>(panels.size());
     in_parallel(panels.size(), [&](std::size_t e) {
@@ -608,7 +610,7 @@ std::vector<ProvenLevels::State::Part> ProvenLevels::State::parts(int m, double 
     const auto& panels = all->panels;
     std::vector<Part> found;
     for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
-        found.push_back({defect[i * levels + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1, false});
+        found.push_back({defect[i * columns + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1, false});
     for (const Hole& h : holes[m])
         if (double(h.low) <= reach) found.push_back({h.defect, h.width, h.low * Real{1, -2 * u}, h.high * Real{1, 2 * u}, h.on_average});
     std::sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.defect > b.defect; });
@@ -679,8 +681,8 @@ double ProvenLevels::State::blur(int m, const Real& x) const
         double slope = 0;
         for (int k = 1; k < orders.terms; ++k) slope += all->magnitude(i, k, m) * k * k;
         const double dy = min(std::sqrt(dz), dz / double(p.y0));
-        sum += share * min(slope * dz / double(p.half), 2 * all->size[i * levels + m])
-             + all->jump[i * levels + m] * share_of(G, low, high, p.y0 - Real(dy), p.y0 + Real(dy));
+        sum += share * min(slope * dz / double(p.half), 2 * all->size[i * columns + m])
+             + all->jump[i * columns + m] * share_of(G, low, high, p.y0 - Real(dy), p.y0 + Real(dy));
     }
     return margin * sum;
 }

@@ -154,8 +154,9 @@ namespace {
 /// The integral at one x.
 class AtX {
 public:
-    AtX(const TwoWaves::Ends& ends, const Real& x) : ends_(ends), near_(x), x_(to_ball(x)), full_(x >= 1)
+    AtX(const TwoWaves::Ends& ends, const Ball& x) : ends_(ends), x_(x), full_(!certainly(less(x, Ball(1))))
     {
+        if (full_ && possibly(less(x, Ball(1)))) throw Unclear();
         // y < 1
         if (sign(Point::lower, Point::seam) < 0 && sign(Point::bottom, Point::seam) < 0 && sign(Point::end, Point::lower) > 0
             && !(full_ && sign(Point::begin, Point::seam) >= 0)) {
@@ -247,8 +248,8 @@ private:
         h.fars = side.fars;
         const Real first = distance(side.near[0], side.from), length = distance(side.to, side.from) * 0.5;
         const Real delta = side.paired ? distance(side.near[1], side.near[0]) : Real(side.delta);
-        h.x = near_;
-        h.one_minus_x = 1 - near_;
+        h.x = to_real(x_);
+        h.one_minus_x = full_ ? Real(0) : to_real(1 - x_); // not used where x >= 1
         h.G = ends_.G_near;
         h.P = ends_.P_near;
         h.from = to_real(ends_.at(side.from, x_, full_));
@@ -278,7 +279,9 @@ private:
         double lost = 0;
         while (edges.size() > 1) {
             const double from = edges.back(), to = edges[edges.size() - 2], width = length * (to - from) / 2;
-            const double most = bound(h, length * (from + to) / 2, width), error = (ends_.rule + 16 * u) * most * width;
+            double error = infinite;
+            for (const Cover& cover : {Cover{3, 1}, Cover{6, 3}}) // three discs do for most panels
+                if (!(error <= share)) error = (ends_.rule + 16 * u) * bound(h, length * (from + to) / 2, width, cover) * width;
             if (error <= share) {
                 lost += margin * error;
                 cuts.push_back(to);
@@ -290,12 +293,15 @@ private:
         }
         return {cuts, lost};
     }
-    /// Bounds the integrand on the ellipse about mid +- half; its upper half is covered by squares, conjugates do the rest.
-    static double bound(const Half<Disc>& h, double mid, double half)
+    struct Cover { ///< of the upper half of an ellipse, by rectangles
+        int columns, rows;
+    };
+    /// Bounds the integrand on the ellipse about mid +- half; its upper half is covered by discs about rectangles, conjugates do the rest.
+    static double bound(const Half<Disc>& h, double mid, double half, const Cover& cover)
     {
         constexpr double wide = (rho + 1 / rho) / 2, high = (rho - 1 / rho) / 2;
-        constexpr int columns = 6, rows = 3;
-        constexpr double a = wide / columns, b = high / (2 * rows); // halves of a rectangle's sides
+        const int columns = cover.columns, rows = cover.rows;
+        const double a = wide / columns, b = high / (2 * rows); // halves of a rectangle's sides
         const double radius = half * std::hypot(a, b) * margin;
         double most = 0;
         for (int i = 0; i < columns; ++i)
@@ -317,7 +323,6 @@ private:
     }
 
     const TwoWaves::Ends& ends_;
-    Real near_;
     Ball x_;
     bool full_;
     std::vector<Side> sides_;
@@ -335,7 +340,7 @@ double TwoWaves::lowest() const
     return 0.999 * (x < 2 ? x * x / 4 : x - 1);
 }
 
-std::pair<Real, double> TwoWaves::value(const Real& x) const
+std::pair<Real, double> TwoWaves::value(const Ball& x) const
 {
     try {
         return AtX(*ends_, x).value();
@@ -345,20 +350,18 @@ std::pair<Real, double> TwoWaves::value(const Real& x) const
     }
 }
 
-double TwoWaves::on_disc(const Real& low, const Real& high, const Real& x, double r) const
+double TwoWaves::on_disc(bool full_first, const Ball& x, double r) const
 {
     // the ends of the first wave move by less than 0.3 of their distance from every point that matters
     constexpr double share = wave::disc_two_waves.share, most = wave::disc_two_waves.most;
-    const bool full_first = low >= 1;
-    const double x_ = double(x), G = double(ends_->G_near);
-    if (!full_first && (high > 1 || !(r < share * double(1 - x)) || !(r < share * x_))) return infinite;
+    const WorkingPrecision precision(end_bits);
+    const double x_ = double(to_real(x)), G = double(ends_->G_near);
+    if (!full_first && (!(r < share * double(to_real(1 - x))) || !(r < share * x_))) return infinite;
     const double moved = margin * (full_first ? r / G : 2 * r / (G * std::sqrt(x_)));
     double nearest = full_first ? 2 / G : infinite;
-    const WorkingPrecision precision(end_bits);
-    const Ball at = to_ball(x);
     for (const Point end : {Point::begin, Point::end}) {
         if (end == Point::begin && !full_first) continue;
-        const Ball y = ends_->at(end, at, full_first);
+        const Ball y = ends_->at(end, x, full_first);
         const auto consider = [&](const Ball& s) { nearest = min(nearest, std::fabs(double(to_real(y - s)))); };
         if (ends_->P_near <= 2) {
             consider(ends_->lower);

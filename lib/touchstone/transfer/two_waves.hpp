@@ -36,9 +36,16 @@ public:
     /// D_1 is 0 for x below this.
     double lowest() const;
     /// D_1(x), and a bound of its error: infinite where x is too near to a singular point.
-    std::pair<Real, double> value(const Real& x) const;
+    std::pair<Real, double> value(const Real& x) const { return value(to_ball(x)); }
+    /// The same at an x known to 250 bits, which may be nearer still to a singular point, or to 1.
+    std::pair<Real, double> value(const Ball& x) const;
     /// At least |D_1| on the disc of radius r about x, of the function that is D_1 on low <= .. <= high; infinite where it may not be analytic there.
-    double on_disc(const Real& low, const Real& high, const Real& x, double r) const;
+    double on_disc(const Real& low, const Real& high, const Real& x, double r) const
+    {
+        return low < 1 && high > 1 ? bounds::infinite : on_disc(low >= 1, to_ball(x), r);
+    }
+    /// The same where all that counts of the disc is on one side of x = 1.
+    double on_disc(bool above_one, const Ball& x, double r) const;
     /// What D_1 counts for on an interval of the given width, from x on, that may hold singular points: its integral over the interval against a
     /// measure is at most this times s(width), if the measure gives at most s(l) to sets of length l, and s(l)/l^(1/2) does not decrease.
     double weight_on(double x, double width) const;
