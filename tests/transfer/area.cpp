@@ -2,6 +2,7 @@
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/paper/archard.hpp"
 #include "touchstone/paper/archard_constants.hpp"
+#include "touchstone/recursion/first_steps/area_by_slope.hpp"
 #include "touchstone/transfer/contact.hpp"
 #include "touchstone/transfer/series.hpp"
 
@@ -54,6 +55,41 @@ TEST_CASE("very near G = 2")
         CHECK(a.relative_bits() > 44);
         CHECK(b.relative_bits() > 44);
     }
+}
+
+TEST_CASE("as near to load = 1 as one likes: both discretisations, and at scale 2 the integral over the slope, which has neither")
+{
+    const WorkingPrecision precision(128);
+    for (const unsigned long digits : {17UL, 20UL, 30UL, 100UL, 300UL}) {
+        const Rational load = 1 - power(Rational(10), -static_cast<long>(digits));
+        for (const char* G : {"2.1", "3", "1000"})
+            for (const long n : {2L, 3L, 30L}) {
+                CAPTURE(digits); CAPTURE(G); CAPTURE(n);
+                const Arguments arguments{[load] { return Ball(load); }, [G] { return Ball(exactly(G)); }};
+                const Ball a = area(Scheme::force_weighted, n, arguments, wanted()), b = area(Scheme::area, n, arguments, wanted());
+                CHECK(a.overlaps(b));
+                CHECK(a.relative_bits() > 44);
+                CHECK(b.relative_bits() > 44);
+                if (n == 2 && digits <= 30) CHECK(a.overlaps(area_by_slope(2, {load, [G] { return Ball(exactly(G)); }, exactly(G)}, 60)));
+            }
+    }
+    // what the last 1e-20 of the load is worth is seen: the slope next to 1 is finite from scale 1 on, but for a logarithm
+    const WorkingPrecision more(bits_for_digits(40) + 48);
+    const Ball at_one = area(Scheme::area, 3, at("1", "3"), wanted()), below = area(Scheme::area, 3, {[] { return Ball(Rational(1 - power(Rational(10), -20))); }, [] { return Ball(3); }}, wanted());
+    CHECK(certainly(less(below, at_one)));
+    CHECK(certainly(less(at_one - below, Ball(exactly("1e-18")))));
+}
+
+TEST_CASE("light loads down to 1e-300: the power series")
+{
+    const WorkingPrecision precision(bits_for_digits(15) + 48);
+    for (const char* load : {"1e-30", "1e-100"})
+        for (const long n : {1L, 2L, 4L}) {
+            CAPTURE(load); CAPTURE(n);
+            const Ball own = area(Scheme::force_weighted, n, at(load, "3"), wanted());
+            CHECK(own.overlaps(area_series(n, Ball(exactly(load)), Ball(3))));
+            CHECK(own.relative_bits() > 44);
+        }
 }
 
 TEST_CASE("a ball at low precision holds the value known from a high one, and is not idly wide")

@@ -74,7 +74,7 @@ ChainBounds chain_bounds(const ComplexBall& v, const Ball& G, const Ratios& x)
     if (x.single && x.at_one()) b.factor = lower(1 / b.cosh_squared);
     // far to the right |tanh v| <= coth Re v
     if (arb_is_positive(re.get())) {
-        const Ball far = lower(1 - X * (1 + sh2) / sh2);
+        const Ball far = lower((1 - X) - X / sh2); // 1 - X coth^2
         if (far.is_finite() && certainly(less(b.factor, far))) b.factor = far;
     }
     b.modulus = upper(2 / G * sqrt(product / b.cosh_squared));

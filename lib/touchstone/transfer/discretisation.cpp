@@ -47,11 +47,12 @@ double Discretisation::rule_end(Scheme scheme, const Ball& G, double accuracy)
 }
 
 /// From -log x = log(G/2), a little below, to s_last.
-std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Ball& G, double accuracy, double grid_accuracy, double V)
+std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Ball& G, double accuracy, double grid_accuracy, double V, double deepest)
 {
     std::vector<Block> all;
     const double s0 = approximate(log(G / 2));
-    const double s_last = (scheme == Scheme::area ? 1.1 : 1) * std::max(2 * V, accuracy + 4) + 2 * s0 + 2;
+    // -log y <= log(G/2) + s/2 + V, about: from s = deepest, and from the last node
+    const double s_last = std::max((scheme == Scheme::area ? 1.1 : 1) * std::max(2 * V, accuracy + 4), deepest / 2 + V) + 2 * s0 + 2;
     const double s_first = s0 * (1 - std::ldexp(1.0, -40));
     if (scheme == Scheme::force_weighted) {
         const double t0 = std::log(s_first), t1 = std::log(s_last), half = (t1 - t0) / 2 * (1 + 1e-12);
@@ -75,13 +76,13 @@ std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Bal
     return all;
 }
 
-std::size_t Discretisation::size_for(Scheme scheme, const Ball& G, double accuracy)
+std::size_t Discretisation::size_for(Scheme scheme, const Ball& G, double accuracy, double deepest)
 {
-    const std::vector<Block> blocks = grid(scheme, G, accuracy, accuracy, rule_end(scheme, G, accuracy));
+    const std::vector<Block> blocks = grid(scheme, G, accuracy, accuracy, rule_end(scheme, G, accuracy), deepest);
     return blocks.back().first + static_cast<std::size_t>(blocks.back().points);
 }
 
-Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy)
+Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy, double deepest)
     : scheme_(scheme), accuracy_(accuracy),
       format_(format_for(accuracy)), bits_(bits_for(accuracy))
 {
@@ -104,7 +105,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     error_unit_ = static_cast<long>(accuracy / std::numbers::ln2);
 
     const double V = rule_end(scheme, G_, accuracy);
-    blocks_ = grid(scheme, G_, accuracy, grid_accuracy, V);
+    blocks_ = grid(scheme, G_, accuracy, grid_accuracy, V, deepest);
     const std::size_t N = blocks_.back().first + static_cast<std::size_t>(blocks_.back().points);
     if (N > most_nodes) throw BeyondReach("so many digits this near G = 2 would need more than 4000 nodes");
     for (const Block& b : blocks_) { // what the bounds assume of a block

@@ -56,12 +56,13 @@ public:
     /// \param G_at encloses G > 2 at the thread's precision, any precision
     /// \param accuracy F_m is wanted to about e^-accuracy, relative to c_m
     /// \param grid_accuracy the share of interpolation in it: fewer nodes, and a proven error that is theirs alone
-    Discretisation(Scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy);
+    /// \param deepest rows reach the load e^-deepest, however inaccurate F is there: its next ratios are on the grid
+    Discretisation(Scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy, double deepest = 0);
     Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy) : Discretisation(scheme, G_at, accuracy, accuracy) {}
 
     static constexpr std::size_t most_nodes = 4000;
     /// The nodes that a grid of this accuracy would have; above most_nodes it is refused.
-    static std::size_t size_for(Scheme, const Ball& G, double accuracy);
+    static std::size_t size_for(Scheme, const Ball& G, double accuracy, double deepest);
 
     /// The precision in bits that G and loads should be given with.
     slong bits() const { return bits_; }
@@ -110,7 +111,7 @@ private:
     };
 
     static FixedFormat format_for(double accuracy);
-    static std::vector<Block> grid(Scheme, const Ball& G, double accuracy, double grid_accuracy, double V);
+    static std::vector<Block> grid(Scheme, const Ball& G, double accuracy, double grid_accuracy, double V, double deepest);
     static double rule_end(Scheme, const Ball& G, double accuracy);
     struct Step {
         std::string load;

@@ -87,9 +87,9 @@ Rule::Node node_at(const Ball& v, const Ball& weight)
 
 /// Guesses in `double`, to choose parameters by; what is chosen is proven afterwards.
 struct Guess {
-    double g, X, A, allowed;
+    double g, X, lost, A, allowed; ///< lost: 1 - X, which binary64 would not tell from 0 next to X = 1
     Guess(const Ball& G, const Ratios& x)
-        : g(approximate(G)), X(std::min(approximate(x.highest), 1.0)), A(approximate(x.zeros()))
+        : g(approximate(G)), X(std::min(approximate(x.highest), 1.0)), lost(std::max(approximate(1 - x.highest), 0.0)), A(approximate(x.zeros()))
     {
         allowed = 1 - (1 - 2 / g * std::sqrt(X)) / 4;
     }
@@ -98,7 +98,7 @@ struct Guess {
     {
         const double sr = std::sinh(re), cr = std::cosh(re), co = std::cos(im), si = std::sin(im);
         const double re_s = sr * sr * co * co - cr * cr * si * si, im_s = 2 * sr * cr * si * co; // sinh^2 v
-        return 2 / g * std::sqrt(X * std::hypot(1 + (1 - X) * re_s, (1 - X) * im_s)) < allowed * (sr * sr + co * co);
+        return 2 / g * std::sqrt(X * std::hypot(1 + lost * re_s, lost * im_s)) < allowed * (sr * sr + co * co);
     }
     /// the largest beta with |y| allowed on [0, i beta]
     double widest_imaginary() const
@@ -185,7 +185,7 @@ Rule proven_double_exponential(const Ball& G, const Ratios& x, double accuracy, 
         const Ball coth2 = ch * ch / (sh * sh), scale = 4 / Traits::pi() * sqrt(G / 2) / cos(D);
         const Ball shrink = pow(2 / (1 - exp(-2 * alpha)), Traits::quotient(5, 2)); // 1/sinh = 2 e^-Re v/(1 - ...)
         if (x.at_one()) J += scale * shrink * sqrt(Ball(2)) * exp(-2 * alpha) / 2;
-        else J += scale * shrink * exp(-Traits::quotient(5, 2) * alpha) / (Traits::quotient(5, 2) * pow(lower(1 - x.highest * coth2), Traits::quotient(1, 4)));
+        else J += scale * shrink * exp(-Traits::quotient(5, 2) * alpha) / (Traits::quotient(5, 2) * pow(lower((1 - x.highest) - x.highest / (sh * sh)), Traits::quotient(1, 4)));
         // |y| decreases from there on
         proven = proven && certainly(less(4 / (G * G) * x.highest * (1 + x.highest * coth2) / (sh * sh), Ball(1)));
     }
@@ -204,7 +204,7 @@ Rule proven_double_exponential(const Ball& G, const Ratios& x, double accuracy, 
 
 double cut_off(const Ratios& x, double accuracy)
 {
-    const double gap = 1 - approximate(x.highest);
+    const double gap = approximate(1 - x.highest);
     const double any = (accuracy + 3) / 2;
     return gap > 0 ? std::min(any, (accuracy + 3 - std::log(gap) / 4) / 2.5) : any;
 }
@@ -214,7 +214,7 @@ Rule double_exponential_rule(const Ball& G, const Ratios& x, double accuracy, do
     const Guess guess(G, x);
     const double widest = guess.widest_imaginary();
     double c = 0, d = 0, cost = HUGE_VAL;
-    for (double b = 0.02; b < 1.4; b += 0.02) {
+    for (double b = 0x1p-11; b < 1.4; b += std::min(0.02, b / 4)) { // narrow where zeros are far out, next to load = 1
         double a = widest / std::sin(b);
         if (guess.A > 0) { // the zeros stay outside, with a tenth to spare
             const double room = std::pow(half_pi / std::sin(b), 2) / 1.1 - std::pow(guess.A / std::cos(b), 2);
