@@ -56,19 +56,19 @@ void check_half_width(const Inputs& in)
     require(in.real("a") >= 0 && in.real("a") <= Rational(1, 2), in, "a", ">= 0 and <= 1/2");
 }
 
-std::optional<Rational> rational(const std::function<Exact()>& number)
+std::optional<Exact> exact(const std::function<Exact()>& number)
 {
     try {
-        if (const Exact x = number(); x.is_rational()) return x.rational();
+        return number();
     }
     catch (const NotExact&) {
+        return std::nullopt;
     }
-    return std::nullopt;
 }
 
 Problem problem(Asked asked, long n, const Inputs& in)
 {
-    return {asked, n, in.real("load"), {[in] { return in.G_ball(); }, rational([&in] { return in.G_exact(); })}, [in](const Rational& r) { return in.compare_G(r); }};
+    return {asked, n, in.real("load"), {[in] { return in.G_ball(); }, exact([&in] { return in.G_exact(); })}, [in](const Rational& r) { return in.compare_G(r); }};
 }
 
 Problem of_area(const Inputs& in) { return problem(Asked::area, in.integer("n"), in); }
@@ -92,7 +92,7 @@ Problem of_segments(const Inputs& in)
                const Ball s = ScalarTraits<Ball>::sin_pi(in.ball("a"));
                return pow(in.G_ball(), Ball(in.integer("n"))) * s * s;
            },
-           rational([&in] { return contact_exact::pressure_of_segments(in); })};
+           exact([&in] { return contact_exact::pressure_of_segments(in); })};
     return p;
 }
 /// dp/da of that pressure, (9.3)

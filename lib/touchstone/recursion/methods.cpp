@@ -114,7 +114,7 @@ Method single_wave_density()
         .reach = "n = 0",
         .refusal = [](const Problem& p) -> std::string {
             if (p.n != 0) return n_not_0;
-            return p.p.exact && infinite_first_density(*p.p.exact, p.load) ? "q_0 is infinite at this pressure, an end of its support" : "";
+            return p.p.exact && p.p.exact->is_rational() && infinite_first_density(p.p.exact->rational(), p.load) ? "q_0 is infinite at this pressure, an end of its support" : "";
         },
         .cost = [](const Problem&, Accuracy a) { return 1e-5 * growth(a, 1); },
         .enclose = [off_support](const Problem& p, Accuracy a) {
@@ -137,12 +137,12 @@ Method single_wave_density()
 
 const char* const no_density_at_0 = "not computed at p = 0, where q_n is 0 unless a singular point lies there; ask for p > 0";
 
-bool p_is_0(const Problem& p) { return p.asked == Asked::density && p.p.exact == Rational(0); }
+bool p_is_0(const Problem& p) { return p.asked == Asked::density && p.p.exact && p.p.exact->is_zero(); }
 
 Ball scale_one(Variable v, const Problem& p, Accuracy a)
 {
     return with_precision(a, [&] {
-        if (p.asked == Asked::area) return transfer::scale_one_exceedance(v, {[] { return Ball(0); }, p.load, p.G.ball, Rational(0), p.G.exact});
+        if (p.asked == Asked::area) return transfer::scale_one_exceedance(v, {[] { return Ball(0); }, p.load, p.G.ball, Exact(0), p.G.exact});
         const transfer::ScaleOne q{p.p.ball, p.load, p.G.ball, p.p.exact, p.G.exact};
         if (p.asked == Asked::exceedance) return transfer::scale_one_exceedance(v, q);
         return above_support(p) ? Ball(0) : transfer::scale_one_density(v, q);

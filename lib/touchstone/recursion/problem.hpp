@@ -5,6 +5,7 @@
 
 #include "touchstone/scalar/accuracy.hpp"
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/scalar/exact.hpp"
 #include "touchstone/scalar/rational.hpp"
 
 #include <functional>
@@ -20,10 +21,10 @@ enum class Asked {
     density     ///< q_n(p) p*_0 (6.1)
 };
 
-/// An input: enclosed at the thread's precision, any precision, and the number itself if it is rational.
+/// An input: enclosed at the thread's precision, any precision, and the number itself if it is of the form that decides ties.
 struct Number {
     std::function<Ball()> ball;
-    std::optional<Rational> exact;
+    std::optional<Exact> exact;
 };
 
 /// One value of the recursion. Pressures are in units of p*_0; G = gamma^(D-1) > 1, load > 0, n >= 0.

@@ -162,3 +162,19 @@ TEST_CASE("A_2 through the catalogue")
     CHECK(e.value == "0.226407543474638");
     CHECK(eval("10", "1.5", 15).status == Status::exact);
 }
+
+TEST_CASE("two singular points that coincide for a root G are known to be one: gamma = 2, D = 3/2, load = 1/8")
+{
+    const auto area = [](long n, const char* load) {
+        const auto e = evaluate(*find_quantity("contact.area"), Inputs({{"n", n}, {"load", exactly(load)}, {"D", exactly("3/2")}, {"gamma", 2}}), {.digits = 25});
+        CHECK(e.status == Status::certified);
+        return *parse_rational(e.value);
+    };
+    for (const long n : {1L, 2L}) { // the area increases with the load; a slope at most 10 makes the three agree to 17 digits
+        CAPTURE(n);
+        const Rational at = area(n, "1/8"), below = area(n, "0.124999999999999999"), above = area(n, "0.125000000000000001");
+        CHECK(below < at);
+        CHECK(at < above);
+        CHECK(above - below < exactly("2e-17"));
+    }
+}

@@ -120,11 +120,10 @@ Ball area_by_slope(long n, const FirstSteps& q, slong goal)
     {
         const WorkingPrecision w = wide();
         wide_G = q.G();
-        const auto& r = q.exact_G;
-        const auto exactly = [&](auto f) { return r ? std::optional(Rational(f(*r))) : std::nullopt; };
-        crossing = {wide_G * wide_G / 4, exactly([](const Rational& g) -> Rational { return g * g / 4; })};
-        turn = {wide_G - 1, exactly([](const Rational& g) -> Rational { return g - 1; })};
-        last = {wide_G + 1, exactly([](const Rational& g) -> Rational { return g + 1; })};
+        const auto of_G = [&](auto f) { return q.exact_G ? exactly([&] { return f(*q.exact_G); }) : std::nullopt; };
+        crossing = {wide_G * wide_G / 4, of_G([](const Exact& g) { return g * g / Exact(4); })};
+        turn = {wide_G - 1, of_G([](const Exact& g) { return g - Exact(1); })};
+        last = {wide_G + 1, of_G([](const Exact& g) { return g + Exact(1); })};
     }
     if (below(crossing, one)) points.push_back(crossing);
     if (below(one, turn)) points.push_back(turn);

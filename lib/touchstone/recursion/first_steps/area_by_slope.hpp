@@ -14,6 +14,7 @@
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/scalar/exact.hpp"
 
 #include <functional>
 #include <optional>
@@ -23,7 +24,7 @@ namespace touchstone::transfer {
 struct FirstSteps {
     Rational load;                   ///< > 0
     std::function<Ball()> G;         ///< > 1, at the thread's precision, any precision
-    std::optional<Rational> exact_G; ///< if it is rational: two singular points that coincide can be told then
+    std::optional<Exact> exact_G; ///< if it is the root of a rational: two singular points that coincide can be told then
 };
 
 /// A_n/lambda_0, n = 1 or 2, to about `goal` bits (some tens fewer than the thread's precision). \throws BeyondReach if two singular points cannot be told from one another

@@ -5,27 +5,25 @@ namespace touchstone::transfer::first_steps {
 
 using C = ComplexBall;
 
-End over_G(const Rational& r, const Ball& G, const std::optional<Rational>& exact_G)
+End over_G(const Exact& r, const Ball& G, const std::optional<Exact>& exact_G)
 {
-    if (r == 0) return End::rational(r);
-    return {Ball(r) / G, exact_G ? std::optional(Rational(r / *exact_G)) : std::nullopt};
+    if (r.is_zero()) return End::rational(0);
+    return {r.ball() / G, exact_G ? exactly([&] { return r / *exact_G; }) : std::nullopt};
 }
 
-FirstWave::FirstWave(const Rational& load, const Ball& G, const std::optional<Rational>& exact_G) : full_(load >= 1)
+FirstWave::FirstWave(const Rational& load, const Ball& G, const std::optional<Exact>& exact_G) : full_(load >= 1)
 {
     const WorkingPrecision w = wide();
     load_ = Ball(load);
     out_ = Ball(Rational(1 - load));
     G_ = G;
     if (full_) {
-        low_ = over_G(load - 1, G, exact_G);
-        high_ = over_G(load + 1, G, exact_G);
+        low_ = over_G(Rational(load - 1), G, exact_G);
+        high_ = over_G(Rational(load + 1), G, exact_G);
         return;
     }
     low_ = End::rational(0);
-    high_ = {2 * sqrt(load_) / G_, std::nullopt};
-    if (mpz_perfect_square_p(load.get_num_mpz_t()) && mpz_perfect_square_p(load.get_den_mpz_t()))
-        high_ = over_G(2 * Rational(mpz_class(sqrt(load.get_num())), mpz_class(sqrt(load.get_den()))), G, exact_G);
+    high_ = over_G(2 * sqrt(Exact(load)), G, exact_G);
 }
 
 std::vector<Piece::Beyond> FirstWave::roots(const Piece& piece) const

@@ -16,7 +16,7 @@ namespace touchstone::transfer::first_steps {
 class FirstWave {
 public:
     /// load > 0, G > 1; the latter also as a rational number if it is one.
-    FirstWave(const Rational& load, const Ball& G, const std::optional<Rational>& exact_G);
+    FirstWave(const Rational& load, const Ball& G, const std::optional<Exact>& exact_G);
 
     bool full() const { return full_; }
     /// Of the support of -E'; low is 0 in partial contact.
@@ -41,6 +41,6 @@ private:
 };
 
 /// r/G
-End over_G(const Rational& r, const Ball& G, const std::optional<Rational>& exact_G);
+End over_G(const Exact& r, const Ball& G, const std::optional<Exact>& exact_G);
 
 } // namespace touchstone::transfer::first_steps

@@ -117,13 +117,13 @@ C two_angles(const C& top, const C& bottom, bool analytic)
 End End::rational(const Rational& r)
 {
     const WorkingPrecision w = wide();
-    return {Ball(r), r};
+    return {Ball(r), Exact(r)};
 }
 
 int order(const End& a, const End& b)
 {
     if (same(a, b)) return 0;
-    if (a.exact && b.exact) return *a.exact < *b.exact ? -1 : *a.exact > *b.exact ? 1 : 0;
+    if (a.exact && b.exact) return *a.exact == *b.exact ? 0 : certainly(less(*a.exact, *b.exact)) ? -1 : 1;
     if (certainly(less(a.at(), b.at()))) return -1;
     if (certainly(less(b.at(), a.at()))) return 1;
     throw BeyondReach("two ends of waves are too close to be told from one another");
@@ -132,7 +132,8 @@ int order(const End& a, const End& b)
 Ball difference(const End& a, const End& b)
 {
     if (same(a, b)) return Ball(0);
-    if (a.exact && b.exact) return Ball(Rational(*b.exact - *a.exact));
+    if (a.exact && b.exact)
+        if (const auto d = exactly([&] { return *b.exact - *a.exact; })) return d->ball();
     Ball d;
     arb_sub(d.get(), b.at().get(), a.at().get(), bits() + end_bits);
     return narrow(d);

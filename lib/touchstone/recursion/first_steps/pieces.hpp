@@ -15,6 +15,7 @@
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/scalar/exact.hpp"
 
 #include <functional>
 #include <memory>
@@ -38,17 +39,29 @@ inline bool right_half(const ComplexBall& z) { return certainly(less(Ball(0), z.
 /// (2/pi) arctan(top/bottom) of two roots: of numbers with a positive real part.
 ComplexBall two_angles(const ComplexBall& top, const ComplexBall& bottom, bool analytic);
 
-/// An end: a ball at wide() precision, and the number itself if it is rational. Copies are known to be the same number.
+/// What a sum of roots is not: nothing then, and the balls decide.
+template <class F>
+std::optional<Exact> exactly(F number)
+{
+    try {
+        return number();
+    }
+    catch (const NotExact&) {
+        return std::nullopt;
+    }
+}
+
+/// An end: a ball at wide() precision, and the number itself if it is the root of a rational. Copies are known to be the same number.
 class End {
 public:
     End() = default;
-    End(const Ball& b, std::optional<Rational> e) : exact(std::move(e)), ball_(std::make_shared<const Ball>(b)) {}
+    End(const Ball& b, std::optional<Exact> e) : exact(std::move(e)), ball_(std::make_shared<const Ball>(b)) {}
     static End rational(const Rational&);
 
     const Ball& at() const { return *ball_; }
     friend bool same(const End& a, const End& b) { return a.ball_ == b.ball_; }
 
-    std::optional<Rational> exact;
+    std::optional<Exact> exact;
 
 private:
     std::shared_ptr<const Ball> ball_;

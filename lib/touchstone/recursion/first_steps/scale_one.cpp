@@ -15,7 +15,7 @@ using Point = Piece::Point;
 /// The two waves: where -E' and F are not smooth, and what they are there.
 class Waves {
 public:
-    explicit Waves(const ScaleOne& q) : Waves(q, q.exact_p && *q.exact_p == 0) {}
+    explicit Waves(const ScaleOne& q) : Waves(q, q.exact_p && q.exact_p->is_zero()) {}
 
     /// Neither 0 nor its limit from inside is the density there.
     void require_no_jump() const
@@ -123,13 +123,13 @@ private:
     static End shifted(const End& e, long by)
     {
         const WorkingPrecision w = wide();
-        return {e.at() + by, e.exact ? std::optional(Rational(*e.exact + by)) : std::nullopt};
+        return {e.at() + by, e.exact ? exactly([&] { return *e.exact + Exact(by); }) : std::nullopt};
     }
     /// a + 1 - b
     static End shifted_difference(const End& a, const End& b)
     {
         const WorkingPrecision w = wide();
-        return {a.at() - b.at() + 1, a.exact && b.exact ? std::optional(Rational(*a.exact + 1 - *b.exact)) : std::nullopt};
+        return {a.at() - b.at() + 1, a.exact && b.exact ? exactly([&] { return *a.exact - *b.exact + Exact(1); }) : std::nullopt};
     }
     /// u where x = s <= 1
     End partial_u(const End& s) const
@@ -145,7 +145,7 @@ private:
         G_ = q.G();
         const End zero = End::rational(0);
         P_ = area_ ? zero : q.exact_p ? over_G(*q.exact_p, G_, q.exact_G) : End{q.p() / G_, std::nullopt};
-        needed_ = area_ ? zero : End{P_.at() * P_.at() / 4, P_.exact ? std::optional(Rational(*P_.exact * *P_.exact / 4)) : std::nullopt};
+        needed_ = area_ ? zero : End{P_.at() * P_.at() / 4, P_.exact ? exactly([&] { return *P_.exact * *P_.exact / Exact(4); }) : std::nullopt};
     }
     /// (6.6): (2/pi) arcsin x^(1/2), without cancellation where x << 1 and next to x = 1
     static C of_one_wave(const Point& x, const Beyond& origin, const Beyond& one)

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/scalar/exact.hpp"
 
 #include <functional>
 #include <optional>
@@ -32,7 +33,7 @@ struct ScaleOne {
     std::function<Ball()> p;      ///< >= 0, in p*_0
     Rational load;                ///< > 0
     std::function<Ball()> G;      ///< > 1
-    std::optional<Rational> exact_p, exact_G; ///< if they are rational: two ends that coincide can be told then
+    std::optional<Exact> exact_p, exact_G; ///< if they are roots of rationals: two ends that coincide can be told then
 };
 
 /// Q_1(p). \throws BeyondReach if two ends cannot be told from one another, or the integral does not converge
