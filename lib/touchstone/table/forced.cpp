@@ -97,6 +97,28 @@ std::optional<double> by_ends(const Quantity& q, const std::vector<double>& inpu
     return sum;
 }
 
+/// The largest change at the corners of the box of half ulps: just outside a contact only both inputs together reach it.
+double at_the_corners(const Quantity& q, const std::vector<double>& inputs, const Rational& unit)
+{
+    std::map<std::string, Rational> centre;
+    std::vector<std::size_t> real; // an integer (n) is not rounded
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        centre[q.inputs[k]] = exact_rational(inputs[k]);
+        if (q.inputs[k] != "n") real.push_back(k);
+    }
+    const Values value(q, false);
+    const auto here = value.at(centre);
+    if (!here || real.size() < 2) return 0;
+    double largest = 0;
+    for (unsigned corner = 0; corner < 1U << real.size(); ++corner) {
+        auto moved = centre;
+        for (std::size_t i = 0; i < real.size(); ++i)
+            moved[q.inputs[real[i]]] = end_towards(inputs[real[i]], (corner >> i & 1U) != 0 ? infinity : -infinity);
+        if (const auto there = value.at(moved)) largest = std::max(largest, midpoint(abs((*there - *here) / Ball(unit))));
+    }
+    return largest;
+}
+
 /// Half an ulp of x over x.
 double half_ulp(double x) { return x == 0 ? 0 : midpoint(abs(Ball(end_towards(x, infinity)) / Ball(exact_rational(x)) - Ball(1))); }
 
@@ -152,7 +174,7 @@ std::optional<ForcedUlps> forced_ulps(const Quantity& q, const std::vector<doubl
     const Rational unit = value == 0 ? Rational(1) : ulp_at(value);
     if (!of_the_recursion(q)) {
         const auto ulps = by_ends(q, inputs, unit, false);
-        return ulps ? std::optional(ForcedUlps{*ulps, false}) : std::nullopt;
+        return ulps ? std::optional(ForcedUlps{std::max(*ulps, at_the_corners(q, inputs, unit)), false}) : std::nullopt;
     }
     const auto load = inputs[static_cast<std::size_t>(std::find(q.inputs.begin(), q.inputs.end(), "load") - q.inputs.begin())];
     const bool partial = q.name == "contact.area" && load <= 1 && inputs.back() > 2;
