@@ -185,6 +185,11 @@ std::string broken_lines(const std::string& text)
         at = end + 1;
         while (rest.size() > longest) {
             const auto blank = rest.rfind(' ', longest);
+            if (blank == std::string::npos || blank < rest.find_first_not_of(' ')) { // one long word: it goes on after a second ampersand
+                out += rest.substr(0, longest) + "&\n";
+                rest = "      &" + rest.substr(longest);
+                continue;
+            }
             out += rest.substr(0, blank) + " &\n";
             rest = "      " + rest.substr(blank + 1);
         }
