@@ -14,14 +14,14 @@ namespace {
 
 using namespace touchstone::proofs;
 
-std::vector<OwnEntry> judge_own(const std::string& id)
+std::vector<CheckedLemma> judge_own(const std::string& id)
 {
     std::vector<const OwnClaim*> some;
     for (const OwnClaim& c : own_claims())
         if (id.empty() || c.id == id) some.push_back(&c);
     if (some.empty()) throw Failure(bad_input, fmt::format("no lemma '{}'; `touchstone paper --own` lists them", id));
     Progress progress("judging lemmas", some.size());
-    std::vector<OwnEntry> entries;
+    std::vector<CheckedLemma> entries;
     for (const OwnClaim* c : some) {
         entries.push_back(run(*c));
         progress.done(entries.size());
@@ -29,7 +29,7 @@ std::vector<OwnEntry> judge_own(const std::string& id)
     return entries;
 }
 
-nlohmann::ordered_json json_of(const OwnEntry& e)
+nlohmann::ordered_json json_of(const CheckedLemma& e)
 {
     nlohmann::ordered_json j = {{"id", e.claim->id}, {"verdict", name(e.finding.verdict)}, {"method", e.finding.method}, {"statement", e.statement},
                                 {"reason", e.finding.reason}, {"used_in", e.claim->used_in}, {"steps", e.finding.steps}};
@@ -41,7 +41,7 @@ nlohmann::ordered_json json_of(const OwnEntry& e)
     return j;
 }
 
-void explain(const OwnEntry& e)
+void explain(const CheckedLemma& e)
 {
     fmt::print("{:<12} {}\n{:<12} {}\n{:<12} {}\n{:<12} {}\n{:<12} {}\n", "lemma", e.claim->id, "statement", e.statement, "used in", e.claim->used_in, "verdict", name(e.finding.verdict), "method", e.finding.method);
     if (!e.finding.reason.empty()) fmt::print("{:<12} {}\n", "reason", e.finding.reason);
@@ -53,9 +53,9 @@ void explain(const OwnEntry& e)
 
 int print_own(const std::string& id, bool json)
 {
-    const std::vector<OwnEntry> entries = judge_own(id);
+    const std::vector<CheckedLemma> entries = judge_own(id);
     std::size_t controls = 0, refuted = 0, failed = 0, proved = 0;
-    for (const OwnEntry& e : entries) {
+    for (const CheckedLemma& e : entries) {
         controls += e.controls.size();
         refuted += static_cast<std::size_t>(std::count_if(e.controls.begin(), e.controls.end(), [](const auto& k) { return k.finding.verdict == Verdict::refuted; }));
         failed += e.failures().size();
@@ -63,14 +63,14 @@ int print_own(const std::string& id, bool json)
     }
     if (json) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
-        for (const OwnEntry& e : entries) all.push_back(json_of(e));
+        for (const CheckedLemma& e : entries) all.push_back(json_of(e));
         fmt::print("{}\n", all.dump());
         return failed == 0 ? holds : fails;
     }
     if (!id.empty()) explain(entries.front());
     else {
         fmt::print("what the program itself rests on\n");
-        for (const OwnEntry& e : entries) {
+        for (const CheckedLemma& e : entries) {
             fmt::print("  {:<9} {:<32} {}\n", name(e.finding.verdict), e.claim->id, e.statement);
             if (!e.controls.empty()) {
                 fmt::print("  {:<9} {:<32}", "", "");
@@ -83,7 +83,7 @@ int print_own(const std::string& id, bool json)
             }
         }
     }
-    for (const OwnEntry& e : entries)
+    for (const CheckedLemma& e : entries)
         for (const std::string& f : e.failures()) fmt::print("FAILED {}: {}\n", e.claim->id, f);
     fmt::print("{} lemmas and constants: {} proved, {} verified at points; {} perturbed constants, {} refuted\n", entries.size(), proved, entries.size() - proved, controls, refuted);
     if (failed == 0 && id.empty()) fmt::print("`touchstone paper --own wave::size` explains one; docs/method.md says how they make a proof\n");

@@ -24,9 +24,9 @@ std::string with_constants(std::string text, const std::vector<Constant>& consta
 
 } // namespace
 
-OwnEntry run(const OwnClaim& c)
+CheckedLemma run(const OwnClaim& c)
 {
-    OwnEntry e{&c, with_constants(c.statement, c.constants), c.judge(Constants(c.constants)), {}};
+    CheckedLemma e{&c, with_constants(c.statement, c.constants), c.judge(Constants(c.constants)), {}};
     for (const OwnClaim::Perturbed& p : c.controls) {
         std::vector<Constant> perturbed = c.constants;
         Constant& changed = perturbed.at(p.which);
@@ -37,7 +37,7 @@ OwnEntry run(const OwnClaim& c)
     return e;
 }
 
-std::vector<std::string> OwnEntry::failures() const
+std::vector<std::string> CheckedLemma::failures() const
 {
     std::vector<std::string> all;
     if (finding.verdict != Verdict::proved && finding.verdict != Verdict::verified) all.push_back(fmt::format("{}: {}", name(finding.verdict), finding.reason));

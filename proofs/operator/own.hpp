@@ -45,7 +45,7 @@ struct OwnClaim {
     std::vector<Perturbed> controls;
 };
 
-struct OwnEntry {
+struct CheckedLemma {
     const OwnClaim* claim = nullptr;
     std::string statement; ///< with the constants in it
     Finding finding;
@@ -54,7 +54,7 @@ struct OwnEntry {
     std::vector<std::string> failures() const;
 };
 
-OwnEntry run(const OwnClaim&);
+CheckedLemma run(const OwnClaim&);
 
 /// All of them: the operator's first.
 const std::vector<OwnClaim>& own_claims();

@@ -19,7 +19,7 @@ TEST_CASE("every lemma and every constant holds, and each perturbed one is refut
         CHECK(ids.insert(c.id).second);
         CHECK_FALSE(c.constants.empty());
         const auto start = std::chrono::steady_clock::now();
-        const OwnEntry e = run(c);
+        const CheckedLemma e = run(c);
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (seconds > 1) MESSAGE(c.id << " took " << seconds << " s");
         for (const std::string& failure : e.failures()) FAIL_CHECK(c.id << ": " << failure);
