@@ -73,8 +73,8 @@ class Program(unittest.TestCase):
         self.assertEqual(run("eval", "contact.area", "n=2", "load=1000", "G=1.5", "--explain").returncode, 0)
 
     def test_digits_beyond_what_is_certified_are_not_printed(self):
-        words = ["eval", "contact.density", "n=2", "p=0.9", "load=1", "G=3/2"]
-        r = run(*words, "--digits", "25", "--json")
+        words = ["contact.density", "n=2", "p=0.9", "load=1", "G=3/2"]
+        r = run("eval", *words, "--digits", "25", "--json")
         j = json.loads(r.stdout)
         self.assertEqual((r.returncode, j["status"], j["digits"], j["value"][:15]), (2, "undecided", 22, self.value(*words, "--digits", "15")["value"][:15]))
         self.assertIn("22 digits are certified here, 25 were asked for", j["note"])
@@ -163,8 +163,8 @@ class Program(unittest.TestCase):
     def test_a_table_reads_with_the_standard_library_alone(self):
         rows = [line.split() for line in run("table", "westergaard_half_width").stdout.splitlines() if not line.startswith("#")]
         self.assertGreater(len(rows), 100)
-        for load, value, error in rows:
-            self.assertTrue(0 < float(load) <= 1 and 0 < float(value) <= 0.5 and float(error) >= 0)
+        for load, value, error, forced in rows:
+            self.assertTrue(0 < float(load) <= 1 and 0 < float(value) <= 0.5 and float(error) >= 0 and float(forced) >= 0)
 
     def test_paper(self):
         j = json.loads(run("paper", "--json").stdout)
@@ -195,7 +195,8 @@ class Program(unittest.TestCase):
             self.assertEqual(e["failures"], [])
             if e["verdict"] == "refuted":
                 self.assertTrue(e["correction"] and e["reason"])
-                self.assertEqual(e["correction_verdict"], "proved")
+                # what corrects a sentence may rest on a step in words; what corrects an equation may not
+                self.assertIn(e["correction_verdict"], ("proved", "argued") if e["id"].startswith("text.") else ("proved",))
 
     def test_no_progress_when_stderr_is_not_a_terminal(self):
         self.assertEqual(run("table", "archard_K").stderr, "")

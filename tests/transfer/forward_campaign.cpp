@@ -90,17 +90,20 @@ private:
     Forward density_, exceedance_;
 };
 
-/// To twice the accuracy: at n = 1 by another engine, else by levels of their own.
+/// What levels lose on the way to a value can be more than their accuracy when few digits are asked: the reference is not spared that.
+constexpr double head_start = 40; // nats
+
+/// To twice the accuracy and more: at n = 1 by another engine, else by levels of their own.
 class Reference {
 public:
     explicit Reference(const Problem& p) : problem_(p)
     {
-        if (p.n > 1) levels_ = std::make_unique<Levels>(p, 2 * p.accuracy);
+        if (p.n > 1) levels_ = std::make_unique<Levels>(p, 2 * p.accuracy + head_start);
     }
     Ball value(Row row, const Ball& p)
     {
         if (levels_) return levels_->value(row, p);
-        const WorkingPrecision precision(static_cast<slong>(2 * problem_.accuracy / std::log(2.0)) + 200);
+        const WorkingPrecision precision(static_cast<slong>((2 * problem_.accuracy + head_start) / std::log(2.0)) + 200);
         const ScaleOne at{[&] { return p; }, problem_.load, [&] { return Ball(problem_.G); }, std::nullopt, problem_.G};
         return row == Row::density_step || row == Row::exceedance_slope ? scale_one_density(Variable::angle, at) : scale_one_exceedance(Variable::angle, at);
     }
