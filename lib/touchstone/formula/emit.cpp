@@ -41,7 +41,20 @@ const Language& language(std::string_view name)
     return found->second;
 }
 
-/// Statements of one function: each term used twice gets a name, each choice an if.
+/// Brackets open at once in an expression before a part of it gets a name: compilers stop at 63 (C99), 100 (CPython) or 256 (clang, Octave), readers earlier.
+constexpr int deepest = 12;
+
+int nesting(std::string_view text)
+{
+    int open = 0, most = 0;
+    for (const char c : text) {
+        if (c == '(') most = std::max(most, ++open);
+        if (c == ')') --open;
+    }
+    return most;
+}
+
+/// Statements of one function: each term used twice or nested deeply gets a name, each choice an if.
 class Body {
 public:
     Body(const Language& l, std::string_view name, std::set<std::string>& called) : l_(l), python_(name == "python"), called_(called) {}
@@ -80,7 +93,7 @@ private:
         if (t->op == Op::select) return choice(t);
         const std::string text = spelled(t);
         const bool leaf = t->arguments.empty();
-        if (leaf || uses_[t.id()] < 2) return text;
+        if (leaf || (uses_[t.id()] < 2 && nesting(text) < deepest)) return text;
         const std::string name = fresh();
         line(fmt::format(fmt::runtime(l_.assign), name, text));
         return names_[t.id()] = name;
