@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/defects.hpp"
+
+#include "touchstone/transfer/parallel.hpp"
+#include "touchstone/transfer/progress.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace touchstone::transfer::levels {
+
+using std::max, std::min;
+using namespace bounds;
+
+namespace {
+
+constexpr int most_intervals = 20'000; // of x, on one panel
+
+/// The larger, and infinite where v is not a number: nothing is known then.
+void raise(double& bound, double v) { bound = v <= infinite ? max(bound, v) : infinite; }
+
+/// The rho of the Bernstein ellipse through focal sum 2(1 + d): what lies within d of [-1, 1] lies inside.
+double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
+
+} // namespace
+
+Defects::Defects(const Rules& rules_, const Layer& V_, int levels_, double tolerance_, bool monotone_)
+    : rules(rules_), V(V_), levels(levels_), columns(V_.count), tolerance(tolerance_), monotone(monotone_), first_check(rules.orders.terms + (monotone ? 7 : 19), 4),
+      defect(V.panels.size() * static_cast<std::size_t>(columns)), by_monotony(V.panels.size()), holes(static_cast<std::size_t>(levels))
+{
+    for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {1.0, 4.0}}) checks.emplace_back(static_cast<int>(rules.orders.terms * share) + 7, rho);
+}
+
+void Defects::add_hole(int m, const Real& low, const Real& high, double defect_, bool on_average)
+{
+    const std::lock_guard lock(holes_mutex);
+    holes[static_cast<std::size_t>(m)].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_ <= infinite ? defect_ : infinite, on_average});
+}
+
+void Defects::found(int m, const Real& low, const Real& high, double panel_width, double& of_panel, double defect_)
+{
+    if (!monotone && defect_ > tolerance / 16 && double(high - low) < 0.3 * panel_width) add_hole(m, low, high, defect_);
+    else raise(of_panel, defect_);
+}
+
+std::pair<Real, Real> Defects::domain_of(std::size_t i) const
+{
+    const Panel& p = V.panels[i];
+    const Real slack = (p.y1 - p.y0) * 1e-3;
+    return {max(sqrt(p.left()), p.y0 - slack), p.y1 + slack};
+}
+
+void Defects::prove_level_zero(const First& first)
+{
+    in_parallel(V.panels.size(), [&](std::size_t i) { prove_first(first, i); });
+}
+
+void Defects::prove_first(const First& first, std::size_t i)
+{
+    const auto [left, right] = domain_of(i);
+    const Panel& p = V.panels[i];
+    const double rounding = V.rounding[i * columns], half_z = double(p.half), width = size_of(right - left);
+    const Check& check = first_check;
+    const WorkingPrecision precision(160);
+    double& D = defect[at(i, 0)];
+    const double negligible = monotone ? 0 : tolerance / 1024 / largest_second_share(double(V.G), width);
+    int intervals = 0;
+    std::vector<std::pair<Real, Real>> waiting{{left, right}};
+    while (!waiting.empty()) {
+        if (++intervals > most_intervals) D = infinite; // nothing is certified with this, nor runs for ever
+        if (!(D < infinite)) return;
+        const auto [low, high] = waiting.back();
+        waiting.pop_back();
+        const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
+        const bool share = monotone;
+        const double x_ = double(x), h = size_of(half), r = h * check.spread, small = max(share ? 1e-6 * width : 0, 2 * narrowest * x_);
+        if (low < 1 && high > 1) { // what is on either side need not be one analytic function
+            waiting.emplace_back(low, Real(1));
+            waiting.emplace_back(Real(1), high);
+            continue;
+        }
+        const auto local = [&](const Real& v) { return (v * v - p.centre) / p.half; };
+        const auto value = [&](const Real& v) { return first.value(v); };
+        const auto [of_value, of_complement] = first.on_disc(low, high, x, r);
+        const double rho = ellipse_of_distance((2 * x_ * r + r * r) / half_z), from_one = size_of(V.coefficients[V.row(i, 0)] - 1);
+        const double bound = margin * min(of_value + V.growth_at(i, 0, rho), of_complement + from_one + V.growth_at(i, 0, rho, 1)) * check.tail;
+        double most = infinite;
+        if (bound <= (h > small || !share ? max(tolerance / 16, negligible) : infinite) && bound < infinite && h >= narrowest * x_) {
+            most = 0;
+            for (std::size_t n = 0; n < check.points.at.size() && most < infinite; ++n) {
+                const Real at = x + half * check.points.at[n];
+                const auto [v, error] = value(at);
+                raise(most, size_of(v - V.value(i, 0, local(at))) + error);
+            }
+        }
+        if (most < infinite) found(0, low, high, width, D, margin * (check.lebesgue * (most + 2 * rounding) + bound));
+        else if (h > small) {
+            waiting.emplace_back(low, x);
+            waiting.emplace_back(x, high);
+        }
+        else if (!share) add_hole(0, low, high, first.weight_on(double(low), double(high - low), V.size[i * columns]), true);
+        else { // increasing, between its ends
+            double change = 0;
+            for (int k = 1; k < rules.orders.terms; ++k) change += V.magnitude(i, k, 0) * k * k;
+            change = margin * min(change * double(high * high - low * low) / half_z, 2 * V.size[i * columns]);
+            const Real v = V.value(i, 0, local(low));
+            const auto [least, least_error] = value(low * Real{1, -4 * u});
+            const auto [most, most_error] = value(high * Real{1, 4 * u});
+            raise(D, margin * (size_of(most - v) + size_of(v - least) + least_error + most_error + change + 2 * rounding));
+        }
+    }
+}
+
+void Defects::prove_panel(std::size_t i, const std::vector<double>& overlap_defect)
+{
+    const auto& panels = V.panels;
+    const auto& rounding = V.rounding;
+    const Panel& p = panels[i];
+    const int terms = rules.orders.terms;
+    double* D = &defect[at(i, 0)];
+    const double half_z = double(p.half);
+    struct End {
+        int panel = -1;
+        double factor = 0, distance = 0, outside = 0;
+    };
+    // the polynomial to use where the kernel ends at z, and the edge where it takes over
+    const auto end_panel = [&](const Real& z, bool upper) {
+        int j = V.find(z);
+        const int last = static_cast<int>(panels.size()) - 1;
+        if (upper && j > 0 && z - panels[j].z0 < (panels[j - 1].right() - panels[j - 1].z1) * 0.5) --j;
+        if (!upper && j < last && panels[j].z1 - z < (panels[j + 1].z0 - panels[j + 1].left()) * 0.5) ++j;
+        return j;
+    };
+    const double g = double(V.G);
+    const auto [left, right] = domain_of(i);
+    const double width = size_of(right - left);
+    int intervals = 0;
+    std::vector<std::pair<Real, Real>> waiting{{left, right}};
+    Result here, a, b;
+    while (!waiting.empty()) {
+        if (!monotone && ++intervals > most_intervals) {
+            std::fill(D, D + columns, infinite);
+            return;
+        }
+        const auto [low, high] = waiting.back();
+        waiting.pop_back();
+        const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
+        const double x_ = double(x), h = size_of(half), above_one = double(x - 1);
+        const bool seam = low < 1 && high > 1, share = monotone;
+        if (seam && !share) {
+            waiting.emplace_back(low, Real(1));
+            waiting.emplace_back(Real(1), high);
+            continue;
+        }
+        bool hopeless = false; // halving would not help
+        End ends[2];
+        double middle = 0;
+        const auto analytic = [&](double r) {
+            if (seam) return false;
+            if (above_one >= 0) {
+                if (above_one <= r * margin) return false;
+                for (const bool upper : {false, true}) {
+                    const auto image = [&](const Real& v) { return (upper ? v + 1 : v - 1) / V.G; };
+                    const Real y = image(x), y_low = image(low), y_high = image(high);
+                    if (y < panels.front().y0 * 1.3) {
+                        hopeless = true;
+                        return false;
+                    }
+                    const int e = end_panel(y * y, upper);
+                    const Panel& q = panels[e];
+                    const Real inner = upper ? max(q.y0, y - 0.8 / V.G) : min(q.y1, y + 0.8 / V.G); // any point of the panel will do
+                    const double gap = double(upper ? 1 + x - V.G * inner : V.G * inner - x + 1);
+                    if (r > 0.79 * gap || gap > 0.9 || y_low * y_low < q.left() * Real{1, 8 * u} || y_high * y_high > q.right() * Real{1, -8 * u}) return false;
+                    ends[upper] = {e, std::sqrt(1.8 * gap) * 2 / std::sqrt(2 - 1.8 * gap) / pi_below, (2 * double(max(y, inner)) * r + r * r / g) / g / double(q.half),
+                                   std::sqrt(g * max(0.0, double(upper ? sqrt(q.right()) - q.y1 : q.y0 - sqrt(max(Real(0), q.left())))) / 2)};
+                }
+                middle = 5;
+            }
+            else {
+                if (r > -0.24 * above_one || r > 0.5 * x_) return false;
+                const Real y2 = 4 * x / (V.G * V.G);
+                if (y2 < panels.front().z0 * 1.7) {
+                    hopeless = true;
+                    return false;
+                }
+                const int e = end_panel(y2, true);
+                const Panel& q = panels[e];
+                const Kernel k(x, V.G, false);
+                const Real at_gap = positive_part((2 - Real(0.8)) * (2 * x - 0.8)) / k.G2; // 1 - c = 0.8
+                const double gap = double(k.one_minus_c(max(q.z0, at_gap))), dc = 2.36 * r;
+                if (dc > 0.79 * gap || gap > 0.9 || 4 * low / k.G2 < q.left() * Real{1, 8 * u} || 4 * high / k.G2 > q.right() * Real{1, -8 * u}) return false;
+                ends[1] = {e, std::sqrt(1.8 * gap) * 2 / std::sqrt(2 - 1.8 * gap) / pi_below,
+                           (2 * (2 * r + dc) + 2 * x_ * dc + dc * (2 * r + dc)) / (g * g) / double(q.half), std::sqrt(g * max(0.0, double(sqrt(q.right()) - q.y1)) / 2)};
+                middle = 4.1;
+            }
+            return true;
+        };
+        std::vector<double> bounds(static_cast<std::size_t>(levels));
+        const double small = max(share ? 1e-6 * width : 0, 2 * narrowest * x_);
+        const Check* check = nullptr;
+        for (const Check& c : checks) { // the fewest points first
+            const double r = h * c.spread;
+            if (h < narrowest * x_ || !analytic(r)) continue;
+            const double own_rho = ellipse_of_distance((2 * x_ * r + r * r) / half_z);
+            bool enough = true;
+            for (int m = 1; m < levels && enough; ++m) {
+                double bound = V.growth_at(i, m, own_rho) + middle * V.largest[m - 1];
+                for (const End& e : ends)
+                    if (e.panel >= 0) bound += e.factor * V.growth_at(e.panel, m - 1, ellipse_of_distance(e.distance));
+                bounds[m] = margin * bound * c.tail;
+                enough = bounds[m] <= tolerance / 4 || (share && h <= 100 * small && &c == &checks.back() && bounds[m] < infinite);
+            }
+            if (enough) {
+                check = &c;
+                break;
+            }
+        }
+        if (!check && h > small && !(hopeless && h < 0.02 * width)) {
+            waiting.emplace_back(low, x);
+            waiting.emplace_back(x, high);
+            continue;
+        }
+        if (!check && !share) { // T V at the middle, and what two laws mu_x of ratios, a distance h apart, may differ by
+            V.apply(x, here);
+            for (int m = 1; m < levels; ++m) {
+                double slope = 0;
+                for (int k = 1; k < terms; ++k) slope += V.magnitude(i, k, m) * k * k;
+                const double change = min(slope * double(high * high - low * low) / half_z, 2 * V.size[at(i, m)]);
+                const Real v = V.value(i, m, (x * x - p.centre) / p.half);
+                add_hole(m, low, high, margin * (size_of(here.value[m - 1] - v) + here.error[m - 1] + change + 2 * rounding[at(i, m)] + std::sqrt(32 * h) * V.largest[m - 1]));
+            }
+            continue;
+        }
+        if (!check) { // B_m is increasing: between its values at the ends
+            by_monotony[i] = 1;
+            V.apply(low * Real{1, -4 * u}, a);
+            V.apply(high * Real{1, 4 * u}, b);
+            for (int m = 1; m < levels; ++m) {
+                double slope = 0;
+                for (int k = 1; k < terms; ++k) slope += V.magnitude(i, k, m) * k * k;
+                const double change = margin * min(slope * double(high * high - low * low) / half_z, 2 * V.size[at(i, m)]);
+                const Real v = V.value(i, m, (low * low - p.centre) / p.half);
+                const double off = size_of(b.value[m - 1] - v) + size_of(v - a.value[m - 1]);
+                raise(D[m], margin * (off + change + a.error[m - 1] + b.error[m - 1] + 2 * rounding[at(i, m)]));
+            }
+            continue;
+        }
+        std::vector<double> most(static_cast<std::size_t>(levels));
+        for (std::size_t n = 0; n < check->points.at.size(); ++n) {
+            const Real at_x = x + half * check->points.at[n], local = (at_x * at_x - p.centre) / p.half;
+            V.apply(at_x, here);
+            V.values(i, local, a);
+            for (int m = 1; m < levels; ++m) {
+                const double difference = size_of(here.value[m - 1] - a.value[m]) + here.error[m - 1] + 2 * rounding[at(i, m)];
+                raise(most[m], difference);
+            }
+        }
+        for (int m = 1; m < levels; ++m) {
+            double outside = 0;
+            for (const End& e : ends)
+                if (e.panel >= 0) outside += e.outside * overlap_defect[at(e.panel, m - 1)];
+            found(m, low, high, width, D[m], margin * (check->lebesgue * (most[m] + outside) + outside + bounds[m]));
+        }
+    }
+}
+
+std::vector<double> Defects::overlaps() const
+{
+    // how far the polynomial of a panel is from its neighbours' on their side of the edge: polynomials of terms - 1, so nodes suffice
+    const auto& panels = V.panels;
+    std::vector<double> overlap_defect(panels.size() * columns);
+    const double lebesgue = 1.01 * (1 + 2 / pi_below * std::log(rules.orders.terms));
+    const int count = static_cast<int>(panels.size());
+    in_parallel(panels.size(), [&](std::size_t e) {
+        const Panel& p = panels[e];
+        for (const int step : {-1, 1})
+            for (int n = static_cast<int>(e) + step; n >= 0 && n < count; n += step) {
+                Real low = max(p.left(), panels[n].z0), high = min(p.right(), panels[n].z1);
+                if (!(high > low)) break;
+                const Real short_of = 2 * narrowest * high - (high - low); // no narrower than points can be told apart
+                if (short_of > 0) low -= short_of * 0.5, high += short_of * 0.5;
+                for (int m = 0; m < levels; ++m) {
+                    double most = 0;
+                    for (std::size_t i = 0; i < rules.own.at.size(); ++i) {
+                        const Real z = (low + high) * 0.5 + (high - low) * 0.5 * rules.own.at[i];
+                        raise(most, size_of(V.value(e, m, (z - p.centre) / p.half) - V.value(n, m, (z - panels[n].centre) / panels[n].half)));
+                    }
+                    most += V.rounding[at(e, m)] + V.rounding[at(n, m)];
+                    raise(overlap_defect[at(e, m)], margin * lebesgue * most);
+                }
+            }
+    });
+    return overlap_defect;
+}
+
+void Defects::prove_steps()
+{
+    const std::vector<double> overlap_defect = overlaps();
+    const long count = static_cast<long>(V.panels.size());
+    std::atomic<long> proven{0};
+    in_parallel(V.panels.size(), [&](std::size_t i) {
+        prove_panel(i, overlap_defect);
+        progress("proof, panel", ++proven, count);
+    });
+}
+
+void Defects::add_up()
+{
+    // where monotony of B_m was used, T V_{m-1} stood for T B_{m-1}
+    double so_far = 0;
+    for (int m = 0; m < levels; ++m) {
+        if (m > 0)
+            for (std::size_t i = 0; i < V.panels.size(); ++i)
+                if (by_monotony[i]) defect[at(i, m)] += margin * so_far;
+        sum_of_effects.push_back(so_far); // of the levels before m, for effect(m)
+        sum_of_effects.back() = so_far += effect(m, infinite);
+    }
+}
+
+std::vector<Part> Defects::parts(int m, double reach) const
+{
+    const auto& panels = V.panels;
+    std::vector<Part> found;
+    for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
+        found.push_back({defect[i * columns + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1, false});
+    for (const Hole& h : holes[m])
+        if (double(h.low) <= reach) found.push_back({h.defect, h.width, h.low * Real{1, -2 * u}, h.high * Real{1, 2 * u}, h.on_average});
+    std::sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.defect > b.defect; });
+    return found;
+}
+
+double Defects::effect(int m, double reach) const
+{
+    // T D <= d + sum over the parts with D > d of D times the largest share of theta a part can have
+    const double best = least_sum(parts(m, reach), [&](const Part& p) { return largest_share(margin * double(V.G), p.width); });
+    const double y = double(V.panels.front().y0); // below it V = 0
+    double below;
+    if (!monotone) below = m == 0 ? 0 : margin * (std::sqrt(y) * V.largest[m - 1] + sum_of_effects[m - 1]); // B_m = T B_{m-1}, T 1 <= x^(1/2)
+    // B_m(x) <= B_m(y) <= B_0(y) <= y^(1/2)
+    else below = m == 0 ? std::sqrt(y) : min(std::sqrt(y), margin * (V.size[m] + defect[m] + sum_of_effects[m - 1]));
+    return margin * (best + below * largest_share(double(V.G), y));
+}
+
+double Defects::second_effect(double reach) const
+{
+    return margin * least_sum(parts(0, reach), [&](const Part& p) { return largest_second_share(margin * double(V.G), p.width); });
+}
+
+/// At least mu_x([y0, y1]) for low <= x <= high, on one side of 1.
+static double share_of(const Real& G, const Real& low, const Real& high, const Real& y0, const Real& y1)
+{
+    const bool full = low >= 1;
+    if (!full && high > 1) return infinite; // the two sides of 1 are not compared
+    const Kernel a(high, G, full), b(low, G, full); // c falls with x and rises with y
+    const double slack = 64 * u * (1 + double(high)), width = double(y1 - y0) * margin + slack;
+    if (full ? double(G * y0 - 1 - high) > slack || double(low - 1 - G * y1) > slack : double(y0 * y0 / a.end - 1) > slack) return 0;
+    const double g = double(G), any = largest_share(g, width);
+    const double to_end = double(b.one_minus_c(y1 * y1)) - slack, to_begin = double(a.one_plus_c(y0 * y0)) - slack;
+    if (!(to_end > 0 && to_begin > 0)) return any;
+    return min(any, margin * g * width / (pi_below * std::sqrt(min(to_end, 1.0) * min(to_begin, 1.0))));
+}
+
+double Defects::effect_at(const Real& low, const Real& high) const
+{
+    return margin * least_sum(parts(0, infinite), [&](const Part& p) { return share_of(V.G, low, high, p.y0, p.y1); });
+}
+
+double Defects::blur(int m, const Real& x) const
+{
+    // theta kept, z G^2 = (x + c)^2, resp. (1 + c)(2x - 1 + c), moves by less than 5 u x (1 + x); an edge that moves by dz loses the jump of V on a share
+    const Real low = x * Real{1, -4 * u}, high = x * Real{1, 4 * u};
+    const double x_ = double(x), dz = 40 * u * x_ * (1 + x_) / (double(V.G) * double(V.G));
+    double sum = 0;
+    for (std::size_t i = 0; i < V.panels.size(); ++i) {
+        const Panel& p = V.panels[i];
+        const double share = share_of(V.G, low, high, p.y0, p.y1);
+        if (share == 0) continue;
+        double slope = 0;
+        for (int k = 1; k < rules.orders.terms; ++k) slope += V.magnitude(i, k, m) * k * k;
+        const double dy = min(std::sqrt(dz), dz / double(p.y0));
+        sum += share * min(slope * dz / double(p.half), 2 * V.size[i * columns + m])
+             + V.jump[i * columns + m] * share_of(V.G, low, high, p.y0 - Real(dy), p.y0 + Real(dy));
+    }
+    return margin * sum;
+}
+
+} // namespace touchstone::transfer::levels

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// How far piecewise polynomials V_m, any at all, are from B_m = T B_(m-1): D_m >= |T V_(m-1) - V_m|, panel by panel, and what they add up to.
+/// proven_levels.md, 1, 3 to 5. Internal to transfer/ and limit/.
+#pragma once
+
+#include "touchstone/transfer/collocation.hpp"
+
+#include <mutex>
+#include <vector>
+
+namespace touchstone::transfer::levels {
+
+/// Chebyshev points of an interval inside a disc whose radius is (rho + 1/rho)/2 of its half width.
+struct Check {
+    double rho, spread, tail, lebesgue;
+    ChebyshevPoints points;
+    /// |f| <= lebesgue max |f at the points| + tail K where |f| <= K on the ellipse, the points moved by rounding: md, 4
+    Check(int count, double rho_)
+        : rho(rho_), spread((rho + 1 / rho) / 2 * bounds::margin), tail(0), lebesgue(1.01 * (1 + 2 / bounds::pi_below * std::log(count))), points(count)
+    {
+        tail = bounds::margin * 2 * (1 + lebesgue) / (power(rho, count - 1) * (rho - 1));
+    }
+};
+
+/// Where a defect is known.
+struct Part {
+    double defect, width;
+    Real y0, y1;
+    bool on_average; ///< defect is no bound, but what counts for one
+};
+
+/// The least of d + sum over the parts with a defect above d, and those known on average only, of that times their weight;
+/// the largest defects come first.
+template <class Weight>
+double least_sum(const std::vector<Part>& parts, const Weight& weight)
+{
+    double rest = 0; // of those known on average
+    for (const Part& p : parts)
+        if (p.on_average) rest += p.defect * weight(p);
+    double best = bounds::infinite, above = 0;
+    for (const Part& p : parts) {
+        best = std::min(best, above + p.defect + rest);
+        if (!p.on_average) above += p.defect * weight(p);
+    }
+    return std::min(best, above + rest);
+}
+
+class Defects {
+public:
+    /// \param monotone whether B_0, and B_m with it, increases from 0 to 1 and is at most x^(1/2)
+    Defects(const Rules&, const Layer& V, int levels, double tolerance, bool monotone);
+
+    /// |B_0 - V_0|.
+    void prove_level_zero(const First&);
+    /// |T V_(m-1) - V_m|, 1 <= m < levels.
+    void prove_steps();
+    /// What T of them adds up to.
+    void add_up();
+
+    /// Bounds T D_m on all x from which no ratio above `reach` is met.
+    double effect(int m, double reach) const;
+    /// Bounds T^2 D_0, where no ratio above `reach` is met.
+    double second_effect(double reach) const;
+    /// Bounds T D_0 at the x between low and high.
+    double effect_at(const Real& low, const Real& high) const;
+    /// Bounds what T V_m changes by between x (1 - 4 u) and x (1 + 4 u).
+    double blur(int m, const Real& x) const;
+    /// The panels and holes of level m up to `reach`, the largest defects first.
+    std::vector<Part> parts(int m, double reach) const;
+
+private:
+    /// Where |B_m - T V_(m-1)| is not bounded by `defect`. In all else a panel.
+    struct Hole {
+        Real low, high;
+        double width, defect;
+        bool on_average;
+    };
+
+    std::size_t at(std::size_t panel, int m) const { return panel * static_cast<std::size_t>(columns) + static_cast<std::size_t>(m); }
+    /// The part of x that is proven with a panel: a thousandth of its width beyond it too.
+    std::pair<Real, Real> domain_of(std::size_t panel) const;
+    void prove_first(const First&, std::size_t panel);
+    std::vector<double> overlaps() const;
+    void prove_panel(std::size_t panel, const std::vector<double>& overlap_defect);
+    void add_hole(int m, const Real& low, const Real& high, double defect, bool on_average = false);
+    /// What is known on a part of a panel: of densities, what is large is kept apart, for the part may be much narrower.
+    void found(int m, const Real& low, const Real& high, double panel_width, double& of_panel, double defect);
+
+    const Rules& rules;
+    const Layer& V;
+    int levels, columns;
+    double tolerance;
+    bool monotone;
+    std::vector<Check> checks;
+    Check first_check;                  ///< of B_0, whose bound on a disc may be far above its size
+    std::vector<double> defect;         ///< [panel * columns + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|
+    std::vector<char> by_monotony;      ///< [panel]: whether that was used there
+    std::vector<double> sum_of_effects; ///< [m]: at least T |B_m - V_m|
+    std::vector<std::vector<Hole>> holes; ///< [m]
+    std::mutex holes_mutex;
+};
+
+} // namespace touchstone::transfer::levels

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/level_zero.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::transfer::levels {
+
+using std::max, std::min;
+using namespace bounds;
+
+namespace {
+
+/// A function known in balls.
+struct Share : First {
+    virtual Ball at(const Ball& x) const = 0;
+    std::pair<Real, double> value(const Real& x) const override
+    {
+        const WorkingPrecision precision(160);
+        const Ball b = at(to_ball(x));
+        return {to_real(b), b.radius_bound() + 2 * u};
+    }
+};
+
+/// |arccos w| = |int_w^1 (1 - t^2)^(-1/2) dt| <= 2|1 - w|^(1/2) where Re w >= 0, along the straight line; so where |1 - w| <= 1.
+double arccos_bound(double from_one) { return from_one <= 1 ? 2 * std::sqrt(from_one) : infinite; }
+
+/// (2/pi) arcsin x^(1/2), 1 from x = 1 on.
+struct InContact : Share {
+    bool is_area() const override { return true; }
+    Ball at(const Ball& x) const override { return certainly(less(x, Ball(1))) ? 2 * asin(sqrt(x)) / pi<Ball>() : Ball(1); }
+    Bounds on_disc(const Real& low, const Real&, const Real& x, double r) const override
+    {
+        if (low >= 1) return {1, 0};
+        const double x_ = double(x), to_one = double(1 - x);
+        if (!(r * margin < to_one && r * margin < x_)) return {infinite, infinite};
+        // |arcsin w| <= (pi/2)|w| where |w| <= 1, and |1 - x^(1/2)| <= |1 - x|
+        return {margin * std::sqrt(x_ + r), margin * 2 / pi_below * arccos_bound(min(1.0, to_one + r))};
+    }
+};
+
+/// (2.17), (2.14): the exceedance of one wave, (1/pi) arccos w, w = P - x where x >= 1, w = R - x, R^2 = (1 - x)^2 + P^2, where P^2/4 <= x < 1.
+/// It is analytic between low_end, 1 and high_end; from the left of 1 so far as R is. w is real for real x only: x = (1 + P^2 - w^2)/(2(1 + w)).
+struct Exceeding : Share {
+    explicit Exceeding(const Ball& P_)
+        : P(P_), low_end(certainly(less(P_, Ball(2))) ? to_real(P_ * P_ / 4) : to_real(P_ - Ball(1))), high_end(to_real(P_ + Ball(1)))
+    {
+    }
+    Ball at(const Ball& x) const override
+    {
+        const auto full = [&] { return share(1 + x - P, 1 - x + P); };
+        if (!certainly(less(x, Ball(1)))) return full(); // the two agree at 1
+        const Ball R = sqrt((1 - x) * (1 - x) + P * P);
+        return share((4 * x - P * P) / (1 + x + R), 1 - x + R);
+    }
+    Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const override
+    {
+        constexpr Bounds nothing{0, 1}, everything{1, 0}, unknown{infinite, infinite};
+        const double pressure = double(to_real(P)), from_low = double(x - low_end), to_high = double(high_end - x), to_one = double(1 - x), safe = r * margin;
+        if (high <= low_end * Real{1, -4 * u}) return nothing;
+        if (low >= high_end * Real{1, 4 * u}) return everything;
+        if (!(safe < from_low)) return unknown;
+        // |arccos w|^2 <= pi^2 + log^2(2|w| + 2)
+        const auto either = [](double modulus, double other) { return margin * min(std::hypot(pi_below, std::log(2 * modulus + 2)), other) / pi_below; };
+        if (low >= 1) {
+            if (!(safe < to_high)) return unknown;
+            const double w = std::fabs(pressure - double(x)) + r;
+            return {either(w, arccos_bound(margin * (double(x + 1 - to_real(P)) + r))), either(w, arccos_bound(margin * (to_high + r)))};
+        }
+        if (high > 1 || !(safe < double(x)) || !(safe < std::hypot(to_one, pressure))) return unknown;
+        const double w = std::fabs(to_one) + pressure + double(x) + 2 * r; // |1 - w| = |4x - P^2|/|1 + x + R|, the denominator above 1
+        return {either(w, arccos_bound(margin * 4 * (from_low + r))), either(w, infinite)};
+    }
+
+private:
+    Ball share(const Ball& one_minus_w, const Ball& one_plus_w) const
+    {
+        Ball sine, cosine;
+        arb_sqrtpos(sine.get(), one_minus_w.get(), WorkingPrecision::bits());
+        arb_sqrtpos(cosine.get(), one_plus_w.get(), WorkingPrecision::bits());
+        if (certainly(less(one_minus_w, Ball(0)))) return Ball(0);
+        return 2 * atan2(sine, cosine) / pi<Ball>();
+    }
+    Ball P;
+    Real low_end, high_end; ///< below the one it is 0, from the other on 1; within 2 u
+};
+
+} // namespace
+
+std::unique_ptr<const First> in_contact() { return std::make_unique<InContact>(); }
+std::unique_ptr<const First> exceeding(const Ball& pressure) { return std::make_unique<Exceeding>(pressure); }
+
+Density::Density(const Ball& G, const Ball& pressure, double unit_, double tolerance) : waves(G, pressure, tolerance * unit_), unit(unit_) {}
+
+std::pair<Real, double> Density::value(const Real& x) const
+{
+    const auto [v, error] = waves.value(x);
+    return {v / unit, error / unit};
+}
+First::Bounds Density::on_disc(const Real& low, const Real& high, const Real& x, double r) const { return {waves.on_disc(low, high, x, r) / unit, infinite}; }
+double Density::weight_on(double x, double width, double largest) const { return waves.weight_on(x, width) / unit + largest; }
+
+} // namespace touchstone::transfer::levels
