@@ -137,15 +137,15 @@ std::vector<OwnClaim> full_contact_claims()
     constexpr wave::DiscFull full;
     constexpr wave::DiscPartial partial;
     return {
-        {"wave::disc_full", "x_c > 1, |x - x_c| <= {0} g: the kernel grows by less than {1}, |1 -+ c| at the end to less than {2} g", "transfer/proven_levels.cpp",
+        {"wave::disc_full", "x_c > 1, |x - x_c| <= {0} g: the kernel grows by less than {1}, |1 -+ c| at the end to less than {2} g", "transfer/defects.cpp",
          {{"reach", full.reach}, {"middle", full.middle}, {"grown", full.grown}}, disc_full, {{0, 0.81}, {1, 4.7}, {2, 1.78}}},
-        {"wave::disc_partial", "x_c < 1, |x - x_c| <= r <= {0} (1 - x_c): |R| > {1} R_c, |R - R_c| < {2} r, c moves by {3} r, 1 + c keeps {4}, the kernel grows by less than {5}", "transfer/proven_levels.cpp",
+        {"wave::disc_partial", "x_c < 1, |x - x_c| <= r <= {0} (1 - x_c): |R| > {1} R_c, |R - R_c| < {2} r, c moves by {3} r, 1 + c keeps {4}, the kernel grows by less than {5}", "transfer/defects.cpp",
          {{"reach", partial.reach}, {"radius_kept", partial.radius_kept}, {"radius_moves", partial.radius_moves}, {"cosine_moves", partial.cosine_moves}, {"one_plus_c_kept", partial.one_plus_c_kept}, {"middle", partial.middle}},
          disc_partial, {{0, 0.36}, {1, 0.77}, {2, 0.98}, {3, 2.35}, {4, 0.72}, {5, 4.0}}},
-        {"levels.arccos_near_1", "|arccos w| <= {0} |1 - w|^(1/2) where |1 - w| <= 1", "transfer/proven_levels.cpp", {{"constant", 2}}, arccos_near_1, {{0, 1.57}}},
-        {"levels.arccos_far", "|arccos w|^2 <= pi^2 + log^2({0}|w| + {0})", "transfer/proven_levels.cpp", {{"constant", 2}}, arccos_far, {{0, 1}}},
-        {"levels.edge_of_contact", "1 - w = ({0} 4x - P^2)/(1 + x + R), w = R - x", "transfer/proven_levels.cpp", {{"factor", 1}}, edge_of_contact, {{0, 1.01}}},
-        {"levels.blur", "a load known to 4 u moves G^2 y^2 by less than {0} u x (1 + x)", "transfer/proven_levels.cpp", {{"constant", 40}}, blur, {{0, 7.9}}},
+        {"levels.arccos_near_1", "|arccos w| <= {0} |1 - w|^(1/2) where |1 - w| <= 1", "transfer/level_zero.cpp", {{"constant", 2}}, arccos_near_1, {{0, 1.57}}},
+        {"levels.arccos_far", "|arccos w|^2 <= pi^2 + log^2({0}|w| + {0})", "transfer/level_zero.cpp", {{"constant", 2}}, arccos_far, {{0, 1}}},
+        {"levels.edge_of_contact", "1 - w = ({0} 4x - P^2)/(1 + x + R), w = R - x", "transfer/level_zero.cpp", {{"factor", 1}}, edge_of_contact, {{0, 1.01}}},
+        {"levels.blur", "a load known to 4 u moves G^2 y^2 by less than {0} u x (1 + x)", "transfer/defects.cpp", {{"constant", 40}}, blur, {{0, 7.9}}},
         {"layer.sliver", "an edge moved by `moved` in c counts for {0} moved/(pi ((1-c)(1+c))^(1/2))", "transfer/layer.cpp", {{"constant", 2}}, sliver, {{0, 1.9}}},
         {"heavy_load.upright", "Lemma 3, the path's upright parts: ({0}/pi)(X/4)^(1/2) G M((X+1)/G)", "transfer/heavy_load.cpp", {{"constant", 4}}, upright, {{0, 3.9}}},
         {"heavy_load.below_first", "the kernel of (F2) is at most {0} (G/(x y))^(1/2)/pi where 2x >= (G y)^2, G y <= 1", "transfer/heavy_load.cpp", {{"constant", 1.2247448713915892}}, below_first, {{0, 0.9}}},
