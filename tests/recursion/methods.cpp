@@ -127,7 +127,7 @@ TEST_CASE("scale 1 is one integral at every load and G; partial contact has two 
             REQUIRE(c.method);
             CHECK(c.method->name == "scale-one-by-ratio");
         }
-        if (p.asked == Asked::area && p.load <= 1 && p.compare_G(Rational(21, 10)) > 0 && p.compare_G(1000) < 0) {
+        if (p.asked == Asked::area && p.load >= power(Rational(10), -100) && p.load <= 1 && p.compare_G(Rational(21, 10)) > 0 && p.compare_G(1000) < 0) {
             REQUIRE(c.method);
             CHECK(c.method->enclose_again);
         }
@@ -135,6 +135,27 @@ TEST_CASE("scale 1 is one integral at every load and G; partial contact has two 
         if (c.method) CHECK_FALSE(c.method->shares.empty());
     });
     CHECK(observers().size() == 2);
+}
+
+TEST_CASE("light loads are a matter of seconds up to scale 12: the power series, with a witness from 1e-300 on")
+{
+    for (const long exponent : {-101L, -300L})
+        for (const Rational& G : {exactly("2.1"), exactly("3"), exactly("1000")})
+            for (const long n : {2L, 5L, 12L}) {
+                const Problem p = problem(Asked::area, n, power(Rational(10), exponent), G, 0);
+                const Choice c = choose(p, {30});
+                REQUIRE(c.method);
+                CAPTURE(n); CAPTURE(exponent);
+                CHECK(c.digits >= 30);
+                CHECK(c.method->cost(p, {30}) < 20);
+                if (n == 2 || exponent == -300) CHECK(c.method->name == "power-series");
+                CHECK(observers_refusal(p).empty());
+            }
+    const auto e = evaluate(*find_quantity("contact.area"), Inputs({{"n", 5}, {"load", power(Rational(10), -300)}, {"G", 3}}), {.digits = 30});
+    CHECK(e.status == Status::certified);
+    REQUIRE(e.second_look);
+    CHECK(e.second_look->agrees);
+    CHECK(e.second_look->digits >= 15);
 }
 
 TEST_CASE("what is written about it is printed from it")

@@ -84,12 +84,17 @@ TEST_CASE("light loads down to 1e-300: the power series")
 {
     const WorkingPrecision precision(bits_for_digits(15) + 48);
     for (const char* load : {"1e-30", "1e-100"})
-        for (const long n : {1L, 2L, 4L}) {
+        for (const long n : {1L, 2L, 4L, 9L}) {
             CAPTURE(load); CAPTURE(n);
-            const Ball own = area(Scheme::force_weighted, n, at(load, "3"), wanted());
-            CHECK(own.overlaps(area_series(n, Ball(exactly(load)), Ball(3))));
-            CHECK(own.relative_bits() > 44);
+            const Ball own = area(Scheme::force_weighted, n, at(load, "3"), wanted()), series = area_series(n, Ball(exactly(load)), Ball(3));
+            CHECK(own.overlaps(series));
+            CHECK(own.relative_bits() > 36);
+            CHECK(series.relative_bits() > 44); // what is cut off is relative to the area, however light the load
         }
+    // at scale 2 the integral over the slope, which has no series
+    const Ball series = area_series(2, Ball(exactly("1e-300")), Ball(3));
+    CHECK(series.overlaps(area_by_slope(2, {exactly("1e-300"), [] { return Ball(3); }, exactly("3")}, 60)));
+    for (const long n : {2L, 5L, 12L}) CHECK(area_series(n, Ball(exactly("1e-300")), Ball(3)).relative_bits() > 60);
 }
 
 TEST_CASE("a ball at low precision holds the value known from a high one, and is not idly wide")

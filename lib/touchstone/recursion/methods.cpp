@@ -8,6 +8,7 @@
 #include "touchstone/recursion/first_steps/area_by_slope.hpp"
 #include "touchstone/recursion/first_steps/nested.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
+#include "touchstone/recursion/light_load.hpp"
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/contact.hpp"
 #include "touchstone/transfer/forward.hpp"
@@ -246,7 +247,7 @@ Method partial_area()
             if (p.n > last_followed_scale) return digits_of_limit(p);
             return transfer::most_digits_of_area(Ball(p.load), p.G.ball());
         },
-        .cost = [](const Problem&, Accuracy a) { return 0.2 * growth(a, 2.5); },
+        .cost = [](const Problem& p, Accuracy a) { return 0.2 * growth({a.digits + static_cast<long>(digits_lost_to_light_load(p))}, 2.5); },
         .enclose = by(Scheme::force_weighted),
         .budget = [](const Problem& p, Accuracy a) {
             if (in_the_limit(p, a))
@@ -493,7 +494,7 @@ long Method::most_digits(const Problem& p) const { return fewer_digits ? std::mi
 
 const std::vector<Method>& methods()
 {
-    static const std::vector<Method> all{single_wave_area(),     single_wave_exceedance(), single_wave_density(), one_integral(),    second_area(), partial_area(),
+    static const std::vector<Method> all{single_wave_area(),     single_wave_exceedance(), single_wave_density(), one_integral(),    second_area(), power_series(), partial_area(),
                                          partial_distribution(), heavy_load(),             proven_shares(),       third_wave_density(), proven_densities()};
     return all;
 }
@@ -513,7 +514,7 @@ std::string observers_refusal(const Problem& p)
         return p.asked == Asked::area ? fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", observed_scales(p.asked))
                                       : fmt::format("distributions of pressure are computed for the scales n <= {} only", observed_scales(p.asked));
     if (!G_above(p, Rational(1'000'001, 1'000'000))) return "not computed for G within 1e-6 of 1";
-    if (p.load > 1'000'000 || p.load <= power(Rational(10), -300)) return "not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)";
+    if (p.load > 1'000'000 || p.load < power(Rational(10), -300)) return "not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)";
     return p_is_0(p) ? no_density_at_0 : "";
 }
 

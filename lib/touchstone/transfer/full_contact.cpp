@@ -252,7 +252,7 @@ void require_reach(long n, long most, const Ball& load, const Ball& G)
 {
     if (n > most) throw BeyondReach(fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", most));
     if (!certainly(less(Ball(1) + Ball::exactly(1e-6), G))) throw BeyondReach("not computed for G within 1e-6 of 1");
-    if (certainly(less(Ball(1'000'000), load)) || !certainly(less(Ball::exactly(1e-300), load)))
+    if (certainly(less(Ball(1'000'000), load)) || certainly(less(load, Ball(power(Rational(10), -300)))))
         throw BeyondReach("not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)");
 }
 

@@ -35,7 +35,16 @@ Ball hypergeometric(const Ball& s, const Ball& x)
     return sum;
 }
 
+/// A term of the series is about e^-decay of the one before it: Y^(2^-(n-1)), Y the largest ratio after one step.
+Ball decay(long n, const Ball& load, const Ball& G) { return -log(2 / G * sqrt(load)) * Traits::power_of_two(1 - n); }
+
 } // namespace
+
+double terms_of_area_series(long n, const Ball& load, const Ball& G, slong bits)
+{
+    const double nats = arf_get_d(arb_midref(decay(n, load, G).get()), ARF_RND_DOWN);
+    return nats > 0 ? std::ceil(static_cast<double>(bits) * std::numbers::ln2 / nats) + 2 : HUGE_VAL;
+}
 
 Ball area_series(long n, const Ball& load, const Ball& G)
 {
@@ -45,9 +54,7 @@ Ball area_series(long n, const Ball& load, const Ball& G)
     const long m_last = n - 1;
     const Ball Y = 2 / G * sqrt(load), largest = Traits::power_of_two(-m_last);
     if (!certainly(less(Y, Ball(1)))) throw BeyondReach("the power series does not converge for this load");
-    const Ball decay = -log(Y) * largest;
-    const double wanted = static_cast<double>(WorkingPrecision::bits()) * std::numbers::ln2;
-    const double count = std::ceil(wanted / arf_get_d(arb_midref(decay.get()), ARF_RND_DOWN)) + 2;
+    const double count = terms_of_area_series(n, load, G, WorkingPrecision::bits());
     if (!(count < 20'000)) throw BeyondReach("the power series would need too many terms");
     const auto terms = static_cast<std::size_t>(count);
     const WorkingPrecision guard(WorkingPrecision::bits() + 64);
@@ -79,7 +86,7 @@ Ball area_series(long n, const Ball& load, const Ball& G)
         const Ball s = exponent + static_cast<long>(i) * largest;
         sum += d[i] * leading(s, G) * pow(load, (1 + s) / 2) * hypergeometric(s, load);
     }
-    Ball tail = magnitudes(G, m_last).back() * pow(Y, exponent + static_cast<long>(terms) * largest) / (1 - pow(Y, largest));
+    Ball tail = 2 * asin(sqrt(load)) / Traits::pi() * magnitudes(G, m_last).back() * pow(Y, exponent + static_cast<long>(terms) * largest) / (1 - pow(Y, largest));
     for (long m = 0; m < m_last; ++m) tail /= G;
     arb_add_error(sum.get(), upper(tail).get());
     return sum;

@@ -14,10 +14,10 @@
 ///
 /// **Tail.** B_n(load) = sum_i d_i^(n-1) T[y^s_i](load) is cut after I terms. As a function of w = x^(2^-m),
 /// x^(-delta_m) B_m is analytic in |w| < 1 and at most c_m G^-m there (Lemma 2: a turn of w is 2^m turns of x), so
-/// |d_i^(m)| <= c_m G^-m (Cauchy); and 0 <= T[y^s] <= Y^s, Y = (2/G) sqrt(load) the largest y, since T1 <= 1. So the
-/// tail is at most c G^-(n-1) Y^(s_I)/(1 - Y^(2^-(n-1))).
+/// |d_i^(m)| <= c_m G^-m (Cauchy); and 0 <= T[y^s] <= Y^s T1, Y = (2/G) sqrt(load) the largest y, T1 = (2/pi) arcsin sqrt(load).
+/// So the tail is at most T1 c G^-(n-1) Y^(s_I)/(1 - Y^(2^-(n-1))), and about Y^(I 2^-(n-1)) of the first term, however light the load.
 ///
-/// **Cost.** About 2^(n-1) (digits log 10)/(-log Y) terms: n <= 8 or so unless the load is small.
+/// **Cost.** About 2^(n-1) (digits log 10)/(-log Y) terms: n <= 8 or so unless the load is small, n <= 14 at load 1e-300.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
@@ -27,5 +27,8 @@ namespace touchstone::transfer {
 /// A_n/lambda_0 (6.7) for 0 < load < 1, G > 2, n >= 0, at the thread's precision.
 /// \throws BeyondReach if that takes more than 20 000 terms
 Ball area_series(long n, const Ball& load, const Ball& G);
+
+/// The terms it takes to so many bits; infinite where the series need not converge.
+double terms_of_area_series(long n, const Ball& load, const Ball& G, slong bits);
 
 } // namespace touchstone::transfer
