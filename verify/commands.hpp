@@ -26,5 +26,6 @@ void add_table(CLI::App&, Run&);
 void add_paper(CLI::App&, Run&);
 void add_judge(CLI::App&, Run&);
 void add_report(CLI::App&, Run&);
+void add_certificate(CLI::App&, Run&);
 
 } // namespace touchstone::program

@@ -97,6 +97,7 @@ int main(int argc, char** argv)
     add_paper(app, run);
     add_judge(app, run);
     add_report(app, run);
+    add_certificate(app, run);
     if (const std::string_view first = argc > 1 ? argv[1] : ""; !first.empty() && first.front() != '-') { // before a --help after it is obeyed
         std::vector<std::string> names;
         for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());

@@ -1,0 +1,296 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""certificate.py FILE [--lines I-J] | --join FILE REPORT...: reads a TOUCHSTONE-CERT 1 (docs/certificate.md) and says yes or no.
+
+Every line is read; those from I to J (all, if nothing is said) are proved again, given that the lines before them hold. The reports of pieces, joined,
+cover all. Exit code 0: yes; 1: no, a line does not hold or a claim is not proved; 65: no, not a certificate.
+"""
+import argparse
+import hashlib
+import re
+import sys
+from fractions import Fraction
+from math import gcd
+
+import intervals as iv
+import transfer
+from intervals import Interval
+from transfer import Refused
+
+LONGEST_FILE, LONGEST_WORD, MOST_PANELS = 1 << 28, 4096, 64
+MOST = {"claims": 20000, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14}
+
+
+class Malformed(Exception):
+    """Not a certificate."""
+
+
+def need(holds, why, kind=Malformed):
+    if not holds:
+        raise kind(why)
+
+
+def integer(text, base=16):
+    need(len(text) < (LONGEST_WORD if base == 16 else 10) and re.fullmatch("0|-?[1-9][0-9]*" if base == 10 else "0|-?[1-9a-f][0-9a-f]*", text), f"'{text[:40]}' is no integer")
+    return int(text, base)
+
+
+def decimal(text):
+    return integer(text, 10)
+
+
+def dyadic(text):
+    """mantissa:exponent, the mantissa odd, or 0:0"""
+    m, _, e = text.partition(":")
+    m, e = integer(m), decimal(e)
+    need((m % 2 or m == e == 0) and abs(e) <= MOST["exponent"], f"'{text[:40]}' is no dyadic number")
+    return m * Fraction(2) ** e
+
+
+def rational(text):
+    need(re.fullmatch("[1-9][0-9]{0,999}(/[1-9][0-9]{0,999})?", text), f"'{text[:40]}' is no positive rational number")
+    n, _, d = text.partition("/")
+    need(gcd(int(n), int(d or 1)) == 1 and d != "1", f"'{text[:40]}' is not in lowest terms")
+    return Fraction(int(n), int(d or 1))
+
+
+def surface(text):
+    """G as base, degree: base^(1/degree)"""
+    base, mark, degree = text.partition("^1/")
+    degree = decimal(degree) if mark else 1
+    need(1 + bool(mark) <= degree <= 64, f"'{text[:40]}' is no root")
+    return rational(base), degree
+
+
+def span(text):
+    first, mark, last = text.partition("-")
+    return decimal(first), decimal(last) if mark else decimal(first)
+
+
+READERS = {"G": surface, "load": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error"), dyadic),
+           **dict.fromkeys(("n", "m", "bits", "points", "terms"), integer)}
+FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim"}
+
+
+def fields(words, names, what):
+    """the values of NAME=TEXT, these names in this order"""
+    need([w.partition("=")[0] for w in words] == names.split(), f"{what}: is not '{names}'")
+    values = [READERS.get(n, decimal)(w.partition("=")[2]) for n, w in zip(names.split(), words)]
+    for n, v in zip(names.split(), values):
+        need(n not in MOST or abs(v) <= MOST[n], f"{what}: {n} is too large")
+    return values
+
+
+class Certificate:
+    """The text, held against its own counts."""
+
+    def __init__(self, path):
+        try:
+            with open(path, "rb") as file:
+                text = file.read(LONGEST_FILE).decode("ascii")
+        except (OSError, UnicodeDecodeError) as reason:
+            raise Malformed(str(reason)) from None
+        body, _, last = text.rpartition("sha256 ")
+        self.digest = hashlib.sha256(body.encode()).hexdigest()
+        need(last == self.digest + "\n", "the last line is not the sha256 of the lines before it")
+        lines = body.split("\n")
+        need(lines.pop() == "" and len(lines) > 3, "lines are missing")
+        need(lines[0] == "TOUCHSTONE-CERT 1", f"'{lines[0][:40]}' is not TOUCHSTONE-CERT 1")
+        need(lines[1] == "quantity contact.area", f"'{lines[1][:40]}': only contact.area is known")
+        words = lines[2].split(" ")
+        claims, sections, self.count = fields(words[1:], "claims sections lines", "counts")
+        head = 3 + claims + sections
+        need(words[0] == "counts" and min(claims, sections, self.count) > 0 and self.count == len(lines) - head, "counts: are not those of the lines")
+        self.lines, self.claims, next_line, number = [line.split(" ") for line in lines[head:]], {}, 1, 0
+        for line in lines[3:head]:
+            kind, which, *rest = line.split(" ") if line.count(" ") > 1 else ("", "", "")
+            if kind == "claim":
+                n, load, G, value, error = fields(rest, "n load G value error", "claim")
+                self.claims[decimal(which)] = n, load, G, value, error
+                need(list(self.claims)[-1] == len(self.claims) and n > 0 and load <= 1 and value > 0 and error >= 0, f"claim {which[:9]}: is none")
+                continue
+            (first, last), *counted = fields(rest, "span grids panels levels values", "section")
+            found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
+            number += 1
+            need(kind == "section" and decimal(which) == number and first == next_line <= last, "sections: do not follow one another")
+            need(counted == [found.count(r) for r in FORMS] and sum(counted) == last - first + 1, f"section {which}: counts are not those of its lines")
+            next_line = last + 1
+        need(len(self.claims) == claims and number == sections and next_line == self.count + 1, "sections or claims are missing")
+
+
+class Replay:
+    """Proves lines one by one and forgets each after the last line that refers to it."""
+
+    def __init__(self, certificate, first, last):
+        self.certificate, self.first, self.last = certificate, first, last
+        self.known, self.until, self.rules, self.rows, self.proved = {}, {}, {}, {}, set()
+        self.number = 0
+        for words in certificate.lines:
+            self.number += 1
+            self.line(words)
+        need(not self.known, f"line {min(self.known, default=0)}: the last line said to refer to it does not", Refused)
+        need(len(self.proved) == len(certificate.claims), "a claim is proved by no line", Refused)
+
+    def line(self, words):
+        need(len(words) > 4 and words[0] == str(self.number) and words[1] in FORMS, f"line {self.number}: is not a line of that number")
+        reason, numbers = words[1], []
+        for part in words[2].split(",") if words[2] != "-" else []:
+            low, high = span(part)
+            need((numbers or [0])[-1] < low <= high < self.number, f"line {self.number}: rests on lines that do not come before it, or on one twice")
+            numbers += range(low, high + 1)
+        for r in numbers:
+            need(r in self.known, f"line {self.number}: rests on line {r}, which is no longer known", Refused)
+        names = FORMS[reason]
+        data = fields(words[4:4 + len(names.split())], names, f"line {self.number}")
+        more = words[4 + len(names.split()):]
+        need(not more or reason == "level", f"line {self.number}: says more than it may")
+        try:
+            self.known[self.number] = getattr(self, reason)([self.known[r] for r in numbers], *data, *([[integer(c) for c in more]] if reason == "level" else []))
+        except (Refused, ValueError, ZeroDivisionError) as why:
+            raise Refused(f"line {self.number}: {why}") from None
+        self.until[self.number] = decimal(words[3])
+        need(self.number <= self.until[self.number] and (reason == "value") == (self.until[self.number] == self.number), f"line {self.number}: forgotten too early")
+        for r in numbers + [self.number]:
+            if self.until[r] == self.number:
+                del self.known[r]
+                self.rows.pop(r, None)
+
+    def proving(self):
+        return self.first <= self.number <= self.last
+
+    def grid(self, below, G, bits, step, points):
+        need(not below and bits >= 32 and 0 < step < 1 and points > 0 and step * points < 1000, "not a rule", Refused)
+        need(G[0] > 2 ** G[1] and G[0] < 2 ** (40 * G[1]), "G is not between 2 and 2^40", Refused)
+        return "grid", self.number, (G, bits, step, points)
+
+    def rule(self, grid, bits):
+        if (grid[1], bits) not in self.rules:
+            self.rules = {k: v for k, v in self.rules.items() if k[0] == grid[1]}  # of one grid at a time
+            Interval.bits = bits + 128
+            (base, degree), _, step, points = grid[2]
+            self.rules[grid[1], bits] = transfer.Rule(root_of(base, degree), step, points, bits)
+        Interval.bits = bits + 64
+        return self.rules[grid[1], bits]
+
+    def panel(self, below, low, high, terms, rho):
+        need([b[0] for b in below] == ["grid"] and terms > 0, "a panel rests on a grid", Refused)
+        return "panel", self.number, below[0], transfer.Panel(low, high, terms, rho, below[0][2][1])
+
+    def whole(self, grid, below, m):
+        """the levels m of one grid on panels that follow one another from log(G/2) on"""
+        need(below and all(b[0] == "level" and b[2] is grid and b[4] == m for b in below), f"does not rest on level {m} of its grid", Refused)
+        panels = [b[3][3] for b in below]
+        need(len(panels) <= MOST_PANELS and all(p.high == q.low for p, q in zip(panels, panels[1:])), "panels do not follow one another", Refused)
+        if self.proving():
+            need((panels[0].low + Fraction(1, 2**20)) < self.rule(grid, grid[2][1]).L.ends()[0], "panels begin beyond log(G/2)", Refused)
+        return panels, [b[5] for b in below], tuple(b[3][1] for b in below)
+
+    def row(self, grid, key, rule, s, x, panels):
+        rows = self.rows.setdefault(grid[1], {})
+        if key not in rows:
+            rows[key] = rule.row(s, x, (1 << rule.bits) - x, panels)
+        return rows[key]
+
+    def level(self, below, m, error, exponent, coefficients):
+        need([b[0] for b in below[:2]] == ["grid", "panel"] and below[1][2] is below[0] and 0 <= m, "a level rests on a grid and its panel", Refused)
+        grid, place = below[:2]
+        panel, bits, a = place[3], grid[2][1], Fraction(1, 2 ** (m + 1))
+        need(len(coefficients) == panel.terms and error >= 0, "another number of coefficients", Refused)
+        need(m > 0 or len(below) == 2, "level 0 rests on no other", Refused)
+        panels, levels, places = self.whole(grid, below[2:], m - 1) if m else (None, None, None)
+        rounding = Fraction(2) ** exponent * sum(map(abs, coefficients)) * panel.terms**2  # of sums of Chebyshev polynomials, in units
+        if self.proving():
+            rule, worst = self.rule(grid, bits), Fraction(0)
+            for j, t in enumerate(panel.points):
+                s = panel.middle + panel.half * Fraction(t, 2**bits)
+                if m:
+                    row = self.row(grid, (place[1], j, places), rule, s * 2**bits // 1, transfer.fixed(iv.exp(-Interval.of(s)), bits), panels)
+                    value, off = rule.apply(row, s, levels, 2 * a)
+                else:
+                    value, high = transfer.first_wave(s).ends()
+                    off = high - value
+                here = sum(map(int.__mul__, coefficients, panel.powers[j])) * Fraction(2) ** (exponent - bits)
+                worst = max(worst, abs(here - value) + off + rounding / 2**bits)
+            need(panel.error(rule.G.ends()[1], a, worst) <= error, "the polynomial is further from h than it says", Refused)
+        return "level", self.number, grid, place, m, (panel, coefficients, exponent, error, rounding)
+
+    def value(self, below, claim):
+        need(claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
+        n, load, G, value, error = self.certificate.claims[claim]
+        need(below and below[0][0] == "grid" and below[0][2][0] == G, "a value rests on a grid of its G", Refused)
+        grid = below[0]
+        panels, levels, places = self.whole(grid, below[1:], n - 1)
+        self.proved.add(claim)
+        if self.proving():
+            (base, degree), bits, step, points = grid[2]
+            if 1 - load <= Fraction(1, 2**16):
+                bits += -(-3 * step * points // 1)
+            rule = self.rule(grid, bits)
+            s = -iv.log(load) if load < 1 else Interval.of(0)
+            row = self.row(grid, (load, places), rule, transfer.fixed(s, bits), load * 2**bits // 1, panels)
+            h, off = rule.apply(row, s.ends()[1], levels, Fraction(1, 2**n))
+            low, high = (Interval.of(load) / power_of(base, degree, n)).ends()
+            need(value - error <= low * (h - off) and high * (h + off) <= value + error and off < h, "the claim is not proved", Refused)
+        return "value", self.number
+
+
+def root_of(base, degree):
+    return iv.power(base, Fraction(1, degree)) if degree > 1 else Interval.of(base)
+
+
+def power_of(base, degree, n):
+    return iv.exp(iv.log(base) * Fraction(n, degree)) if degree > 1 else Interval.of(base**n)
+
+
+def shown(claim):
+    n, load, (base, degree), value, error = claim
+    digits = max(1, len(str(int(value / error)))) if error else 40
+    e = len(str(int(value))) - 1 if value >= 1 else -len(str(int(1 / value)))
+    return f"contact.area n={n} load={load} G={base}{f'^1/{degree}' if degree > 1 else ''}: {int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--lines", default="", help="prove lines I-J only")
+    parser.add_argument("--join", nargs="+", metavar="REPORT", help="what this program printed for the pieces of FILE")
+    parser.add_argument("file")
+    arguments = parser.parse_args()
+    try:
+        certificate = Certificate(arguments.file)
+        first, last = span(arguments.lines) if arguments.lines else (1, certificate.count)
+        need(0 < first <= last <= certificate.count, f"there are no lines {first}-{last}")
+        if arguments.join:
+            return join(certificate, arguments.join)
+        Replay(certificate, first, last)
+    except (Malformed, Refused) as why:
+        print("".join(c if c.isprintable() else "?" for c in f"no: {arguments.file}: {why}"))
+        return 65 if isinstance(why, Malformed) else 1
+    if (first, last) != (1, certificate.count):
+        print(f"lines {first}-{last} of {certificate.count} hold if those before them do; sha256 {certificate.digest}")
+        return 0
+    for claim in certificate.claims.values():
+        print(shown(claim))
+    print(f"yes: {certificate.count} lines hold, {len(certificate.claims)} claims are proved")
+    return 0
+
+
+def join(certificate, reports):
+    """The pieces cover all."""
+    Replay(certificate, 0, 0)
+    held = set()
+    for report in reports:
+        try:
+            with open(report, encoding="ascii") as file:
+                said = re.fullmatch(r"lines (\d{1,9})-(\d{1,9}) of \d{1,9} hold if those before them do; sha256 ([0-9a-f]{64})\n", file.read(LONGEST_WORD))
+        except (OSError, UnicodeDecodeError) as reason:
+            raise Malformed(str(reason)) from None
+        need(said and said[3] == certificate.digest, f"{report}: is no report of this certificate")
+        held.update(range(int(said[1]), min(int(said[2]), certificate.count) + 1))
+    missing = sorted(set(range(1, certificate.count + 1)) - held)
+    need(not missing, f"line {missing[0] if missing else 0} was proved by no piece", Refused)
+    print(f"yes: the pieces cover all {certificate.count} lines, {len(certificate.claims)} claims are proved")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: MIT
+"""Certificates: what the program writes the checker proves, piece by piece too; what is changed in any kind of line it refuses, or proves to be true."""
+import argparse
+import decimal
+import functools
+import hashlib
+import json
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--checker", required=True, type=pathlib.Path)
+parser.add_argument("--program", required=True)
+parser.add_argument("--mutants", type=int, default=40)
+parser.add_argument("--seed", type=int, default=20261122)
+known, rest = parser.parse_known_args()
+sys.path.insert(0, str(known.checker))
+import certificate  # noqa: E402
+import transfer  # noqa: E402
+
+# A rule depends on its arguments alone: a thousand replays of one certificate may share it.
+plain_rule = transfer.Rule
+rules = {}
+
+
+def kept_rule(G, step, points, bits):
+    key = (G.ends(), step, points, bits)
+    if key not in rules:
+        rules[key] = plain_rule(G, step, points, bits)
+    return rules[key]
+
+
+def program(*arguments):
+    return subprocess.run([known.program, *map(str, arguments)], capture_output=True, text=True)
+
+
+def check(*arguments):
+    return subprocess.run([sys.executable, known.checker / "certificate.py", *map(str, arguments)], capture_output=True, text=True)
+
+
+def signed(text):
+    """text with the sha256 it ought to have: the mutants' author knows how to compute one"""
+    body = text.rpartition("sha256 ")[0]
+    return body + f"sha256 {hashlib.sha256(body.encode()).hexdigest()}\n"
+
+
+@functools.lru_cache(None)
+def area(n, load, G, digits=30):
+    """A_n/lambda_0 by the program, which the checker knows nothing of"""
+    said = program("eval", "contact.area", f"n={n}", f"load={load}", f"G={G}", "--digits", digits, "--json")
+    return Fraction(json.loads(said.stdout)["value"])
+
+
+class Certificates(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name) / "certificate.txt"
+        cls.make("n=2", "load=1/10", "G=16", "--digits", 6)
+        cls.text = cls.path.read_text()
+        transfer.Rule = kept_rule
+
+    @classmethod
+    def tearDownClass(cls):
+        transfer.Rule = plain_rule
+        cls.folder.cleanup()
+
+    @classmethod
+    def make(cls, *arguments):
+        made = program("certificate", "contact.area", *arguments, "--out", cls.path)
+        assert made.returncode == 0, made.stderr
+
+    def said_of(self, text):
+        """'proved' and the certificate, or 'no' and the reason; anything else is a crash"""
+        path = pathlib.Path(self.folder.name) / "mutant.txt"
+        path.write_text(text)
+        try:
+            read = certificate.Certificate(path)
+            certificate.Replay(read, 1, read.count)
+        except (certificate.Malformed, certificate.Refused) as why:
+            return "no", str(why)
+        return "proved", read
+
+    def test_proves_what_the_program_says(self):
+        for inputs, digits in ((("1", "1", "41/20"), 7), (("3", "1/10", "3"), 20), (("2", "999999999999/1000000000000", "5^1/2"), 9), (("20", "1/1000000", "10000"), 4)):
+            n, load, G = inputs
+            self.make(f"n={n}", f"load={load}", f"G={G.replace('^1/2', '^0.5')}", "--digits", digits)
+            said = check(self.path)
+            with self.subTest(inputs=inputs):
+                self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+                (claim,) = certificate.Certificate(self.path).claims.values()
+                value, error = claim[3:]
+                self.assertLessEqual(abs(value - area(n, load, G.replace("^1/2", "^0.5"))), error)
+                self.assertLess(error / value, Fraction(1, 10**digits))
+
+    def test_pieces_cover_all(self):
+        self.path.write_text(self.text)
+        count = certificate.Certificate(self.path).count
+        reports = []
+        for first, last in ((1, 7), (8, count - 1), (count, count)):
+            said = check("--lines", f"{first}-{last}", self.path)
+            self.assertEqual(said.returncode, 0, said.stdout)
+            reports.append(pathlib.Path(self.folder.name) / f"report{first}.txt")
+            reports[-1].write_text(said.stdout)
+        self.assertEqual(check(self.path, "--join", *reports).returncode, 0)
+        gap = check(self.path, "--join", reports[0], reports[2])
+        self.assertEqual((gap.returncode, gap.stdout.count("proved by no piece")), (1, 1))
+        self.path.write_text(signed(self.text.replace("load=1/10", "load=1/11")))
+        self.assertEqual(check(self.path, "--join", *reports).returncode, 65)
+        self.assertEqual(check("--lines", f"1-{count + 1}", self.path).returncode, 65)
+
+    def test_what_is_no_certificate_is_refused(self):
+        lines = self.text.splitlines(keepends=True)
+        first = next(i for i, line in enumerate(lines) if line.startswith("1 grid"))
+        levels = [i for i, line in enumerate(lines) if " level " in line]
+        bad = {
+            "empty": "", "binary": "\x00\x7f" * 99, "cut off": self.text[: len(self.text) // 2], "a line less": "".join(lines[:-2] + lines[-1:]),
+            "version": self.text.replace("CERT 1", "CERT 2"), "quantity": self.text.replace("contact.area", "contact.aura", 1), "crlf": self.text.replace("\n", "\r\n"),
+            "huge bits": self.text.replace("bits=", "bits=fffffff"), "huge exponent": self.text.replace("exponent=-", "exponent=-99999"),
+            "huge mantissa": self.text.replace("error=", "error=" + "7" * 10**5, 1), "huge number": self.text.replace("n=2", "n=" + "9" * 10**4, 1),
+            "zero step": self.text.replace("step=", "step=0:0 step=", 1), "G below 2": self.text.replace("G=16", "G=1"),
+            "cycle": "".join(lines[:levels[0]]) + lines[levels[0]].replace("level 1-2", f"level 1-2,{len(lines)}") + "".join(lines[levels[0] + 1:]),
+            "itself": "".join(lines[:first]) + lines[first].replace("grid -", "grid 1") + "".join(lines[first + 1:]),
+            "claim without lines": self.text.replace("counts claims=1", "counts claims=2").replace("section 1", lines[3].replace("claim 1", "claim 2") + "section 1", 1),
+        }
+        for name, text in bad.items():
+            for text in (text, signed(text)):
+                if text == self.text:
+                    continue
+                self.path.write_bytes(text.encode("latin-1"))
+                said = check(self.path)
+                with self.subTest(name):
+                    self.assertIn(said.returncode, (1, 65), said.stdout)
+                    self.assertTrue(said.stdout.startswith("no: ") and len(said.stdout.splitlines()) == 1, said.stdout[:300])
+                    self.assertEqual(said.stderr, "")
+        self.assertEqual(check(self.path.parent / "none").returncode, 65)
+
+    def mutant(self, chosen):
+        """a digit, sign, bound, index or line of one line changed, and what"""
+        lines = self.text.splitlines()
+        kinds = {}
+        for i, line in enumerate(lines[:-1]):
+            words = line.split(" ")
+            kinds.setdefault(words[1] if words[0].isdigit() else words[0], []).append(i)
+        kind = chosen.choice(sorted(kinds))
+        i = chosen.choice(kinds[kind])
+        words = lines[i].split(" ")
+        w = chosen.randrange(len(words))
+        how = chosen.choice(["digit", "digit", "sign", "bound", "index", "line", "cut"])
+        if how == "digit":
+            places = [k for k, c in enumerate(words[w]) if c in "0123456789abcdef"]
+            if places:
+                k = chosen.choice(places)
+                words[w] = words[w][:k] + chosen.choice("0123456789abcdef") + words[w][k + 1:]
+        elif how == "sign":
+            words[w] = words[w].replace("-", "", 1) if "-" in words[w] else words[w].replace("=", "=-", 1) if "=" in words[w] else "-" + words[w]
+        elif how == "bound":
+            name, mark, number = words[w].partition("=")
+            mantissa, colon, exponent = number.partition(":")
+            if colon:
+                words[w] = f"{name}{mark}{mantissa}:{int(exponent) + chosen.choice([-9, -2, -1, 1, 2, 9])}"
+        elif how == "index":
+            numbers = [k for k, word in enumerate(words) if word.isdigit()]
+            if numbers:
+                k = chosen.choice(numbers)
+                words[k] = str(int(words[k]) + chosen.choice([-1, 1]))
+        elif how == "line":
+            other = chosen.choice(kinds[kind])
+            words, lines[other] = lines[other].split(" "), " ".join(words)
+        else:
+            words = words[:w]
+        lines[i] = " ".join(words)
+        return signed("\n".join(lines) + "\n"), f"{kind}, {how}: {lines[i][:120]}"
+
+    def true_of(self, read):
+        """Whether all that an accepted mutant says is true, by the program: its claims, and its polynomials at some points."""
+        for n, load, (base, degree), value, error in read.claims.values():
+            if abs(value - area(n, load, f"({base})^(1/{degree})")) > error:
+                return False
+        for words in read.lines:
+            if words[1] != "level":
+                continue
+            m, error, exponent = certificate.fields(words[4:7], "m error exponent", "")
+            panel = [k for part in words[2].split(",") for k in range(certificate.span(part)[0], certificate.span(part)[1] + 1)][1]
+            low, high, terms, _ = certificate.fields(read.lines[panel - 1][4:], "low high terms rho", "")
+            for share in (0, Fraction(1, 3), 1):
+                s = low + (high - low) * share
+                with decimal.localcontext() as context:
+                    context.prec = 60
+                    load = Fraction((-decimal.Decimal(s.numerator) / s.denominator).exp()).limit_denominator(10**40)
+                    s = -Fraction((decimal.Decimal(load.numerator) / load.denominator).ln())
+                t, T = (2 * s - low - high) / (high - low), [Fraction(1)]
+                T.append(t)
+                while len(T) < terms:
+                    T.append(2 * t * T[-1] - T[-2])
+                V = sum(certificate.integer(c) * Ti for c, Ti in zip(words[7:], T)) * Fraction(2) ** exponent
+                if abs(V - 16**m * area(m, load, 16) / load) > error * Fraction(101, 100):
+                    return False
+        return True
+
+    def test_no_mutant_that_changes_the_meaning_is_accepted(self):
+        chosen = random.Random(known.seed)
+        accepted = []
+        seen = 0
+        while seen < known.mutants:
+            text, what = self.mutant(chosen)
+            if text == self.text:
+                continue
+            seen += 1
+            said, read = self.said_of(text)
+            if said == "proved":
+                accepted.append(what)
+                with self.subTest(mutant=what):
+                    self.assertTrue(self.true_of(read), f"seed {known.seed}: accepted, and false: {what}")
+        print(f"\n{seen} mutants, {seen - len(accepted)} refused, {len(accepted)} accepted, and all they say is true:", *accepted, sep="\n  ")
+        self.assertLess(len(accepted), seen / 4)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *rest])
