@@ -39,11 +39,12 @@ int Mutation::unexcused() const
     return static_cast<int>(std::count_if(survivors.begin(), survivors.end(), [](const Survivor& s) { return s.excuse.empty(); }));
 }
 
-Mutation mutate(const std::vector<const Claim*>& some, int stride, int offset)
+Mutation mutate(const std::vector<const Claim*>& some, int stride, int offset, const std::function<void(std::size_t)>& judged)
 {
     Mutation m;
     std::set<std::pair<std::string, std::string>> used;
     int counter = 0;
+    std::size_t claims_done = 0;
     for (const Claim* claim : some) {
         // Of a print that is false the corrected form: the changes of what is false are false already.
         const Print& printed = prints().at(claim->id);
@@ -55,12 +56,13 @@ Mutation mutate(const std::vector<const Claim*>& some, int stride, int offset)
             Survivor s{claim->id, change.name, change.kind, "", "", ""};
             try {
                 const Finding f = judge_whole(*claim, change.print, Order::reading_first);
-                if (f.verdict == Verdict::refuted) {
-                    ++m.refuted;
-                    continue;
-                }
                 s.verdict = name(f.verdict);
                 s.reason = f.reason;
+                if (f.verdict == Verdict::refuted) {
+                    ++m.refuted;
+                    m.caught.push_back(std::move(s));
+                    continue;
+                }
             } catch (const std::exception& e) {
                 s.verdict = "exception";
                 s.reason = e.what();
@@ -72,6 +74,7 @@ Mutation mutate(const std::vector<const Claim*>& some, int stride, int offset)
             }
             m.survivors.push_back(std::move(s));
         }
+        if (judged) judged(++claims_done);
     }
     if (stride == 1)
         for (const auto& [key, reason] : excuses())

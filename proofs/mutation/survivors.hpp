@@ -6,6 +6,7 @@
 
 #include "proofs/ledger.hpp"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,12 +23,14 @@ struct Survivor {
 struct Mutation {
     int changes = 0, refuted = 0;
     std::vector<Survivor> survivors;
+    std::vector<Survivor> caught;             ///< the refuted ones, each with its reason
     std::map<std::string, int> by_kind;       ///< changes of each kind
     std::vector<std::string> idle_excuses;    ///< excuses of these entries that no survivor needed: to be deleted
     int unexcused() const;
 };
 
 /// Judges each `stride`-th change of the claims' prints (of their corrected forms, where they have one), from `offset` on; idle excuses are known at stride 1 only.
-Mutation mutate(const std::vector<const Claim*>&, int stride = 1, int offset = 0);
+/// `judged` hears after each claim how many are done.
+Mutation mutate(const std::vector<const Claim*>&, int stride = 1, int offset = 0, const std::function<void(std::size_t)>& judged = {});
 
 } // namespace touchstone::proofs

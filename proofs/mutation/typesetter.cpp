@@ -131,8 +131,12 @@ std::vector<Text> changed(const std::string& text, bool whole_factors)
         all.push_back({"factor", "Pi*(" + text + ")"});
         all.push_back({"sign", "-(" + text + ")"});
     }
-    for (std::size_t i = 0; i < text.size(); ++i) // a condition
-        if (text[i] == '<' || text[i] == '>') all.push_back({"condition", text.substr(0, i) + (text[i] == '<' ? '>' : '<') + text.substr(i + 1)});
+    for (std::size_t i = 0; i < text.size(); ++i) { // a condition: its direction, and whether the point of equality belongs to it
+        if (text[i] != '<' && text[i] != '>') continue;
+        all.push_back({"condition", text.substr(0, i) + (text[i] == '<' ? '>' : '<') + text.substr(i + 1)});
+        const bool closed = i + 1 < text.size() && text[i + 1] == '=';
+        all.push_back({"condition", text.substr(0, i + 1) + (closed ? "" : "=") + text.substr(i + (closed ? 2 : 1))});
+    }
     return all;
 }
 

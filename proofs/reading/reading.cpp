@@ -309,6 +309,7 @@ std::optional<std::string> objection(const Print& print, const std::vector<Part>
         const bool stated = m.stated.count(i) != 0;
         const Holds condition = part.condition ? reader.condition(*part.condition) : Holds::yes;
         if (condition == Holds::undecided) continue;
+        if (s.at_equality && (!part.condition || condition != Holds::yes)) continue;
         const Ball l = reader.value(part.left), r = reader.value(part.right);
         const Holds holds = relation_holds(part.relation, l, r);
         if (l.is_finite() && r.is_finite() && agree(l, r, equality_bits)) reached[i] = true;

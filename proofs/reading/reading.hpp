@@ -45,6 +45,8 @@ struct Situation {
     bool large_n = true;
     /// Situations of one group differ in the pointwise variable alone: outside its condition the print must fail in one of them.
     std::optional<std::size_t> group;
+    /// A point of equality of the condition. A print may leave it to another case; one that takes it in must hold there.
+    bool at_equality = false;
     /// Where an inequality is itself the statement ("partial contact if and only if ..."): is it true here?
     std::optional<bool> wanted;
 

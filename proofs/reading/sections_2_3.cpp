@@ -85,6 +85,48 @@ std::vector<Rational> both(std::vector<Rational> a, const std::vector<Rational>&
     return a;
 }
 
+/// The points of equality of the printed conditions, beside the others.
+void add_points_of_equality(Meaning& all, const Meaning& points)
+{
+    for (Situation s : points.situations) {
+        s.at_equality = true;
+        all.situations.push_back(std::move(s));
+    }
+}
+
+/// One wave in numbers whose quotients are exact in binary, so that equality is met and not approached: p* = 2, whatever E is.
+Situation exact_wave(const Rational& load, const Rational& p)
+{
+    const Ball pstar(2);
+    Situation s;
+    s["pstar"] = pstar;
+    s["pbar"] = Ball(load) * pstar;
+    s["p"] = Ball(p) * pstar;
+    s["Q"] = westergaard::exceedance(Ball(p), Ball(load));
+    s["q"] = westergaard::density(Ball(p), Ball(load)) / pstar;
+    s["lambda"] = Ball(q(7, 4));
+    s.derivative[{"Q", "p"}] = -s["q"];
+    return s;
+}
+
+/// Where the pressure of full contact begins and ends: p = pbar -+ p*.
+Meaning ends_of_full_contact()
+{
+    Meaning m;
+    for (const Rational& load : {q(9, 8), q(3, 2), q(5, 2)})
+        for (const int side : {-1, 1}) m.situations.push_back(exact_wave(load, Rational(load + side)));
+    return m;
+}
+
+/// Where that of partial contact does: p = 0 and the peak 2 sqrt(pbar p*), at loads that are squares.
+Meaning ends_of_partial_contact()
+{
+    Meaning m;
+    for (const Rational& root : {q(1, 4), q(1, 2), q(7, 8)})
+        for (const Rational& p : {q(0, 1), Rational(2 * root)}) m.situations.push_back(exact_wave(Rational(root * root), p));
+    return m;
+}
+
 Meaning hertz_limit()
 {
     Meaning m;
@@ -213,6 +255,11 @@ void add_meanings_of_sections_2_3(std::map<std::string, Meaning>& all)
     for (const char* id : {"2.17", "2.18"}) all[id] = over(partial_loads, {q(1, 9)}, levels);
     all["2.20"] = over(partial_loads, {q(1, 9)}, levels, [](const Rational&, const Rational& p) { return p > 0; });
     all["2.19"] = over(partial_loads, {q(1, 9)}, levels, [](const Rational& load, const Rational& p) { return p > 0 && p * p < 4 * load; });
+    add_points_of_equality(all["2.2"], over({q(1, 1)}, places, {}));
+    add_points_of_equality(all["2.9"], over({q(1, 1)}, {q(1, 9)}, {}));
+    add_points_of_equality(all["2.10"], over({q(0, 1), q(1, 1)}, {q(1, 9)}, {}));
+    for (const char* id : {"2.11", "2.12", "2.14", "2.15", "2.16"}) add_points_of_equality(all[id], ends_of_full_contact());
+    for (const char* id : {"2.17", "2.18", "2.20"}) add_points_of_equality(all[id], ends_of_partial_contact());
 
     const std::vector<Rational> xs{q(0, 1), q(1, 7), q(-2, 9), q(1, 2)};
     all["3.1"] = at_surfaces({3}, xs, {"n", "z"});

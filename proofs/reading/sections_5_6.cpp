@@ -50,8 +50,9 @@ Meaning over_peaks()
 Meaning over_x()
 {
     Meaning m;
-    for (const Rational& x : {q(1, 50), q(1, 3), q(9, 10), q(99, 100), q(101, 100), q(11, 10), q(3, 2), q(19, 10), q(21, 10), q(5, 1)}) {
+    for (const Rational& x : {q(0, 1), q(1, 1), q(1, 50), q(1, 3), q(9, 10), q(99, 100), q(101, 100), q(11, 10), q(3, 2), q(19, 10), q(21, 10), q(5, 1)}) {
         Situation s;
+        s.at_equality = x == 0 || x == 1;
         s["x"] = Ball(x);
         s["f"] = peaks::f(Ball(x));
         m.situations.push_back(s);
@@ -89,10 +90,10 @@ Meaning load_threshold(std::size_t part, const Rational& bound, const Rational& 
 }
 
 /// One pressure y = p_{n-1} of the scale before, one pressure p_n, in units of p*_n.
-Situation law(const Rational& p, const Rational& y)
+Situation law(const Rational& p, const Rational& y, const Ball& pstar = Ball(q(5, 3)))
 {
     Situation s;
-    const Ball pstar(q(5, 3)), before(q(3, 11)), lambda(q(7, 5)), L(q(9, 4));
+    const Ball before(q(3, 11)), lambda(q(7, 5)), L(q(9, 4));
     s["pstar_n"] = pstar;
     s["p_n"] = Ball(p) * pstar;
     s["p_nm1"] = Ball(y) * pstar;
@@ -148,8 +149,13 @@ void add_meanings_of_sections_5_6(std::map<std::string, Meaning>& all)
     }
     all["5.1"] = substituted;
     all["5.2"] = all["5.3"] = all["5.6"] = all["5.7"] = all["5.8"] = all["5.9"] = all["5.10"] = over_peaks();
-    for (const char* id : {"5.8", "5.9"})
+    for (const char* id : {"5.8", "5.9"}) {
+        for (const bool flat : {false, true}) {
+            all[id].situations.push_back(peaks_at(q(2, 1), flat, q(1, 9), 1));
+            all[id].situations.back().at_equality = true;
+        }
         for (Situation& s : all[id].situations) s.value.erase("x");
+    }
     all["5.4"] = all["5.5"] = over_x();
     all["5.11"] = threshold(q(1, 5), {q(11, 10), q(2, 1), q(4, 1), q(43, 10), q(441, 100), q(446, 100), q(448, 100), q(453, 100), q(5, 1), q(21, 1)});
     all["5.12"] = load_threshold(1, q(1, 5), q(5, 1), {q(1, 100), q(11, 100), q(19, 100), q(199, 1000), q(201, 1000), q(21, 100), q(3, 10), q(5, 2)});
@@ -157,8 +163,15 @@ void add_meanings_of_sections_5_6(std::map<std::string, Meaning>& all)
     all["5.14"] = load_threshold(0, q(1, 1), q(3, 1), {q(1, 100), q(1, 2), q(9, 10), q(99, 100), q(101, 100), q(11, 10), q(3, 2), q(5, 1)});
     const std::vector<Rational> pressures{q(1, 5), q(1, 2), q(9, 10), q(11, 10), q(3, 2), q(19, 10), q(21, 10), q(5, 2), q(7, 2)};
     for (const char* id : {"6.1", "6.2", "6.3", "6.4", "6.5"}) all[id] = over_pressures(pressures);
+    for (const char* id : {"6.2", "6.3", "6.4", "6.5"})
+        for (const Rational& y : {q(1, 5), q(4, 5), q(6, 5), q(5, 2), q(7, 2)}) {
+            all[id].situations.push_back(law(q(2, 1), y));
+            all[id].situations.back().at_equality = true;
+        }
     for (const char* id : {"6.6", "6.7"}) all[id] = over_pressures({q(1, 2)});
     for (Situation& s : all["6.6"].situations) s.group.reset();
+    all["6.6"].situations.push_back(law(q(1, 2), q(1, 1), Ball(2))); // p*_n a power of two: the quotient is 1 and not a ball around it
+    all["6.6"].situations.back().at_equality = true;
     Meaning names;
     names.situations = {law(q(1, 2), q(1, 3))};
     all["6.8"] = names;
