@@ -5,6 +5,7 @@
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/own_rows.hpp"
+#include "verify/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,10 +33,7 @@ public:
     int all()
     {
         if (o_.json) fmt::print("{{\"quantity\":\"{}\",\"file\":{},\"entries\":[", q_.name, nlohmann::json(o_.file).dump());
-        for (OwnRow row; rows_.next(row);) {
-            if (!row.refusal.empty()) throw Failure(bad_input, row.refusal);
-            one(row);
-        }
+        judge_rows();
         const int code = count(PrintedVerdict::wrong) + count(PrintedVerdict::one_unit_off) > 0 ? fails : count(PrintedVerdict::undecided) > 0 ? undecided : holds;
         if (o_.json) {
             nlohmann::ordered_json counts;
@@ -51,6 +49,15 @@ public:
     }
 
 private:
+    void judge_rows()
+    {
+        Progress progress("checking entries", rows_.count());
+        for (OwnRow row; rows_.next(row);) {
+            if (!row.refusal.empty()) throw Failure(bad_input, row.refusal);
+            one(row);
+            progress.done(static_cast<std::size_t>(total_));
+        }
+    }
     int count(PrintedVerdict v) const { return counts_[static_cast<std::size_t>(v)]; }
 
     void one(const OwnRow& row)
@@ -64,6 +71,7 @@ private:
         }
         ++counts_[static_cast<std::size_t>(e.verdict)];
         ++total_;
+        Progress::clear(); // what follows may go to the same terminal
         if (o_.json) {
             nlohmann::ordered_json inputs;
             for (std::size_t k = 0; k < row.words.size(); ++k) inputs[rows_.columns()[k]] = row.words[k];

@@ -5,6 +5,7 @@
 #include "proofs/lemmas/stored_values.hpp"
 #include "proofs/mutation/survivors.hpp"
 #include "proofs/recorded.hpp"
+#include "proofs/sections.hpp"
 #include "proofs/severity.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
@@ -100,32 +101,16 @@ void print_ids(std::string_view label, const std::vector<std::string>& ids)
     fmt::print("{}\n", line);
 }
 
-std::string heading(const std::string& section)
-{
-    if (section == "abstract" || section == "figures" || section == "table 1" || section == "references" || section == "beyond the paper") return section;
-    return "section " + section;
-}
-
 int print_ledger(const std::vector<Entry>& entries)
 {
-    std::vector<std::string> sections;
-    std::map<std::string, std::vector<const Entry*>> by_section;
-    const auto group = [](const Entry& e) { // the sentences follow the equations of their section
-        return e.print.section;
-    };
-    for (const Entry& e : entries) {
-        if (!by_section.count(group(e))) sections.push_back(group(e));
-        by_section[group(e)].push_back(&e);
-    }
-    std::stable_sort(sections.begin(), sections.end(), [](const std::string& a, const std::string& b) {
-        const auto key = [](const std::string& s) { return s == "abstract" ? std::string("0") : s == "table 1" ? std::string("7t") : s.size() == 2 ? "9" + s : s; };
-        return key(a) < key(b);
-    });
+    std::map<std::string, std::vector<const Entry*>> by_section; // the sentences follow the equations of their section
+    for (const Entry& e : entries) by_section[e.print.section].push_back(&e);
     std::map<Verdict, int> count;
     std::map<std::string, int> refuted, again; // by severity; of these the ones that say what another entry said
     int controls = 0, failed = 0;
-    for (const std::string& s : sections) {
-        fmt::print("{}\n", heading(s));
+    for (const auto& [s, heading] : sections()) {
+        if (!by_section.contains(s)) continue;
+        fmt::print("{}\n", heading);
         for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::argued, Verdict::definition}) {
             std::vector<std::string> ids;
             for (const Entry* e : by_section[s])
@@ -199,8 +184,13 @@ int print_mutation(const std::string& id)
     std::vector<const Claim*> some;
     for (const Claim& c : claims())
         if (id.empty() || c.id == id) some.push_back(&c);
-    const Mutation m = mutate(some);
+    const Mutation m = [&some] {
+        Progress progress("judging changed prints", some.size());
+        return mutate(some, 1, 0, [&progress](std::size_t done) { progress.done(done); });
+    }();
     int excused = 0;
+    if (!id.empty())
+        for (const Survivor& s : m.caught) fmt::print("refuted  {}\n         {}\n", s.change, s.reason);
     for (const Survivor& s : m.survivors) {
         if (s.excuse.empty()) fmt::print("SURVIVES as {:<11} {:<28} {}: {}\n", s.verdict, s.id, s.kind, s.change);
         if (s.verdict == "exception") fmt::print("         {}\n", s.reason);

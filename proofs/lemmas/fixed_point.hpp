@@ -12,7 +12,7 @@ namespace touchstone::proofs {
 /// iterates approach it monotonically: h(x) lies strictly between x and x_P.
 /// A bounded monotone sequence converges, by continuity of h to a fixed point, so to x_P.
 ///
-/// Proof in two cases, each inequality a polynomial with positive coefficients:
+/// Proof in two cases, each inequality an identity with a quotient of polynomials with positive coefficients:
 ///   G >= 2, x_P = 4/G^2 <= 1.  x <= 1: h(x) = sqrt(x x_P), the geometric mean.
 ///                              x > 1:  x_P <= h(1) < h(x) <= (1 + x)/2 < x.
 ///   G < 2,  x_P = 1/(G-1) > 1. x >= 1: h(x) - x_P = (x - x_P)/G.
