@@ -168,7 +168,7 @@ Figure edge_error()
     const WorkingPrecision precision(bits);
     Figure f{"edge-error", "Error of two codes beside the edge of the contact",
              "Error in ulps of binary64 at load 0.3, x = a(1 ∓ 2^(−k)), of the library's formulas and of the textbook's as printed, measured on this machine when the figure is drawn. Line: what the rounding of x and load to binary64 alone can force, so that no code could do better on rounded inputs (certified lower bound). "
-             "The library stays below that line; the formula as printed goes with it for the pressure, and for the gap, a difference of nearly equal numbers, loses up to ten decimal digits more. Points on the lower border are errors of 0.001 ulp or less.",
+             "The library stays below that line; the formula as printed goes with it for the pressure, and for the gap, a difference of nearly equal numbers, errs by powers of ten more: beside the edge no digit of it is right. Points on the lower border are errors of 0.001 ulp or less.",
              "Two panels of error against distance from the edge, both logarithmic: the formula as printed loses more and more digits towards the edge, the library's stays at one ulp.", {}, 2, 360};
     f.panels.push_back(edge_panel({"westergaard.pressure", [](double x, double s) { return westergaard::pressure(x, s); }, [](double x, double s) { return as_printed::pressure_partial(x, s); }},
                                   "a", "pressure inside, (2.4)", -1));

@@ -70,10 +70,13 @@ std::string row(const Judged& j)
     const std::string verdict = said.value("verdict", "protocol");
     const auto worst = said.contains("worst") && !said["worst"].empty() ? said["worst"].front() : nlohmann::json::object();
     const bool strict = j.command.find("--strict") != std::string::npos;
-    return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td><span class=\"badge {}\">{}</span></td><td class=\"number\">{} of {}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
-                       "<td><code>{}</code></td></tr>\n",
-                       escaped(j.code), escaped(j.table), verdict == "pass" ? "proved" : verdict == "fail" ? "refuted" : "undecided", escaped(verdict), said.value("failed", 0), said.value("rows", 0),
-                       ulps(number_at(worst.value("ulps", nlohmann::json()), 1)), strict ? "not asked" : ulps(number_at(worst.value("forced_by_inputs", nlohmann::json()), 0)), escaped(j.command));
+    const char* const colour = verdict == "pass" ? "proved" : verdict == "fail" ? "refuted" : "undecided";
+    const std::string worst_ulps = ulps(number_at(worst.value("ulps", nlohmann::json()), 1));
+    const std::string forced = strict ? "not asked" : ulps(number_at(worst.value("forced_by_inputs", nlohmann::json()), 0));
+    return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td><span class=\"badge {}\">{}</span></td><td class=\"number\">{} of {}</td>"
+                       "<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n"
+                       "<tr class=\"regenerate\"><td colspan=\"6\"><code>{}</code></td></tr>\n",
+                       escaped(j.code), escaped(j.table), colour, escaped(verdict), said.value("failed", 0), said.value("rows", 0), worst_ulps, forced, escaped(j.command));
 }
 
 } // namespace
@@ -116,7 +119,7 @@ std::string judged_section(const std::vector<Judged>& all, const std::string& dr
     return "<p>Codes in double precision, judged while this page was made: a row fails if it is more than 4 ulps off beyond what the rounding of its inputs forces. The library's own forms pass everywhere; the formulas as printed, "
            "and GSL's functions put together in the same way, fail where they subtract what is nearly equal. The recursion of section 6 on GSL's quadrature is judged strictly: 4 ulps, nothing forgiven. "
            "Run from the build folder.</p>\n"
-           "<div class=\"scroll\"><table class=\"judged\"><thead><tr><th>code</th><th>table</th><th>verdict</th><th>rows that fail</th><th>ulps, worst row</th><th>of these forced</th><th>regenerate</th></tr></thead><tbody>\n"
+           "<div class=\"scroll\"><table class=\"judged\"><thead><tr><th>code</th><th>table</th><th>verdict</th><th>rows that fail</th><th>ulps, worst row</th><th>of these forced</th></tr></thead><tbody>\n"
          + rows + "</tbody></table></div>\n" + drawing_html
          + "<p>Your own code beside these: <code>touchstone judge westergaard_pressure --svg errors.svg -- ./mycode</code></p>\n";
 }
