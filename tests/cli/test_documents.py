@@ -64,6 +64,12 @@ class Documents(unittest.TestCase):
             answer = subprocess.run([PROGRAM, "judge", "westergaard_half_width", "--", sys.executable, os.path.join(folder, "mycode.py")], capture_output=True, text=True, timeout=300)
             self.assertEqual(answer.returncode, 0, answer.stdout)
 
+    def test_what_the_readme_does_without_a_build(self):
+        text = next(t for language, t in blocks(SOURCE / "README.md") if language == "sh" and "touchstone_reference" in t)
+        answer = subprocess.run(["sh", "-c", text], cwd=SOURCE, capture_output=True, text=True, timeout=300, env=dict(os.environ, PYTHONDONTWRITEBYTECODE="1"))
+        self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+        self.assertRegex(answer.stdout, r"^[1-9]\d* of \d{3} rows fail; the worst: inputs 0x1\.ff\S+, .* ulps, true value 0\.4999\d+\n\Z")
+
     def test_links_resolve(self):
         for page in PAGES:
             text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.S | re.M)
