@@ -155,5 +155,33 @@ class Changed(unittest.TestCase):
         self.assertEqual((r.returncode, r.stderr.count("\n")), (66, 1))
 
 
+class WhatTheProgramRestsOn(unittest.TestCase):
+    def test_every_lemma_holds_and_every_perturbed_constant_is_refuted(self):
+        r = run("--own", "--json")
+        self.assertEqual((r.returncode, r.stderr), (0, ""))
+        lemmas = json.loads(r.stdout)
+        self.assertGreater(len(lemmas), 50)
+        self.assertEqual(len({e["id"] for e in lemmas}), len(lemmas))
+        for e in lemmas:
+            self.assertIn(e["verdict"], ("proved", "verified"), e)
+            self.assertFalse(e["failures"], e)
+            self.assertTrue(e["statement"] and e["method"] and e["steps"], e)
+            self.assertTrue(e["controls"], e["id"] + " has no control")
+            self.assertEqual({c["verdict"] for c in e["controls"]}, {"refuted"}, e)
+            for constant in e["constants"]:
+                self.assertTrue([c for c in e["controls"] if constant in c["what"]], f"{e['id']}: {constant} is never perturbed")
+        text = run("--own").stdout
+        self.assertIn(f"{len(lemmas)} lemmas and constants: ", text)
+        for e in lemmas:
+            self.assertIn(e["id"], text)
+
+    def test_one_lemma_and_an_unknown_one(self):
+        r = run("--own", "wave::place", "--json")
+        self.assertEqual([e["id"] for e in json.loads(r.stdout)], ["wave::place"])
+        self.assertIn("steps", run("--own", "wave::place").stdout)
+        r = run("--own", "wave::nowhere", "--json")
+        self.assertEqual((r.returncode, r.stdout, r.stderr.count("\n")), (65, "", 1))
+
+
 if __name__ == "__main__":
     unittest.main()
