@@ -6,9 +6,9 @@
 #include "touchstone/catalogue/evaluate.hpp"
 
 namespace touchstone {
-
+/// Where to round: to the nearest decimal (ties to even), towards +infinity, -infinity or 0, or away from 0.
 enum class Rounding { nearest, up, down, zero, away };
-std::optional<Rounding> rounding_named(std::string_view);
+std::optional<Rounding> rounding_named(std::string_view); ///< nothing for a name that is none of them
 inline const std::vector<std::string>& rounding_names()
 {
     static const std::vector<std::string> all{"nearest", "up", "down", "zero", "away"};

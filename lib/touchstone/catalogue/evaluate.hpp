@@ -7,10 +7,10 @@
 #include "touchstone/rounding/decimal.hpp"
 
 namespace touchstone {
-
+/// What is known of the digits printed: the value itself; proven; two witnesses agree, no proof; fewer than asked for.
 enum class Status { exact, certified, estimated, undecided };
-std::string_view to_string(Status);
-
+std::string_view to_string(Status); ///< its name in lower case
+/// How many digits, and with which working precisions they may be looked for.
 struct EvaluationOptions {
     long digits = 20;            ///< 1 to 10 000
     slong start_bits = 0;        ///< first precision tried, limit_bits at most; 0: from the digits. Does not change the result.
@@ -19,18 +19,18 @@ struct EvaluationOptions {
 
 /// What looked at a proven value beside the proof whose digits are shown.
 struct SecondLook {
-    std::string name;
+    std::string name; ///< of the proof or witness
     bool is_proof = false;  ///< else a witness: a value and its own idea of its error, neither proven
     bool agrees = false;    ///< a proof that does not agree throws; a witness that does not is reported
     long digits = 0;        ///< of a proof: that it decides alone; of a witness: to which it agrees
     std::string shares;     ///< what it has in common with the proof, where that is known
 };
-
+/// A value as it may be printed, with what is known of it.
 struct Evaluation {
     std::string value;                 ///< correctly rounded decimal, or what could be had
     std::string error_bound;           ///< proven bound of |value - true value|; not `proven`: the same half unit, which proves nothing
     long digits = 0;                   ///< significant digits in `value`
-    Status status = Status::undecided;
+    Status status = Status::undecided; ///< what is known of the digits
     bool proven = false;               ///< every digit of `value`; always so if exact or certified
     std::optional<double> binary64;    ///< nearest double to the true value, if every proof that was asked decides it
     std::vector<std::string> routes;   ///< the proofs, and a witness marked as such

@@ -11,14 +11,14 @@ namespace touchstone {
 template <Scalar T>
 class Arguments {
 public:
-    explicit Arguments(const Inputs& in) : in_(in) {}
-    T operator()(const char* key) const
+    explicit Arguments(const Inputs& in) : in_(in) {} ///< refers to them
+    T operator()(const char* key) const ///< one input by name
     {
         if constexpr (std::same_as<T, Ball>) return in_.ball(key);
         else return T(in_.real(key));
     }
-    long integer(const char* key) const { return in_.integer(key); }
-    T G() const
+    long integer(const char* key) const { return in_.integer(key); } ///< one that is an integer
+    T G() const ///< gamma^(D-1)
     {
         if constexpr (std::same_as<T, Exact>) return in_.G_exact();
         else return in_.G_ball();

@@ -21,12 +21,12 @@ namespace touchstone {
 class Inputs {
 public:
     Inputs() = default;
-    explicit Inputs(std::map<std::string, Rational> values) : values_(std::move(values)) {}
-    bool has(const std::string& key) const { return values_.contains(key); }
-    const Rational& real(const std::string& key) const { return values_.at(key); }
+    explicit Inputs(std::map<std::string, Rational> values) : values_(std::move(values)) {} ///< by name, exact
+    bool has(const std::string& key) const { return values_.contains(key); } ///< whether it is given
+    const Rational& real(const std::string& key) const { return values_.at(key); } ///< \throws std::out_of_range
     /// An input that the domain check has found to be an integer within a long.
     long integer(const std::string& key) const { return values_.at(key).get_num().get_si(); }
-    const std::map<std::string, Rational>& values() const { return values_; }
+    const std::map<std::string, Rational>& values() const { return values_; } ///< all, by name
     /// `real(key)` as a ball, with its half-width if the inputs are a box.
     Ball ball(const std::string& key) const;
     /// The box of all inputs within these distances of this one. Only a Route that `takes_boxes` can use it.
@@ -49,7 +49,7 @@ private:
 /// One way to compute a quantity: an enclosure at about the working precision.
 struct Route {
     std::string name;
-    std::function<Ball(const Inputs&)> ball;
+    std::function<Ball(const Inputs&)> ball; ///< encloses the value
     /// Whether it also encloses all values over a box of inputs (it never looks at an input but as a ball).
     bool takes_boxes = false;
 };
@@ -91,14 +91,14 @@ struct Certified {
     std::string second_look; ///< "proof NAME" or "witness NAME"
     std::string shares;      ///< what the two have in common; empty where that was not written down
 };
-
+/// A quantity of the paper: its name, what its inputs may be, and what computes it.
 struct Quantity {
     std::string name;        ///< as typed: "westergaard.half_width"
     std::string equation;    ///< number in the paper
-    std::string unit;
+    std::string unit; ///< as `list` prints it
     std::string domain;      ///< in words, as `list` prints it
-    std::vector<std::string> inputs;
-    std::string description;
+    std::vector<std::string> inputs; ///< their names, in order
+    std::string description; ///< one line
     /// \throws DomainError with one line saying what is wrong and what would be right
     std::function<void(const Inputs&)> check;
     /// The value in exact arithmetic; throws NotExact where there is none. May be empty.
@@ -130,22 +130,22 @@ const Quantity* find_quantity(std::string_view name);
 
 /// The name nearest to what was typed (edit distance), for an error message.
 std::string nearest_name(std::string_view typed, const std::vector<std::string>& names);
-std::vector<std::string> quantity_names();
+std::vector<std::string> quantity_names(); ///< in the catalogue's order
 
 /// The sections register their quantities here, one function for each file.
 void add_westergaard(std::vector<Quantity>&);
-void add_gap(std::vector<Quantity>&);
-void add_weierstrass(std::vector<Quantity>&);
-void add_peaks(std::vector<Quantity>&);
-void add_contact(std::vector<Quantity>&);
-void add_archard(std::vector<Quantity>&);
-void add_segments(std::vector<Quantity>&);
-void add_limit(std::vector<Quantity>&);
+void add_gap(std::vector<Quantity>&); ///< westergaard.gap, mean_gap, energy
+void add_weierstrass(std::vector<Quantity>&); ///< section 3
+void add_peaks(std::vector<Quantity>&); ///< section 5
+void add_contact(std::vector<Quantity>&); ///< section 6, (8.1) and (9.3)
+void add_archard(std::vector<Quantity>&); ///< section 7, (8.2) and (8.3)
+void add_segments(std::vector<Quantity>&); ///< (9.4)
+void add_limit(std::vector<Quantity>&); ///< the limits of large n
 
 // ---- what domain checks are made of; each throws DomainError in the form "load = -1: must be > 0"
-
+/// The general form: unless `holds`, the input `key` is refused. \throws DomainError
 void require(bool holds, const Inputs&, const std::string& key, std::string_view what_would_be_right);
-void require_integer(const Inputs&, const std::string& key, long least, long most);
+void require_integer(const Inputs&, const std::string& key, long least, long most); ///< from least to most
 /// load > 0
 void require_load(const Inputs&);
 /// D in (1, 2) and gamma > 1, or G > 1

@@ -18,9 +18,9 @@ namespace touchstone::oracle {
 class BadBaseline : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-
+/// What a code reached before, row by row: it may not get worse.
 struct Baseline {
-    std::string table;
+    std::string table; ///< its name
     std::string sha256;                    ///< of the table's rows
     std::map<std::string, double> bounds;  ///< inputs as hexfloats with blanks between -> most ulps
     std::string text() const;              ///< JSON, a row a line

@@ -19,14 +19,14 @@ namespace touchstone::oracle {
 /// least <= true figure <= most. Figures beyond binary64 end at its largest finite number.
 struct Interval {
     double least = 0;
-    double most = 0;
+    double most = 0; ///< an upper bound
 };
 
 /// A certified value: the true one is within `error` of `value`.
 struct CertifiedValue {
-    Rational value;
-    Rational error;
-    bool is_zero() const { return value == 0 && error == 0; }
+    Rational value; ///< the middle
+    Rational error; ///< >= 0
+    bool is_zero() const { return value == 0 && error == 0; } ///< exactly zero
 };
 
 using touchstone::ulp_at;

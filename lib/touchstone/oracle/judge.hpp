@@ -19,15 +19,15 @@ inline constexpr std::size_t shown_rows = 10;
 
 /// A row asked: exact inputs, and the value the answer is measured against.
 struct Question {
-    std::vector<double> inputs;
+    std::vector<double> inputs; ///< in the quantity's order
     std::string value;          ///< the certified value as text
-    CertifiedValue truth;
+    CertifiedValue truth; ///< the same as a number, with its error
     bool held_out = false;      ///< not from the table: certified at judge time
     std::optional<Forced> forced{}; ///< as the table has it
 };
-
+/// A known mistake that explains the answers.
 struct MixUp {
-    std::string name;
+    std::string name; ///< as mixup.hpp calls it
     double explains = 0;        ///< share of the telling rows it gives, 0 to 1
     double to = 0;              ///< relative difference up to which they are the same
     std::size_t remains = 0;    ///< telling rows tried that it does not give
@@ -35,24 +35,24 @@ struct MixUp {
 
 /// answer/truth over all rows where both are numbers and the truth is not zero.
 struct Ratio {
-    std::size_t rows = 0;
+    std::size_t rows = 0; ///< over how many it is taken
     double median = 0, lower = 0, upper = 0; ///< lower and upper: the middle half lies between them
 };
 
 /// What the answers have in common. See mixup.hpp.
 struct Diagnosis {
-    Ratio ratio;
-    std::optional<MixUp> mixup;
+    Ratio ratio; ///< answer over truth
+    std::optional<MixUp> mixup; ///< nothing if none explains them
     std::vector<std::string> findings;   ///< a sentence each: single precision, few digits printed
 };
-
+/// Within the bound, beyond it, or not decided by what is certified.
 enum class Verdict { pass, fail, undecided };
-std::string_view to_string(Verdict);
-
+std::string_view to_string(Verdict); ///< its name
+/// What an answer may be off by.
 struct Bound {
     double ulps = 4;            ///< of error beyond what the rounding of inputs forces
     double relative = 0;        ///< |answer - truth| <= at_least + relative |truth| passes too, as in numpy's allclose
-    double at_least = 0;
+    double at_least = 0; ///< numpy's atol
     bool forgive_inputs = true; ///< false: the bound is for the whole error
     double absolute = 0;        ///< allowed where the true value is zero
     bool keep_order = false;    ///< order and symmetry violations fail too
@@ -60,9 +60,9 @@ struct Bound {
     /// they are judged by `ulps`, and never decide.
     const Baseline* baseline = nullptr;
 };
-
+/// One answer, and what is to be said of it.
 struct JudgedRow {
-    double answer = 0;
+    double answer = 0; ///< as the code gave it
     bool special = false;            ///< NaN, or infinite where the truth is not
     Interval error;                  ///< ulps; absolute where the truth is zero; of no meaning if special
     std::optional<Forced> forced;    ///< worked out only where the verdict or the reader needs it
@@ -72,19 +72,19 @@ struct JudgedRow {
 
 /// Two rows whose answers are in the wrong order, or differ where the truth is the same by symmetry.
 struct OrderViolation {
-    std::size_t first, second;
-    std::string what;
+    std::size_t first, second; ///< of the rows asked
+    std::string what; ///< which rule is broken
 };
-
+/// All rows, and what they come to.
 struct Judgement {
     Verdict verdict = Verdict::pass;
-    std::vector<JudgedRow> rows;
+    std::vector<JudgedRow> rows; ///< as asked
     Interval ulps;                       ///< worst row: largest least, largest most
-    std::size_t failed = 0, undecided = 0, special = 0, negative_zeros = 0, zeros = 0;
+    std::size_t failed = 0, undecided = 0, special = 0, negative_zeros = 0, zeros = 0; ///< how many rows are so
     std::size_t held_out_failed = 0;     ///< rows held out beside a baseline that are beyond `ulps`: said, never counted
     double worst_at_zero = 0;            ///< largest |answer| where the truth is zero
     std::vector<std::size_t> worst;      ///< rows, the worst first
-    std::vector<OrderViolation> order;
+    std::vector<OrderViolation> order; ///< wherever it was found
     Diagnosis diagnosis;                 ///< the mix-up only if rows fail
     bool looked_up = false;              ///< right on the table's rows, wrong off them
 };

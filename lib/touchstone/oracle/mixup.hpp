@@ -14,8 +14,8 @@ namespace touchstone::oracle {
 
 /// How close an answer must come to be the same: relative, and absolute beside it.
 struct Tolerance {
-    double relative = 0;
-    double absolute = 0;
+    double relative = 0; ///< of the true value
+    double absolute = 0; ///< beside it
 };
 
 /// Looks at the data from tight to loose (a part in 2^20, then 1e-4, 1e-3, 1e-2, 5e-2; never tighter than the tolerance asked for):

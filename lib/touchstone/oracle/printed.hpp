@@ -9,18 +9,18 @@
 #include <string_view>
 
 namespace touchstone::oracle {
-
+/// What a printed number is of the true value.
 enum class PrintedVerdict {
     rounded,      ///< the true value rounded to nearest, at as many decimals as are printed (on a tie, either way)
     cut_off,      ///< not rounded: the true value's digits, the rest left out
     one_unit_off, ///< the right rounding and this differ by one unit of the last place printed
-    wrong,
+    wrong, ///< none of these
     undecided,    ///< the true value is not known, or not proven, well enough
 };
-std::string_view to_string(PrintedVerdict);
-
+std::string_view to_string(PrintedVerdict); ///< in words
+/// The verdict on one printed number.
 struct PrintedEntry {
-    PrintedVerdict verdict = PrintedVerdict::undecided;
+    PrintedVerdict verdict = PrintedVerdict::undecided; ///< what it is
     std::string right; ///< the true value rounded to nearest at the place of the last printed digit; empty if undecided
     std::string note;  ///< why undecided
 };

@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace touchstone::oracle {
-
+/// How a subject broke the protocol.
 enum class FaultKind {
     not_started,   ///< no such program, library or symbol
     killed,        ///< ended by a signal of its own making
@@ -28,10 +28,10 @@ enum class FaultKind {
     endless_line,  ///< no line end, or no answer, within what a number can need
     closed_input,  ///< stopped reading before all rows were sent
 };
-std::string_view to_string(FaultKind);
-
+std::string_view to_string(FaultKind); ///< in words
+/// The first breach of the protocol, after which nothing is read.
 struct Fault {
-    FaultKind kind;
+    FaultKind kind; ///< what kind of breach
     std::string detail;         ///< one line: what happened, after which answer
     std::size_t answered = 0;   ///< rows answered before
 };
@@ -39,17 +39,17 @@ struct Fault {
 /// Start-up is slow in some languages and output may be held back until the end of the input,
 /// hence three limits and not one a row: for the first answer, for silence after it, and in all.
 struct Limits {
-    std::chrono::milliseconds start{60'000};
-    std::chrono::milliseconds silence{10'000};
-    std::chrono::milliseconds total{600'000};
+    std::chrono::milliseconds start{60'000}; ///< to the first answer
+    std::chrono::milliseconds silence{10'000}; ///< between two answers
+    std::chrono::milliseconds total{600'000}; ///< to the last answer
 };
-
+/// What a subject answered, in the order of the rows.
 struct Answers {
     std::vector<double> values;   ///< as many as rows, unless there is a fault
-    std::optional<Fault> fault;
+    std::optional<Fault> fault; ///< nothing if all went well
     std::string chatter;          ///< the end of what it wrote to stderr
 };
-
+/// The inputs of each row, in the order of the quantity.
 using InputRows = std::vector<std::vector<double>>;
 
 /// Run a program without a shell; command[0] is looked up in PATH.
@@ -62,7 +62,7 @@ Answers ask_library(const std::string& library, const std::string& symbol, const
 /// over (Octave's save writes such). Reading ends at the first fault, and at `most_unused` bytes without an answer among them.
 /// \throws std::system_error if the stream cannot be read
 Answers read_answers(std::istream&, std::size_t rows);
-inline constexpr std::size_t most_unused = std::size_t{1} << 20;
+inline constexpr std::size_t most_unused = std::size_t{1} << 20; ///< bytes
 
 /// One number as C, Fortran, Python or Octave print it: decimal (D or E exponent), C99 hexadecimal, inf, nan.
 std::optional<double> parse_answer(std::string_view line);

@@ -76,8 +76,8 @@ T peak_pressure(const T& load)
 template <Scalar T>
 T above_lowest(const T& p, const T& load) { return p - (load - 1); }
 template <Scalar T>
-T below_highest(const T& p, const T& load) { return 1 - (p - load); }
-inline double above_lowest(double p, double load) { return load <= 2 ? p - (load - 1) : 1 + (p - load); }
+T below_highest(const T& p, const T& load) { return 1 - (p - load); } ///< to the highest pressure
+inline double above_lowest(double p, double load) { return load <= 2 ? p - (load - 1) : 1 + (p - load); } ///< (2.16)
 
 /// (2.11)-(2.14)  share of the wavelength with pressure above p in full contact, load >= 1:
 /// (1/pi) arccos(p - load) = (2/pi) arctan sqrt((load + 1 - p)/(p - load + 1)).

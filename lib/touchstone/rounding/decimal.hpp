@@ -12,17 +12,17 @@ namespace touchstone {
 
 /// A decimal number of so many significant digits: +-0.d1d2d3... 10^exponent, or zero.
 struct Decimal {
-    bool negative = false;
+    bool negative = false; ///< the sign
     std::string digits;  ///< d1 is not '0'; empty for zero
-    long exponent = 0;
+    long exponent = 0; ///< of ten
 
     /// 10^-5 <= |value| < 10^width prints as a plain number, anything else as d.ddde+XX.
     /// Trailing zeros are kept: they are digits too.
     std::string text(long width) const;
-    std::string text() const { return text(static_cast<long>(digits.size())); }
+    std::string text() const { return text(static_cast<long>(digits.size())); } ///< with all its digits
     /// Half a unit in the last digit, as text (`5e-31`): the bound of |this - true value|.
     std::string half_unit() const;
-    Rational value() const;
+    Rational value() const; ///< exactly
     friend bool operator==(const Decimal&, const Decimal&) = default;
 };
 

@@ -11,7 +11,7 @@ namespace touchstone {
 
 /// What is asked of a computation: a relative error of about 10^-digits or less. What it reached is in the ball it returns.
 struct Accuracy {
-    long digits = 20;
+    long digits = 20; ///< significant decimal digits
 };
 
 /// The bits a formula works with for this accuracy: 48 are left for what it loses on the way. At least 2.

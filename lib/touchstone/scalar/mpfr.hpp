@@ -12,15 +12,15 @@
 #include <boost/multiprecision/mpfr.hpp>
 
 namespace touchstone {
-
+/// As many digits as default_precision says.
 using Mpfr = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
-
+/// MPFR numbers: rounded to nearest, nothing proven.
 template <>
 struct ScalarTraits<Mpfr> : ComposedTraits<Mpfr> {
-    static Mpfr integer(long n) { return Mpfr(n); }
-    static Truth less(const Mpfr& x, const Mpfr& y) { return truth(x < y); }
-    static Mpfr hull(const Mpfr& x, const Mpfr& y) { return x == y ? x : std::numeric_limits<Mpfr>::quiet_NaN(); }
-    static Mpfr quotient(long p, long q) { return Mpfr(p) / q; }
+    static Mpfr integer(long n) { return Mpfr(n); } ///< n
+    static Truth less(const Mpfr& x, const Mpfr& y) { return truth(x < y); } ///< always decided; no for a NaN
+    static Mpfr hull(const Mpfr& x, const Mpfr& y) { return x == y ? x : std::numeric_limits<Mpfr>::quiet_NaN(); } ///< NaN unless equal
+    static Mpfr quotient(long p, long q) { return Mpfr(p) / q; } ///< p/q, rounded
     static Mpfr pi()
     {
         Mpfr r;
@@ -49,7 +49,7 @@ struct ScalarTraits<Mpfr> : ComposedTraits<Mpfr> {
         mpfr_expm1(r.backend().data(), r.backend().data(), MPFR_RNDN);
         return r;
     }
-    static Mpfr sqrt_positive_part(const Mpfr& x) { return x > 0 ? sqrt(x) : Mpfr(0); }
+    static Mpfr sqrt_positive_part(const Mpfr& x) { return x > 0 ? sqrt(x) : Mpfr(0); } ///< sqrt(max(x, 0))
     static Mpfr hypot(const Mpfr& a, const Mpfr& b)
     {
         Mpfr r;

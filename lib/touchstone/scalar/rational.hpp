@@ -11,8 +11,8 @@
 
 namespace touchstone {
 
-using Rational = mpq_class;
-using Integer = mpz_class;
+using Rational = mpq_class; ///< in lowest terms, once canonicalised
+using Integer = mpz_class; ///< of any size
 
 /// Read an exact number: an integer (`12`), a decimal (`0.1`, `1e-300`, exactly
 /// 1/10 and 10^-300), a quotient of those (`1/3`), or a C99 hexadecimal number

@@ -37,21 +37,21 @@ class DomainError : public std::domain_error {
 /// What a comparison of enclosures can say.
 enum class Truth { no, unknown, yes };
 
-constexpr Truth truth(bool decided) { return decided ? Truth::yes : Truth::no; }
-constexpr bool certainly(Truth t) { return t == Truth::yes; }
-constexpr bool possibly(Truth t) { return t != Truth::no; }
+constexpr Truth truth(bool decided) { return decided ? Truth::yes : Truth::no; } ///< of what a plain comparison says
+constexpr bool certainly(Truth t) { return t == Truth::yes; } ///< proven
+constexpr bool possibly(Truth t) { return t != Truth::no; } ///< not disproven
 
 // ---------------------------------------------------------------- double
 
-inline double sqrt(double x) { return std::sqrt(x); }
-inline double exp(double x) { return std::exp(x); }
-inline double log(double x) { return std::log(x); }
-inline double sin(double x) { return std::sin(x); }
-inline double cos(double x) { return std::cos(x); }
-inline double asin(double x) { return std::asin(x); }
-inline double acos(double x) { return std::acos(x); }
-inline double atan2(double y, double x) { return std::atan2(y, x); }
-inline double pow(double x, double y) { return std::pow(x, y); }
+inline double sqrt(double x) { return std::sqrt(x); } ///< square root
+inline double exp(double x) { return std::exp(x); } ///< e^x
+inline double log(double x) { return std::log(x); } ///< natural logarithm
+inline double sin(double x) { return std::sin(x); } ///< sine, x in radians
+inline double cos(double x) { return std::cos(x); } ///< cosine, x in radians
+inline double asin(double x) { return std::asin(x); } ///< in [-pi/2, pi/2]
+inline double acos(double x) { return std::acos(x); } ///< in [0, pi]
+inline double atan2(double y, double x) { return std::atan2(y, x); } ///< the angle of (x, y), in [-pi, pi]
+inline double pow(double x, double y) { return std::pow(x, y); } ///< x^y
 
 
 /// Customisation point: how a Scalar makes constants, and the few compound
@@ -62,22 +62,22 @@ struct ScalarTraits;
 /// The compound operations as their composition: what an arithmetic gets that has no better way.
 template <class T>
 struct ComposedTraits {
-    static T pow_product(const T& x, const T& a, const T& b) { return pow(x, T(a * b)); }
-    static T sqrt_minus_square(const T& a, const T& b) { return ScalarTraits<T>::sqrt_positive_part(a - b * b); }
-    static T sqrt_minus_pi_square(const T& a, const T& x) { return sqrt_minus_square(a, T(ScalarTraits<T>::pi() * x)); }
-    static T sqrt_minus_sin_pi_square(const T& a, const T& x) { return sqrt_minus_square(a, ScalarTraits<T>::sin_pi(x)); }
-    static T sqrt_square_minus(const T& b, const T& a) { return ScalarTraits<T>::sqrt_positive_part(b * b - a); }
-    static T sqrt_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(T(ScalarTraits<T>::pi() * x), a); }
-    static T sqrt_sin_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(ScalarTraits<T>::sin_pi(x), a); }
+    static T pow_product(const T& x, const T& a, const T& b) { return pow(x, T(a * b)); } ///< x^(a b)
+    static T sqrt_minus_square(const T& a, const T& b) { return ScalarTraits<T>::sqrt_positive_part(a - b * b); } ///< sqrt(max(a - b^2, 0))
+    static T sqrt_minus_pi_square(const T& a, const T& x) { return sqrt_minus_square(a, T(ScalarTraits<T>::pi() * x)); } ///< b = pi x
+    static T sqrt_minus_sin_pi_square(const T& a, const T& x) { return sqrt_minus_square(a, ScalarTraits<T>::sin_pi(x)); } ///< b = sin pi x
+    static T sqrt_square_minus(const T& b, const T& a) { return ScalarTraits<T>::sqrt_positive_part(b * b - a); } ///< sqrt(max(b^2 - a, 0))
+    static T sqrt_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(T(ScalarTraits<T>::pi() * x), a); } ///< b = pi x
+    static T sqrt_sin_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(ScalarTraits<T>::sin_pi(x), a); } ///< b = sin pi x
 };
-
+/// binary64: the formulas lose a few ulp, at the edges of the contact too.
 template <>
 struct ScalarTraits<double> {
-    static double integer(long n) { return static_cast<double>(n); }
-    static double quotient(long p, long q) { return static_cast<double>(p) / static_cast<double>(q); }
-    static double pi() { return std::numbers::pi; }
-    static Truth less(double x, double y) { return truth(x < y); }
-    static double hull(double x, double y) { return x == y ? x : std::numeric_limits<double>::quiet_NaN(); }
+    static double integer(long n) { return static_cast<double>(n); } ///< n, exact up to 2^53
+    static double quotient(long p, long q) { return static_cast<double>(p) / static_cast<double>(q); } ///< p/q rounded to nearest
+    static double pi() { return std::numbers::pi; } ///< the double nearest to pi
+    static Truth less(double x, double y) { return truth(x < y); } ///< always decided; no for a NaN
+    static double hull(double x, double y) { return x == y ? x : std::numeric_limits<double>::quiet_NaN(); } ///< NaN unless equal
     /// error < 1 ulp: reduced exactly to [0, 1/4], so no digit is lost near a zero.
     static double sin_pi(double x)
     {
@@ -94,8 +94,8 @@ struct ScalarTraits<double> {
         const double c = r > 0.25 ? std::sin(std::numbers::pi * (0.5 - r)) : std::cos(std::numbers::pi * r);
         return a > 0.5 ? -c : c;
     }
-    static double powm1(double x, double y) { return std::expm1(y * std::log(x)); }
-    static double sqrt_positive_part(double x) { return x > 0 ? std::sqrt(x) : 0.0; }
+    static double powm1(double x, double y) { return std::expm1(y * std::log(x)); } ///< x^y - 1 for x > 0
+    static double sqrt_positive_part(double x) { return x > 0 ? std::sqrt(x) : 0.0; } ///< sqrt(max(x, 0))
     /// sqrt(max(a - b^2, 0)), the difference with one rounding and safe from underflow.
     static double sqrt_minus_square(double a, double b)
     {
@@ -135,7 +135,7 @@ struct ScalarTraits<double> {
     }
     /// sqrt(a*a + b*b) without overflow, underflow or cancellation.
     static double hypot(double a, double b) { return std::hypot(a, b); }
-    static double power_of_two(long e) { return std::ldexp(1.0, static_cast<int>(std::clamp(e, -5000L, 5000L))); }
+    static double power_of_two(long e) { return std::ldexp(1.0, static_cast<int>(std::clamp(e, -5000L, 5000L))); } ///< 2^e
     /// Gamma(x) for x > 0.
     static double gamma(double x) { return std::tgamma(x); }
     /// x^(a b): what the rounded exponent leaves out is put back to first order.
@@ -172,7 +172,7 @@ T integer(long n) { return ScalarTraits<T>::integer(n); }
 /// p/q as a T: correctly rounded, enclosed or exact, as T has it.
 template <long p, long q, class T>
 T ratio() { return ScalarTraits<T>::quotient(p, q); }
-
+/// pi as a T.
 template <class T>
 T pi() { return ScalarTraits<T>::pi(); }
 
@@ -193,8 +193,8 @@ template <class T> T gamma_function(const T& x) { return ScalarTraits<T>::gamma(
 // Order, for arithmetics whose type is not of this namespace (ADL would not find overloads).
 template <class T>
 concept OrderedByTraits = requires(const T x, const T y) { { ScalarTraits<T>::less(x, y) } -> std::same_as<Truth>; };
-template <OrderedByTraits T> Truth less(const T& x, const T& y) { return ScalarTraits<T>::less(x, y); }
-template <OrderedByTraits T> T hull(const T& x, const T& y) { return ScalarTraits<T>::hull(x, y); }
+template <OrderedByTraits T> Truth less(const T& x, const T& y) { return ScalarTraits<T>::less(x, y); } ///< x < y
+template <OrderedByTraits T> T hull(const T& x, const T& y) { return ScalarTraits<T>::hull(x, y); } ///< both
 template <OrderedByTraits T> T at_most(const T& x, const T& bound) { return ScalarTraits<T>::less(bound, x) == Truth::yes ? bound : x; }
 template <OrderedByTraits T> T at_least(const T& x, const T& bound) { return ScalarTraits<T>::less(x, bound) == Truth::yes ? bound : x; }
 
