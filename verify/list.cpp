@@ -42,7 +42,8 @@ struct ListOptions {
 
 nlohmann::ordered_json as_json(const Quantity& q)
 {
-    return {{"name", q.name}, {"equation", q.equation}, {"unit", q.unit}, {"domain", q.domain}, {"inputs", q.inputs}, {"description", q.description}};
+    return {{"name", q.name},     {"equation", q.equation}, {"unit", q.unit},
+            {"domain", q.domain}, {"inputs", q.inputs},     {"description", q.description}};
 }
 
 std::vector<std::string> tables_of(const Quantity& q)
@@ -55,17 +56,28 @@ std::vector<std::string> tables_of(const Quantity& q)
 
 std::string cost(const Quantity& q) { return q.costly ? "seconds to minutes, the first value of a scale most" : "milliseconds"; }
 
+/// For Markdown: an asterisk is one, and a bar is not the end of a table's cell.
+std::string literal(const std::string& text)
+{
+    std::string all;
+    for (const char c : text) all += c == '*' || c == '|' ? std::string("\\") + c : std::string(1, c);
+    return all;
+}
+
 std::string section(const Quantity& q)
 {
     std::vector<std::string> routes;
     for (const Route& r : q.routes) routes.push_back(r.name);
-    return fmt::format("## {}\n\n{}. Equation {}.\n\n| | |\n|---|---|\n| inputs | {} |\n| unit | {} |\n| domain, status | {} |\n| routes | {} |\n| cost | {} |\n| tables | {} |\n\n", q.name, q.description, q.equation,
-                       q.inputs.empty() ? "none" : fmt::format("{}", fmt::join(q.inputs, ", ")), q.unit, q.domain, fmt::join(routes, ", "), cost(q), fmt::join(tables_of(q), ", "));
+    return fmt::format("## {}\n\n{}. Equation {}.\n\n| | |\n|---|---|\n| inputs | {} |\n| unit | {} |\n| domain, status | {} |\n| routes | "
+                       "{} |\n| cost | {} |\n| tables | {} |\n\n",
+                       q.name, literal(q.description), q.equation, q.inputs.empty() ? "none" : fmt::format("{}", fmt::join(q.inputs, ", ")),
+                       literal(q.unit), literal(q.domain), fmt::join(routes, ", "), cost(q), fmt::join(tables_of(q), ", "));
 }
 
 int print_markdown()
 {
-    fmt::print("# Quantities\n\nMade by `touchstone list --markdown`. [Units](units.md) says what the inputs are; `touchstone list QUANTITY` adds an adapter to copy.\n"
+    fmt::print("# Quantities\n\nMade by `touchstone list --markdown`. [Units](units.md) says what the inputs are; `touchstone list "
+               "QUANTITY` adds an adapter to copy.\n"
                "Unless the domain says otherwise a value is certified to as many digits as asked, up to 10000.\n\n");
     for (const Quantity& q : catalogue()) fmt::print("{}", section(q));
     return holds;
@@ -74,7 +86,9 @@ int print_markdown()
 int print_one(const std::string& name, bool json)
 {
     const Quantity* q = find_quantity(name);
-    if (q == nullptr) throw Failure(usage_error, fmt::format("unknown quantity '{}'; nearest is '{}' (all: touchstone list)", name, nearest_name(name, quantity_names())));
+    if (q == nullptr)
+        throw Failure(usage_error, fmt::format("unknown quantity '{}'; nearest is '{}' (all: touchstone list)", name,
+                                               nearest_name(name, quantity_names())));
     if (json) {
         fmt::print("{}\n", as_json(*q).dump());
         return holds;
@@ -82,9 +96,12 @@ int print_one(const std::string& name, bool json)
     const auto tables = tables_of(*q);
     std::vector<std::string> routes;
     for (const Route& r : q->routes) routes.push_back(r.name);
-    fmt::print("{}  {}\n\n  equation  {}\n  inputs    {}\n  unit      {}\n  domain    {}\n  routes    {}\n  cost      {}\n  tables    {}\n\n", q->name, q->description, q->equation,
-               q->inputs.empty() ? "none" : fmt::format("{}", fmt::join(q->inputs, " ")), q->unit, q->domain, fmt::join(routes, ", "), cost(*q), fmt::join(tables, " "));
-    fmt::print("To judge your own code, put it where the adapter says `your code here`:\n  touchstone judge {} -- COMMAND\n\n", tables.empty() ? "TABLE" : tables.front());
+    fmt::print(
+        "{}  {}\n\n  equation  {}\n  inputs    {}\n  unit      {}\n  domain    {}\n  routes    {}\n  cost      {}\n  tables    {}\n\n",
+        q->name, q->description, q->equation, q->inputs.empty() ? "none" : fmt::format("{}", fmt::join(q->inputs, " ")), q->unit, q->domain,
+        fmt::join(routes, ", "), cost(*q), fmt::join(tables, " "));
+    fmt::print("To judge your own code, put it where the adapter says `your code here`:\n  touchstone judge {} -- COMMAND\n\n",
+               tables.empty() ? "TABLE" : tables.front());
     fmt::print("-- Python --\n{}\n-- C and C++ --\n{}\n-- Fortran --\n{}", adapter(*q, "python"), adapter(*q, "c"), adapter(*q, "fortran"));
     return holds;
 }
@@ -98,7 +115,8 @@ int list(const ListOptions& o)
         all.push_back(as_json(q));
         if (!o.json)
             fmt::print("{}{}{}{}", wrapped(fmt::format("{} {}", q.name, fmt::join(q.inputs, " ")), 0),
-                       wrapped(fmt::format("{}; equation {}", q.description, q.equation), 4), wrapped("unit: " + q.unit, 4), wrapped("domain: " + q.domain, 4));
+                       wrapped(fmt::format("{}; equation {}", q.description, q.equation), 4), wrapped("unit: " + q.unit, 4),
+                       wrapped("domain: " + q.domain, 4));
     }
     if (o.json) fmt::print("{}\n", all.dump());
     return holds;

@@ -70,6 +70,22 @@ class Documents(unittest.TestCase):
         self.assertEqual((answer.returncode, answer.stderr), (0, ""))
         self.assertRegex(answer.stdout, r"^[1-9]\d* of \d{3} rows fail; the worst: inputs 0x1\.ff\S+, .* ulps, true value 0\.4999\d+\n\Z")
 
+    def test_markdown_shows_what_is_written(self):
+        """A bar ends a cell and two asterisks in a line make italics of what lies between them, unless they are escaped."""
+        for page in PAGES:
+            text = re.sub(r"^```.*?^```$|`[^`\n]*`", lambda m: "\n" * m.group().count("\n"), page.read_text(), flags=re.S | re.M)
+            columns = None
+            for number, line in enumerate(text.split("\n"), 1):
+                bars = len(re.findall(r"(?<!\\)\|", line))
+                if not line.startswith("|"):
+                    columns = None
+                elif columns is None:
+                    columns = bars
+                else:
+                    self.assertEqual(bars, columns, f"{page.name}:{number}: {line}")
+                for cell in re.split(r"(?<!\\)\|", line):
+                    self.assertLess(len(re.findall(r"(?<![\\*])\b[pE]\*(?!\*)", cell)), 2, f"{page.name}:{number}: {cell}")
+
     def test_links_resolve(self):
         for page in PAGES:
             text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.S | re.M)
