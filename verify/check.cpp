@@ -34,11 +34,16 @@ public:
     {
         if (o_.json) fmt::print("{{\"quantity\":\"{}\",\"file\":{},\"entries\":[", q_.name, nlohmann::json(o_.file).dump());
         judge_rows();
-        const int code = count(PrintedVerdict::wrong) + count(PrintedVerdict::one_unit_off) > 0 ? fails : count(PrintedVerdict::undecided) > 0 ? undecided : holds;
+        const int code = count(PrintedVerdict::wrong) + count(PrintedVerdict::one_unit_off) > 0 ? fails
+                         : count(PrintedVerdict::undecided) > 0                                 ? undecided
+                                                                                                : holds;
         if (o_.json) {
             nlohmann::ordered_json counts;
             for (std::size_t k = 0; k < counts_.size(); ++k) counts[std::string(to_string(static_cast<PrintedVerdict>(k)))] = counts_[k];
-            fmt::print("\n],\"counts\":{},\"verdict\":\"{}\"}}\n", counts.dump(), code == holds ? "pass" : code == fails ? "fail" : "undecided");
+            fmt::print("\n],\"counts\":{},\"verdict\":\"{}\"}}\n", counts.dump(),
+                       code == holds   ? "pass"
+                       : code == fails ? "fail"
+                                       : "undecided");
             return code;
         }
         std::vector<std::string> parts;
@@ -75,7 +80,8 @@ private:
         if (o_.json) {
             nlohmann::ordered_json inputs;
             for (std::size_t k = 0; k < row.words.size(); ++k) inputs[rows_.columns()[k]] = row.words[k];
-            nlohmann::ordered_json j{{"row", row.number}, {"inputs", inputs}, {"printed", row.printed}, {"verdict", std::string(to_string(e.verdict))}};
+            nlohmann::ordered_json j{
+                {"row", row.number}, {"inputs", inputs}, {"printed", row.printed}, {"verdict", std::string(to_string(e.verdict))}};
             if (!e.right.empty()) j["right"] = e.right;
             if (!e.note.empty()) j["note"] = e.note;
             fmt::print("{}\n{}", total_ > 1 ? "," : "", j.dump());
@@ -84,7 +90,8 @@ private:
             std::string where;
             for (std::size_t k = 0; k < row.words.size(); ++k) where += fmt::format("{}={} ", rows_.columns()[k], row.words[k]);
             const bool other = e.verdict != PrintedVerdict::rounded && !e.right.empty();
-            fmt::print("{:<24} {:<16} {}{}{}\n", where, row.printed, to_string(e.verdict), other ? fmt::format("; rounded: {}", e.right) : "", e.note.empty() ? "" : ": " + e.note);
+            fmt::print("{:<24} {:<16} {}{}{}\n", where, row.printed, to_string(e.verdict),
+                       other ? fmt::format("; rounded: {}", e.right) : "", e.note.empty() ? "" : ": " + e.note);
         }
     }
 
@@ -108,7 +115,10 @@ void add_check(CLI::App& app, Run& run)
 {
     auto* command = app.add_subcommand("check", "A printed table, entry by entry: touchstone check table.txt --quantity archard.K");
     auto o = std::make_shared<CheckOptions>();
-    command->add_option("file", o->file, "Rows with inputs by column names; the last column is what was printed, whatever its name; - for standard input")->required();
+    command
+        ->add_option("file", o->file,
+                     "Rows with inputs by column names; the last column is what was printed, whatever its name; - for standard input")
+        ->required();
     command->add_option("--quantity", o->quantity, "Name, as `touchstone list` gives it")->required();
     command->add_option("inputs", o->constants, "KEY=VALUE for inputs that no column gives");
     command->add_flag("--json", o->json, "One JSON object");

@@ -62,18 +62,21 @@ Reference find_reference(const std::string& name)
     if (name.find('/') != std::string::npos || name.ends_with(".txt") || fs::is_regular_file(name))
         return {parse_table(read_file(name), name), name};
     const TableSpec* spec = find_table(name);
-    if (spec == nullptr && fs::is_directory(name)) throw Failure(bad_input, fmt::format("{} is a directory; give the name of a table, or the path of one in it", name));
+    if (spec == nullptr && fs::is_directory(name))
+        throw Failure(bad_input, fmt::format("{} is a directory; give the name of a table, or the path of one in it", name));
     if (spec == nullptr)
         throw Failure(usage_error, fmt::format("unknown table '{}'; nearest is '{}' (or give the path of a canonical table)", name,
                                                nearest_name(name, table_names())));
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const fs::path& folder : {program / "../share/touchstone/reference", program / "data/reference", program / "../data/reference", program / "../../data/reference"}) {
+    for (const fs::path& folder : {program / "../share/touchstone/reference", program / "data/reference", program / "../data/reference",
+                                   program / "../../data/reference"}) {
         const fs::path file = folder / (name + ".txt");
         if (fs::is_regular_file(file)) return {parse_table(read_file(file), file.string()), file.string()};
     }
     Progress progress("computing " + name, spec->grid().size());
-    const Table t = compute(*spec, spec->digits, std::max(1u, std::thread::hardware_concurrency()), [&progress](std::size_t done, std::size_t) { progress.done(done); });
+    const Table t = compute(*spec, spec->digits, std::max(1u, std::thread::hardware_concurrency()),
+                            [&progress](std::size_t done, std::size_t) { progress.done(done); });
     return {parse_table(format(t, "txt"), name), ""};
 }
 
@@ -87,7 +90,8 @@ oracle::Answers read_answers(const std::string& file, std::size_t rows)
         return oracle::read_answers(in, rows);
     }
     catch (const std::system_error& e) {
-        throw Failure(bad_input, fmt::format("cannot read {}: {}", file, std::strerror(e.code().category() == std::generic_category() ? e.code().value() : EIO)));
+        throw Failure(bad_input, fmt::format("cannot read {}: {}", file,
+                                             std::strerror(e.code().category() == std::generic_category() ? e.code().value() : EIO)));
     }
 }
 
@@ -98,7 +102,8 @@ unsigned long seed_of(const std::string& text)
     unsigned long seed = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
     if (error != std::errc() || end != text.data() + text.size())
-        throw Failure(usage_error, fmt::format("--seed '{}': must be random, or an integer from 0 to {}", text, std::numeric_limits<unsigned long>::max()));
+        throw Failure(usage_error, fmt::format("--seed '{}': must be random, or an integer from 0 to {}", text,
+                                               std::numeric_limits<unsigned long>::max()));
     return seed;
 }
 
@@ -135,8 +140,8 @@ oracle::Baseline reached(const Case& c, const StoredTable& table)
         if (c.questions[i].held_out) continue;
         const auto& row = c.judgement.rows[i];
         if (row.special || row.error.most >= std::numeric_limits<double>::max())
-            throw Failure(fails, fmt::format("no baseline is written: the answer {} at {} is not a finite number of ulps off", oracle::row_key({row.answer}),
-                                             oracle::row_key(c.questions[i].inputs)));
+            throw Failure(fails, fmt::format("no baseline is written: the answer {} at {} is not a finite number of ulps off",
+                                             oracle::row_key({row.answer}), oracle::row_key(c.questions[i].inputs)));
         b.bounds[oracle::row_key(c.questions[i].inputs)] = row.error.most;
     }
     return b;
@@ -152,8 +157,8 @@ void update_baseline(const JudgeOptions& o, const Case& c, const StoredTable& ta
         ++counts[line.starts_with("raised") ? 0 : line.starts_with("lowered") ? 1 : line.starts_with("new") ? 2 : 3];
     }
     write_file(o.baseline, after.text());
-    fmt::print(stderr, "touchstone: {} written: {} rows, {} raised, {} lowered, {} new, {} gone\n", o.baseline, after.bounds.size(), counts[0], counts[1],
-               counts[2], counts[3]);
+    fmt::print(stderr, "touchstone: {} written: {} rows, {} raised, {} lowered, {} new, {} gone\n", o.baseline, after.bounds.size(),
+               counts[0], counts[1], counts[2], counts[3]);
 }
 
 oracle::Baseline stored_baseline(const JudgeOptions& o, const StoredTable& table)
@@ -162,8 +167,9 @@ oracle::Baseline stored_baseline(const JudgeOptions& o, const StoredTable& table
     oracle::Baseline b = oracle::parse_baseline(read_file(o.baseline), o.baseline);
     if (o.update) return b;
     if (b.table != table.name || b.sha256 != table.sha256)
-        throw oracle::BadBaseline(fmt::format("{}: belongs to table {} with rows of SHA-256 {:.12}..., not to {} with {:.12}... (--update-baseline makes a new one)",
-                                              o.baseline, b.table, b.sha256, table.name, table.sha256));
+        throw oracle::BadBaseline(fmt::format(
+            "{}: belongs to table {} with rows of SHA-256 {:.12}..., not to {} with {:.12}... (--update-baseline makes a new one)",
+            o.baseline, b.table, b.sha256, table.name, table.sha256));
     for (const auto& row : table.rows)
         if (!b.bounds.contains(oracle::row_key(row.inputs)))
             throw oracle::BadBaseline(fmt::format("{}: has no bound for row {}", o.baseline, oracle::row_key(row.inputs)));
@@ -173,7 +179,8 @@ oracle::Baseline stored_baseline(const JudgeOptions& o, const StoredTable& table
 /// How many subjects are named: one is right.
 int subjects(const JudgeOptions& o) { return (o.command.empty() ? 0 : 1) + (o.library.empty() ? 0 : 1) + (o.answers.empty() ? 0 : 1); }
 
-constexpr const char* one_subject = "give one subject: -- COMMAND..., --library LIB.so --symbol NAME, --answers FILE, or --rows FILE with a column 'answer'";
+constexpr const char* one_subject =
+    "give one subject: -- COMMAND..., --library LIB.so --symbol NAME, --answers FILE, or --rows FILE with a column 'answer'";
 
 void check_options(const JudgeOptions& o)
 {
@@ -181,10 +188,12 @@ void check_options(const JudgeOptions& o)
     if (!o.rows.empty() && !o.baseline.empty()) throw Failure(usage_error, "--baseline belongs to a table, not to --rows");
     if (o.library.empty() != o.symbol.empty()) throw Failure(usage_error, "--library LIB.so and --symbol NAME go together");
     if (o.update && o.baseline.empty()) throw Failure(usage_error, "--update-baseline needs --baseline FILE");
-    for (const auto& [name, value] : {std::pair{"--ulps", o.bound.ulps}, {"--absolute", o.bound.absolute}, {"--rtol", o.bound.relative}, {"--atol", o.bound.at_least}})
+    for (const auto& [name, value] :
+         {std::pair{"--ulps", o.bound.ulps}, {"--absolute", o.bound.absolute}, {"--rtol", o.bound.relative}, {"--atol", o.bound.at_least}})
         if (!std::isfinite(value) || value < 0) throw Failure(usage_error, fmt::format("{} {}: must be a finite number >= 0", name, value));
     for (const double seconds : {o.start_limit, o.silence_limit, o.total_limit})
-        if (!(seconds > 0 && seconds <= 1e6)) throw Failure(usage_error, fmt::format("a time limit of {} s: must be > 0 and <= 10^6", seconds));
+        if (!(seconds > 0 && seconds <= 1e6))
+            throw Failure(usage_error, fmt::format("a time limit of {} s: must be > 0 and <= 10^6", seconds));
 }
 
 /// The steps of a judgement on one bar: rows certified anew, rows held out, rows judged.
@@ -208,7 +217,9 @@ public:
     std::function<void(std::size_t, std::size_t)> judge()
     {
         bar_.next(rows_, "judging rows");
-        return [this](std::size_t done, std::size_t total) { bar_.done(rechecked_ + held_out_ + done * rows_ / std::max<std::size_t>(1, total)); };
+        return [this](std::size_t done, std::size_t total) {
+            bar_.done(rechecked_ + held_out_ + done * rows_ / std::max<std::size_t>(1, total));
+        };
     }
 
 private:
@@ -223,7 +234,8 @@ void recheck_what_decides(const Case& c, const Reference& reference, const std::
     const bool dear = oracle::of_the_recursion(*c.quantity); // the worst row is what a verdict needs
     for (const std::size_t i : c.judgement.worst) {
         if (decisive.size() == (dear ? 1 : oracle::shown_rows)) break;
-        const bool spared = dear && (c.judgement.rows[i].verdict == oracle::Verdict::pass || !oracle::quickly_certified(*c.quantity, c.questions[i].inputs));
+        const bool spared = dear && (c.judgement.rows[i].verdict == oracle::Verdict::pass ||
+                                     !oracle::quickly_certified(*c.quantity, c.questions[i].inputs));
         if (!c.questions[i].held_out && !spared)
             decisive.push_back(rows[static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
                                                                            [](const auto& q) { return !q.held_out; }))]);
@@ -248,7 +260,10 @@ int say(const JudgeOptions& o, const Case& c)
 Case new_case(const JudgeOptions& o)
 {
     Case c;
-    c.subject = !o.library.empty() ? o.library + ":" + o.symbol : !o.answers.empty() ? o.answers : !o.command.empty() ? fmt::format("{}", fmt::join(o.command, " ")) : o.rows;
+    c.subject = !o.library.empty()   ? o.library + ":" + o.symbol
+                : !o.answers.empty() ? o.answers
+                : !o.command.empty() ? fmt::format("{}", fmt::join(o.command, " "))
+                                     : o.rows;
     c.bound = o.bound;
     c.bound.forgive_inputs = !o.strict;
     c.seed = seed_of(o.seed_text);
@@ -263,10 +278,12 @@ int judge_by_table(const JudgeOptions& o)
     c.table = table.name;
     c.quantity = find_quantity(table.quantity);
     if (c.quantity == nullptr || c.quantity->inputs != table.inputs)
-        throw CorruptTable(fmt::format("{}: quantity '{}' with inputs '{}' is none of this program's", o.table, table.quantity, fmt::join(table.inputs, " ")));
+        throw CorruptTable(fmt::format("{}: quantity '{}' with inputs '{}' is none of this program's", o.table, table.quantity,
+                                       fmt::join(table.inputs, " ")));
     const Where where(*c.quantity, o.where);
     const auto rechecked = reference.file.empty() ? std::vector<std::size_t>{} : sample(*c.quantity, table, o.recheck, c.seed);
-    std::optional<Steps> steps(std::in_place, "judging by " + table.name, rechecked.size(), o.answers.empty() ? o.held_out : 0, table.rows.size());
+    std::optional<Steps> steps(std::in_place, "judging by " + table.name, rechecked.size(), o.answers.empty() ? o.held_out : 0,
+                               table.rows.size());
     for (std::size_t i = 0; i < rechecked.size(); ++i) {
         oracle::recheck(*c.quantity, table, {rechecked[i]}, reference.file);
         steps->rechecked(i + 1);
@@ -286,7 +303,8 @@ int judge_by_table(const JudgeOptions& o)
         std::erase_if(fresh, [&](const oracle::Question& q) { return !where.holds(q.inputs); });
         c.held_out = fresh.size();
         std::mt19937_64 random(c.seed + 1);
-        for (auto& f : fresh) c.questions.insert(c.questions.begin() + static_cast<long>(random() % (c.questions.size() + 1)), std::move(f));
+        for (auto& f : fresh)
+            c.questions.insert(c.questions.begin() + static_cast<long>(random() % (c.questions.size() + 1)), std::move(f));
         steps->ask();
         c.answers = ask(o, c.questions);
     }
@@ -314,7 +332,8 @@ const Quantity& quantity_or_table(const std::string& name)
 {
     const TableSpec* spec = find_table(name);
     if (const Quantity* q = find_quantity(spec != nullptr ? spec->quantity : name)) return *q;
-    throw Failure(usage_error, fmt::format("unknown quantity '{}'; nearest is '{}' (all: touchstone list)", name, nearest_name(name, quantity_names())));
+    throw Failure(usage_error,
+                  fmt::format("unknown quantity '{}'; nearest is '{}' (all: touchstone list)", name, nearest_name(name, quantity_names())));
 }
 
 /// KEY=VALUE words before the command: inputs that no column gives.
@@ -375,29 +394,46 @@ int judge_subject(const JudgeOptions& o)
 
 void add_judge(CLI::App& app, Run& run)
 {
-    auto* command = app.add_subcommand("judge", "How wrong a code is, where and why: touchstone judge westergaard_pressure --ulps 4 -- ./mycode");
+    auto* command =
+        app.add_subcommand("judge", "How wrong a code is, where and why: touchstone judge westergaard_pressure --ulps 4 -- ./mycode");
     auto o = std::make_shared<JudgeOptions>();
-    command->add_option("table", o->table, "Name of a table, or the path of a canonical table; with --rows or --emit a quantity")->required();
-    command->add_option("command", o->command, "After --: the program and its arguments; it reads rows of hexadecimal numbers and writes one number a line");
+    command->add_option("table", o->table, "Name of a table, or the path of a canonical table; with --rows or --emit a quantity")
+        ->required();
+    command->add_option("command", o->command,
+                        "After --: the program and its arguments; it reads rows of hexadecimal numbers and writes one number a line");
     command->add_option("--library", o->library, "Shared library whose function is called, in a process of its own")->check(not_empty());
     command->add_option("--symbol", o->symbol, "double SYMBOL(double, ...) in --library");
     command->add_option("--answers", o->answers, "File with one answer a line, in the table's order")->check(not_empty());
-    command->add_option("--rows", o->rows, "File of rows, - for standard input: columns named by the inputs, and 'answer' last unless a subject is given; KEY=VALUE for the rest")
+    command
+        ->add_option("--rows", o->rows,
+                     "File of rows, - for standard input: columns named by the inputs, and 'answer' last unless a subject is given; "
+                     "KEY=VALUE for the rest")
         ->check(not_empty());
     command->add_option("--where", o->where, "Rows that count: 'load=1e-6..0.999,n=3'");
-    command->add_option("--rtol", o->bound.relative, "Relative error that passes too: |answer - true| <= ATOL + RTOL |true|")->capture_default_str();
+    command->add_option("--rtol", o->bound.relative, "Relative error that passes too: |answer - true| <= ATOL + RTOL |true|")
+        ->capture_default_str();
     command->add_option("--atol", o->bound.at_least, "Absolute error that passes too")->capture_default_str();
-    command->add_option("--emit", o->emit, "Print an adapter to fill in and nothing else: python, c, fortran or octave")->check(CLI::IsMember(adapter_languages()));
+    command->add_option("--emit", o->emit, "Print an adapter to fill in and nothing else: python, c, fortran or octave")
+        ->check(CLI::IsMember(adapter_languages()));
     command->add_option("--ulps", o->bound.ulps, "Allowed error in ulps, beyond what the rounding of inputs forces")->capture_default_str();
     command->add_flag("--strict", o->strict, "The inputs are exact: forgive nothing for their rounding");
     command->add_option("--absolute", o->bound.absolute, "Allowed error where the true value is zero")->capture_default_str();
     command->add_flag("--keep-order", o->bound.keep_order, "Answers out of order or not symmetric fail too");
-    command->add_option("--baseline", o->baseline, "Bounds row by row, as the code reached them before; they replace --ulps")->check(not_empty());
+    command->add_option("--baseline", o->baseline, "Bounds row by row, as the code reached them before; they replace --ulps")
+        ->check(not_empty());
     command->add_flag("--update-baseline", o->update, "Write --baseline from this run and say what changed");
-    command->add_option("--held-out", o->held_out, "Rows that are not in the table, certified now")->check(CLI::Range(0, 10000))->capture_default_str();
-    command->add_option("--recheck", o->recheck, fmt::format("Rows of a stored table certified anew before it is trusted (default: {}, and what decides; none that takes minutes)", rechecked_rows))
+    command->add_option("--held-out", o->held_out, "Rows that are not in the table, certified now")
+        ->check(CLI::Range(0, 10000))
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--recheck", o->recheck,
+            fmt::format(
+                "Rows of a stored table certified anew before it is trusted (default: {}, and what decides; none that takes minutes)",
+                rechecked_rows))
         ->check(CLI::Range(0, 1000000000));
-    command->add_option("--seed", o->seed_text, "Which rows are held out and rechecked: a number, or random (then printed)")->capture_default_str();
+    command->add_option("--seed", o->seed_text, "Which rows are held out and rechecked: a number, or random (then printed)")
+        ->capture_default_str();
     command->add_option("--start-limit", o->start_limit, "Seconds until the first answer")->capture_default_str();
     command->add_option("--row-limit", o->silence_limit, "Seconds of silence between answers")->capture_default_str();
     command->add_option("--time-limit", o->total_limit, "Seconds in all")->capture_default_str();

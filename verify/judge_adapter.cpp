@@ -40,19 +40,25 @@ std::string c(const Quantity& q)
         arguments += fmt::format("{}x[{}]", k > 0 ? ", " : "", k);
     }
     std::string text = banner(q, "//", {"cc -O2 -o adapter adapter.c -lm", fmt::format("touchstone judge {} -- ./adapter", identifier(q))});
-    text += fmt::format("#include <math.h>\n#include <stdio.h>\n#include <stdlib.h>\n\nstatic double {}({})\n{{\n", identifier(q), parameters.empty() ? "void" : parameters);
+    text += fmt::format("#include <math.h>\n#include <stdio.h>\n#include <stdlib.h>\n\nstatic double {}({})\n{{\n", identifier(q),
+                        parameters.empty() ? "void" : parameters);
     for (const auto& name : q.inputs) text += fmt::format("    (void)"
                                                           "{};\n", name);
-    text += "    return NAN; // <- your code here\n}\n\nint main(void)\n{\n    char line[4096];\n    while (fgets(line, sizeof line, stdin)) {\n";
+    text += "    return NAN; // <- your code here\n}\n\nint main(void)\n{\n    char line[4096];\n    while (fgets(line, sizeof line, "
+            "stdin)) {\n";
     if (!q.inputs.empty())
-        text += fmt::format("        double x[{0}];\n        char *rest = line;\n        for (int k = 0; k < {0}; ++k) x[k] = strtod(rest, &rest); // C99 hexadecimal\n", q.inputs.size());
-    return text + fmt::format("        printf(\"%a\\n\", {}({}));\n        fflush(stdout);\n    }}\n    return 0;\n}}\n", identifier(q), arguments);
+        text += fmt::format("        double x[{0}];\n        char *rest = line;\n        for (int k = 0; k < {0}; ++k) x[k] = strtod(rest, "
+                            "&rest); // C99 hexadecimal\n",
+                            q.inputs.size());
+    return text + fmt::format("        printf(\"%a\\n\", {}({}));\n        fflush(stdout);\n    }}\n    return 0;\n}}\n", identifier(q),
+                              arguments);
 }
 
 std::string fortran(const Quantity& q)
 {
     const std::size_t count = q.inputs.size();
-    std::string text = banner(q, "!", {"gfortran -O2 -o adapter adapter.f90", fmt::format("touchstone judge {} -- ./adapter", identifier(q))});
+    std::string text =
+        banner(q, "!", {"gfortran -O2 -o adapter adapter.f90", fmt::format("touchstone judge {} -- ./adapter", identifier(q))});
     text += R"(program adapter
   use, intrinsic :: iso_c_binding
   implicit none
@@ -65,10 +71,14 @@ std::string fortran(const Quantity& q)
   end interface
   character(len=4096) :: line
 )";
-    text += fmt::format("  character(len=64) :: word({0})\n  real(c_double) :: x({0})\n  integer :: status, k\n  do\n    read (*, '(a)', iostat=status) line\n    if (status /= 0) exit\n",
+    text += fmt::format("  character(len=64) :: word({0})\n  real(c_double) :: x({0})\n  integer :: status, k\n  do\n    read (*, '(a)', "
+                        "iostat=status) line\n    if (status /= 0) exit\n",
                         std::max<std::size_t>(1, count));
-    if (count > 0) text += fmt::format("    read (line, *) word\n    do k = 1, {}\n      x(k) = strtod(trim(word(k))//c_null_char, c_null_ptr)\n    end do\n", count);
-    text += "    write (*, '(es24.16e3)') answer(x)\n    flush (6)\n  end do\n\ncontains\n\n  real(c_double) function answer(x)\n    use, intrinsic :: ieee_arithmetic\n"
+    if (count > 0)
+        text += fmt::format(
+            "    read (line, *) word\n    do k = 1, {}\n      x(k) = strtod(trim(word(k))//c_null_char, c_null_ptr)\n    end do\n", count);
+    text += "    write (*, '(es24.16e3)') answer(x)\n    flush (6)\n  end do\n\ncontains\n\n  real(c_double) function answer(x)\n    use, "
+            "intrinsic :: ieee_arithmetic\n"
             "    real(c_double), intent(in) :: x(:)\n";
     for (std::size_t k = 0; k < count; ++k) text += fmt::format("    ! x({}) is {}\n", k + 1, q.inputs[k]);
     return text + "    answer = ieee_value(x(1), ieee_quiet_nan)   ! <- your code here\n  end function answer\nend program adapter\n";
@@ -76,12 +86,16 @@ std::string fortran(const Quantity& q)
 
 std::string octave(const Quantity& q)
 {
-    std::string text = banner(q, "%", {fmt::format("touchstone table {0} > {0}.txt", identifier(q)), fmt::format("octave-cli adapter.m {0}.txt answers.txt", identifier(q)),
-                                       fmt::format("touchstone judge {0}.txt --answers answers.txt", identifier(q))});
-    text += "names = argv();\nlines = strsplit(strtrim(fileread(names{1})), \"\\n\");\nlines = lines(! strncmp(lines, \"#\", 1));\nanswers = zeros(numel(lines), 1);\n"
+    std::string text = banner(q, "%",
+                              {fmt::format("touchstone table {0} > {0}.txt", identifier(q)),
+                               fmt::format("octave-cli adapter.m {0}.txt answers.txt", identifier(q)),
+                               fmt::format("touchstone judge {0}.txt --answers answers.txt", identifier(q))});
+    text += "names = argv();\nlines = strsplit(strtrim(fileread(names{1})), \"\\n\");\nlines = lines(! strncmp(lines, \"#\", 1));\nanswers "
+            "= zeros(numel(lines), 1);\n"
             "for k = 1:numel(lines)\n  row = sscanf(lines{k}, \"%f\");\n";
     for (std::size_t k = 0; k < q.inputs.size(); ++k) text += fmt::format("  {} = row({});\n", q.inputs[k], k + 1);
-    return text + "  answers(k) = NaN;   % <- your code here\nendfor\nfile = fopen(names{2}, \"w\");\nfprintf(file, \"%.17g\\n\", answers);\nfclose(file);\n";
+    return text + "  answers(k) = NaN;   % <- your code here\nendfor\nfile = fopen(names{2}, \"w\");\nfprintf(file, \"%.17g\\n\", "
+                  "answers);\nfclose(file);\n";
 }
 
 } // namespace

@@ -54,17 +54,27 @@ void place(Curve& curve, double x, double y) { curve.points.push_back({x, fmt::f
 /// Five kinds of rows and what rounded inputs force, each with a marker of its own.
 std::vector<Curve> sorted_rows(const Case& c, const Coordinate& at, const figures::Axis& along)
 {
-    std::vector<Curve> kinds{points("forced", "forced by rounded inputs", 0), points("passes", "passes", 1), points("fails", "fails", 2), points("undecided", "undecided", 5),
-                             points("nan or infinite", "nan or infinite", 4), points("exact", "exact", 3)};
+    std::vector<Curve> kinds{points("forced", "forced by rounded inputs", 0),
+                             points("passes", "passes", 1),
+                             points("fails", "fails", 2),
+                             points("undecided", "undecided", 5),
+                             points("nan or infinite", "nan or infinite", 4),
+                             points("exact", "exact", 3)};
     for (std::size_t i = 0; i < c.questions.size(); ++i) {
         const auto& row = c.judgement.rows[i];
         const auto given = at(c.questions[i].inputs);
         if (!given) continue;
         const std::optional<double> x = std::clamp(*given, along.low, along.high);
         if (row.special) place(kinds[4], *x, highest);
-        else if (c.questions[i].truth.is_zero() || row.error.most == 0) place(kinds[row.verdict == Verdict::fail ? 2 : 5], *x, row.verdict == Verdict::fail ? highest : lowest);
-        else place(kinds[row.verdict == Verdict::pass ? 1 : row.verdict == Verdict::fail ? 2 : 3], *x, height(row.error.most / allowed(c, i)));
-        if (c.bound.forgive_inputs && row.forced && row.forced->least > 0 && !row.special) place(kinds[0], *x, height(row.forced->least / allowed(c, i)));
+        else if (c.questions[i].truth.is_zero() || row.error.most == 0)
+            place(kinds[row.verdict == Verdict::fail ? 2 : 5], *x, row.verdict == Verdict::fail ? highest : lowest);
+        else
+            place(kinds[row.verdict == Verdict::pass   ? 1
+                        : row.verdict == Verdict::fail ? 2
+                                                       : 3],
+                  *x, height(row.error.most / allowed(c, i)));
+        if (c.bound.forgive_inputs && row.forced && row.forced->least > 0 && !row.special)
+            place(kinds[0], *x, height(row.forced->least / allowed(c, i)));
     }
     return kinds;
 }
@@ -80,7 +90,8 @@ std::optional<figures::Axis> axis(const Case& c, const Coordinate& at, const std
         }
     if (!(low < high)) return std::nullopt;
     if (low > 0 && high / low > 1000) {
-        const double from = std::floor(std::log10(std::max(low, smallest))), to = std::max(from + 1, std::ceil(std::log10(std::min(high, largest))));
+        const double from = std::floor(std::log10(std::max(low, smallest))),
+                     to = std::max(from + 1, std::ceil(std::log10(std::min(high, largest))));
         return figures::Axis{label, std::pow(10, from), std::pow(10, to), true, std::pow(10, std::max(1.0, std::ceil((to - from) / 8)))};
     }
     const double margin = 0.03 * (high - low);
@@ -104,7 +115,10 @@ void add_panel(figures::Figure& f, const Case& c, const std::string& name, const
 
 std::string as_svg(const Case& c)
 {
-    figures::Figure f{"judge", fmt::format("{}: error over what is allowed", c.table), "", fmt::format("Error of {} on each row of {}, over what is allowed.", c.subject, c.table), {}, 1, 260};
+    figures::Figure f{"judge", fmt::format("{}: error over what is allowed", c.table),
+                      "",      fmt::format("Error of {} on each row of {}, over what is allowed.", c.subject, c.table),
+                      {},      1,
+                      260};
     const auto& inputs = c.quantity->inputs;
     const auto index = [&inputs](const char* name) -> std::optional<std::size_t> {
         const auto found = std::find(inputs.begin(), inputs.end(), name);
@@ -113,17 +127,27 @@ std::string as_svg(const Case& c)
     for (std::size_t k = 0; k < inputs.size(); ++k)
         add_panel(f, c, inputs[k], inputs[k], [k](const std::vector<double>& row) { return std::optional(row[k]); });
     const auto load = index("load"), x = index("x");
-    if (load) add_panel(f, c, "1 - load", "1 − load (rows with load < 1)", [&](const std::vector<double>& row) { return row[*load] < 1 ? std::optional(1 - row[*load]) : std::nullopt; });
+    if (load)
+        add_panel(f, c, "1 - load", "1 − load (rows with load < 1)",
+                  [&](const std::vector<double>& row) { return row[*load] < 1 ? std::optional(1 - row[*load]) : std::nullopt; });
     if (load && x)
-        add_panel(f, c, "distance", "distance from the edge of the contact |{/:Italic x} − {/:Italic a}| / {/:Italic a}", [&](const std::vector<double>& row) -> std::optional<double> {
-            const double s = row[*load], a = s < 1 ? westergaard::half_width(s) : 0.5, d = std::fabs(std::fabs(row[*x]) / a - 1);
-            return a > 0 && d > 0 ? std::optional(d) : std::nullopt;
-        });
+        add_panel(f, c, "distance", "distance from the edge of the contact |{/:Italic x} − {/:Italic a}| / {/:Italic a}",
+                  [&](const std::vector<double>& row) -> std::optional<double> {
+                      const double s = row[*load], a = s < 1 ? westergaard::half_width(s) : 0.5, d = std::fabs(std::fabs(row[*x]) / a - 1);
+                      return a > 0 && d > 0 ? std::optional(d) : std::nullopt;
+                  });
     if (f.panels.empty()) { // no inputs, or all rows the same: against the number of the row
         std::size_t number = 0;
         add_panel(f, c, "row", "row", [&number](const std::vector<double>&) { return std::optional(static_cast<double>(number++)); });
         if (f.panels.empty()) {
-            Panel p{"", "row", {"row", 0, 2}, {"error / allowed", lowest, highest, true, 100}, sorted_rows(c, [](const std::vector<double>&) { return std::optional(1.0); }, {"row", 0, 2}), {}, {}, figures::above_all};
+            Panel p{"",
+                    "row",
+                    {"row", 0, 2},
+                    {"error / allowed", lowest, highest, true, 100},
+                    sorted_rows(c, [](const std::vector<double>&) { return std::optional(1.0); }, {"row", 0, 2}),
+                    {},
+                    {},
+                    figures::above_all};
             f.panels.push_back(std::move(p));
         }
     }

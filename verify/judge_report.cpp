@@ -103,7 +103,10 @@ std::string last_words(const Case& c)
 std::string headline(const Case& c)
 {
     const auto& j = c.judgement;
-    std::string text = fmt::format("{}: {} rows of {}", j.verdict == Verdict::pass ? "PASS" : j.verdict == Verdict::fail ? "FAIL" : "UNDECIDED",
+    std::string text = fmt::format("{}: {} rows of {}",
+                                   j.verdict == Verdict::pass   ? "PASS"
+                                   : j.verdict == Verdict::fail ? "FAIL"
+                                                                : "UNDECIDED",
                                    c.questions.size(), c.table);
     if (c.held_out > 0) text += fmt::format(" ({} of them held out)", c.held_out);
     if (j.failed > 0) text += fmt::format(", {} fail", j.failed);
@@ -121,12 +124,14 @@ std::string allowed(const oracle::Bound& b)
 /// A line a regime: how far off, how many digits that is, and what rounding the inputs forces on the worst row.
 std::string by_regime(const Case& c)
 {
-    std::string text = fmt::format("  {:<20}{:>7}{:>7}{:>16}{:>16}{:>8}   {}\n", "regime", "rows", "wrong", "worst absolute", "worst relative", "digits", "forced by inputs");
+    std::string text = fmt::format("  {:<20}{:>7}{:>7}{:>16}{:>16}{:>8}   {}\n", "regime", "rows", "wrong", "worst absolute",
+                                   "worst relative", "digits", "forced by inputs");
     for (const auto& r : c.regimes) {
         const std::string relative = r.worst_relative ? brief(*r.worst_relative) : "-";
         const std::string forced = !r.worst_relative ? "-" : r.forced ? brief(r.forced_relative) : "not worked out";
         const std::string digits = r.worst_relative ? fmt::format("{:.1f}", r.right_digits()) : "-";
-        text += fmt::format("  {:<20}{:>7}{:>7}{:>16}{:>16}{:>8}   {}\n", r.name, r.rows, r.failed + r.undecided, brief(r.worst_absolute), relative, digits, forced);
+        text += fmt::format("  {:<20}{:>7}{:>7}{:>16}{:>16}{:>8}   {}\n", r.name, r.rows, r.failed + r.undecided, brief(r.worst_absolute),
+                            relative, digits, forced);
     }
     for (const auto& r : c.regimes)
         for (const auto& fault : r.faults) text += fmt::format("  {}: {}\n", r.name, fault);
@@ -137,7 +142,8 @@ Json regimes_json(const Case& c)
 {
     Json all = Json::array();
     for (const auto& r : c.regimes) {
-        Json one{{"name", r.name}, {"rows", r.rows}, {"failed", r.failed}, {"undecided", r.undecided}, {"worst_absolute", r.worst_absolute}};
+        Json one{
+            {"name", r.name}, {"rows", r.rows}, {"failed", r.failed}, {"undecided", r.undecided}, {"worst_absolute", r.worst_absolute}};
         one["worst_relative"] = r.worst_relative ? Json(*r.worst_relative) : Json(nullptr);
         one["right_digits"] = r.worst_relative ? Json(r.right_digits()) : Json(nullptr);
         one["forced_relative"] = r.forced ? Json(r.forced_relative) : Json(nullptr);
@@ -154,9 +160,11 @@ std::string diagnosis(const Case& c)
     const auto& d = j.diagnosis;
     std::string text;
     if (d.ratio.rows > 0)
-        text += fmt::format("  answer/true: median {:.10g}, the middle half from {:.10g} to {:.10g} ({} rows)\n", d.ratio.median, d.ratio.lower, d.ratio.upper, d.ratio.rows);
+        text += fmt::format("  answer/true: median {:.10g}, the middle half from {:.10g} to {:.10g} ({} rows)\n", d.ratio.median,
+                            d.ratio.lower, d.ratio.upper, d.ratio.rows);
     if (d.mixup) {
-        text += fmt::format("  likely mistake: {} (explains {:.0f} % of the rows that tell, to {:.2g} of the value)\n", d.mixup->name, 100 * d.mixup->explains, d.mixup->to);
+        text += fmt::format("  likely mistake: {} (explains {:.0f} % of the rows that tell, to {:.2g} of the value)\n", d.mixup->name,
+                            100 * d.mixup->explains, d.mixup->to);
         if (d.mixup->remains > 0) text += fmt::format("  wrong even with that put right: {} of the rows tried\n", d.mixup->remains);
     }
     else if (j.failed > 0) {
@@ -164,7 +172,8 @@ std::string diagnosis(const Case& c)
         text += d.ratio.rows > 0 && !one ? "  no known mix-up gives that ratio\n" : "  no known mix-up explains the answers\n";
     }
     for (const auto& finding : d.findings) text += "  " + finding + "\n";
-    if (const std::string form = oracle::stable_form(c.quantity->name); j.failed > 0 && !form.empty()) text += "  the library computes " + form + "\n";
+    if (const std::string form = oracle::stable_form(c.quantity->name); j.failed > 0 && !form.empty())
+        text += "  the library computes " + form + "\n";
     return text;
 }
 
@@ -189,10 +198,12 @@ std::string as_text(const Case& c)
                             j.negative_zeros > 0 ? fmt::format(", {} answers are -0", j.negative_zeros) : "");
     if (!j.order.empty()) {
         const auto& v = j.order.front();
-        text += fmt::format("  {} pairs of answers {}: first {} and {}\n", j.order.size(), v.what, named_inputs(c, v.first), named_inputs(c, v.second));
+        text += fmt::format("  {} pairs of answers {}: first {} and {}\n", j.order.size(), v.what, named_inputs(c, v.first),
+                            named_inputs(c, v.second));
     }
     if (j.held_out_failed > 0)
-        text += fmt::format("  {} of the {} rows held out are beyond {:g} ulps: beside a baseline they do not count\n", j.held_out_failed, c.held_out, c.bound.ulps);
+        text += fmt::format("  {} of the {} rows held out are beyond {:g} ulps: beside a baseline they do not count\n", j.held_out_failed,
+                            c.held_out, c.bound.ulps);
     if (j.looked_up) text += "  right on the table's rows, wrong on most rows held out: the answers look looked up, not computed\n";
     text += diagnosis(c);
     text += "  worst rows (hexadecimal inputs can be replayed):\n";
@@ -200,14 +211,20 @@ std::string as_text(const Case& c)
     for (const std::size_t i : shown(c)) {
         if (++lines > 5) break;
         const auto& row = j.rows[i];
-        text += fmt::format("    {}  [{}]{}\n", named_inputs(c, i), fmt::join(hex_inputs(c, i), " "), c.questions[i].held_out ? " held out" : "");
-        text += fmt::format("      answer {} = {}, true {}\n", hexfloat(row.answer), shortest(row.answer), shown_decimal(c.questions[i].value));
+        text += fmt::format("    {}  [{}]{}\n", named_inputs(c, i), fmt::join(hex_inputs(c, i), " "),
+                            c.questions[i].held_out ? " held out" : "");
+        text +=
+            fmt::format("      answer {} = {}, true {}\n", hexfloat(row.answer), shortest(row.answer), shown_decimal(c.questions[i].value));
         if (row.special) text += "      " + row.why + "\n";
         else
-            text += fmt::format("      error {} {}, rounded inputs force {} to {}{}\n", brief(row.error), c.questions[i].truth.is_zero() ? "(absolute)" : "ulps",
-                                row.forced ? brief(row.forced->least) : "?",
-                                !row.forced || !row.forced->most ? "?" : std::isfinite(*row.forced->most) ? brief(*row.forced->most) : "anything",
-                                row.verdict == Verdict::pass ? "" : row.verdict == Verdict::fail ? ": FAIL" : ": undecided");
+            text += fmt::format("      error {} {}, rounded inputs force {} to {}{}\n", brief(row.error),
+                                c.questions[i].truth.is_zero() ? "(absolute)" : "ulps", row.forced ? brief(row.forced->least) : "?",
+                                !row.forced || !row.forced->most   ? "?"
+                                : std::isfinite(*row.forced->most) ? brief(*row.forced->most)
+                                                                   : "anything",
+                                row.verdict == Verdict::pass   ? ""
+                                : row.verdict == Verdict::fail ? ": FAIL"
+                                                               : ": undecided");
     }
     if (c.held_out > 0) text += fmt::format("  held-out rows: --held-out {} --seed {}\n", c.held_out, c.seed);
     return text;
@@ -247,8 +264,12 @@ Json as_json(const Case& c)
     }
     out["worst"] = std::move(worst);
     const auto& d = j.diagnosis;
-    out["mixup"] = d.mixup ? Json{{"name", d.mixup->name}, {"explains", d.mixup->explains}, {"to", d.mixup->to}, {"remains", d.mixup->remains}} : Json(nullptr);
-    out["ratio"] = d.ratio.rows > 0 ? Json{{"rows", d.ratio.rows}, {"median", d.ratio.median}, {"quartiles", {d.ratio.lower, d.ratio.upper}}} : Json(nullptr);
+    out["mixup"] = d.mixup
+                       ? Json{{"name", d.mixup->name}, {"explains", d.mixup->explains}, {"to", d.mixup->to}, {"remains", d.mixup->remains}}
+                       : Json(nullptr);
+    out["ratio"] = d.ratio.rows > 0
+                       ? Json{{"rows", d.ratio.rows}, {"median", d.ratio.median}, {"quartiles", {d.ratio.lower, d.ratio.upper}}}
+                       : Json(nullptr);
     out["findings"] = d.findings;
     out["regimes"] = regimes_json(c);
     out["left_out"] = c.left_out;
@@ -273,13 +294,13 @@ std::string as_junit(const Case& c)
 {
     std::string cases;
     if (c.answers.fault)
-        cases = fmt::format("    <testcase classname=\"{}\" name=\"protocol\"><error type=\"{}\" message=\"{}\"/></testcase>\n", escaped(c.table),
-                            to_string(c.answers.fault->kind), escaped(c.answers.fault->detail));
+        cases = fmt::format("    <testcase classname=\"{}\" name=\"protocol\"><error type=\"{}\" message=\"{}\"/></testcase>\n",
+                            escaped(c.table), to_string(c.answers.fault->kind), escaped(c.answers.fault->detail));
     else
         for (std::size_t i = 0; i < c.questions.size(); ++i) {
             const auto& row = c.judgement.rows[i];
-            const std::string open = fmt::format("    <testcase classname=\"{}\" name=\"{}{}\"", escaped(c.table), escaped(named_inputs(c, i)),
-                                                 c.questions[i].held_out ? " (held out)" : "");
+            const std::string open = fmt::format("    <testcase classname=\"{}\" name=\"{}{}\"", escaped(c.table),
+                                                 escaped(named_inputs(c, i)), c.questions[i].held_out ? " (held out)" : "");
             if (row.verdict == Verdict::pass) cases += open + "/>\n";
             else
                 cases += fmt::format("{}><{} message=\"{}\">inputs {} answer {} true {}</{}></testcase>\n", open,
@@ -287,7 +308,8 @@ std::string as_junit(const Case& c)
                                      hexfloat(row.answer), c.questions[i].value, row.verdict == Verdict::fail ? "failure" : "error");
         }
     const std::size_t tests = c.answers.fault ? 1 : c.questions.size();
-    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"touchstone judge {}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n"
+    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"touchstone judge {}\" tests=\"{}\" "
+                       "failures=\"{}\" errors=\"{}\">\n"
                        "{}  </testsuite>\n</testsuites>\n",
                        escaped(c.table), tests, c.judgement.failed, c.answers.fault ? 1 : c.judgement.undecided, cases);
 }

@@ -31,7 +31,8 @@ Rational end_of(std::string_view condition, std::string_view text)
 }
 
 /// The inputs of a row, in the quantity's order, as a code in binary64 has them.
-std::vector<double> binary64_inputs(const Quantity& q, const RowsReader& rows, const RowsReader::Row& row, const std::map<std::string, Rational>& fixed)
+std::vector<double> binary64_inputs(const Quantity& q, const RowsReader& rows, const RowsReader::Row& row,
+                                    const std::map<std::string, Rational>& fixed)
 {
     const auto given = [&](const std::string& name) -> std::optional<Rational> {
         if (const auto column = rows.column(name)) return rows.exact(row, *column);
@@ -65,10 +66,12 @@ void check_columns(const Quantity& q, const RowsReader& rows, const std::map<std
 {
     const auto has = [&](const std::string& name) { return rows.column(name).has_value() || fixed.contains(name); };
     for (const auto& [name, value] : fixed)
-        if (rows.column(name)) throw Failure(usage_error, fmt::format("{}: '{}' is a column and given as {}={} too", file, name, name, value.get_str()));
+        if (rows.column(name))
+            throw Failure(usage_error, fmt::format("{}: '{}' is a column and given as {}={} too", file, name, name, value.get_str()));
     for (const auto& name : q.inputs)
         if (!has(name) && !(name == "G" && has("D") && has("gamma")))
-            throw Failure(usage_error, fmt::format("{}: no column '{}'{}; name one, or give {}=VALUE", file, name, name == "G" ? " (or D and gamma)" : "", name));
+            throw Failure(usage_error, fmt::format("{}: no column '{}'{}; name one, or give {}=VALUE", file, name,
+                                                   name == "G" ? " (or D and gamma)" : "", name));
     if (has("G") && std::find(q.inputs.begin(), q.inputs.end(), "G") != q.inputs.end() && (has("D") || has("gamma")))
         throw Failure(usage_error, fmt::format("{}: either G or D and gamma, not both", file));
 }
@@ -91,7 +94,8 @@ void certify(const Quantity& q, const std::vector<std::vector<double>>& grid, Ju
     spec.quantity = q.name;
     spec.grid = [&grid] { return grid; };
     Progress progress("certifying rows", grid.size());
-    const Table table = compute(spec, row_digits, std::max(1u, std::thread::hardware_concurrency()), [&progress](std::size_t done, std::size_t) { progress.done(done); });
+    const Table table = compute(spec, row_digits, std::max(1u, std::thread::hardware_concurrency()),
+                                [&progress](std::size_t done, std::size_t) { progress.done(done); });
     std::vector<double> kept;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const Evaluation& e = table.rows[i].result;
@@ -117,12 +121,14 @@ Where::Where(const Quantity& q, const std::vector<std::string>& conditions)
             const std::string name = condition.substr(0, equals);
             const auto input = std::find(q.inputs.begin(), q.inputs.end(), name);
             if (equals == std::string::npos || input == q.inputs.end())
-                throw Failure(usage_error, fmt::format("--where '{}': right is INPUT=VALUE or INPUT=LOW..HIGH with one of {}", condition, fmt::join(q.inputs, ", ")));
+                throw Failure(usage_error, fmt::format("--where '{}': right is INPUT=VALUE or INPUT=LOW..HIGH with one of {}", condition,
+                                                       fmt::join(q.inputs, ", ")));
             const std::string range = condition.substr(equals + 1);
             const auto dots = range.find("..");
             const std::string low = range.substr(0, dots), high = dots == std::string::npos ? low : range.substr(dots + 2);
             ends_.push_back({static_cast<std::size_t>(input - q.inputs.begin()), end_of(condition, low), end_of(condition, high)});
-            if (ends_.back().low > ends_.back().high) throw Failure(usage_error, fmt::format("--where {}: {} is above {}", condition, low, high));
+            if (ends_.back().low > ends_.back().high)
+                throw Failure(usage_error, fmt::format("--where {}: {} is above {}", condition, low, high));
         }
 }
 
@@ -161,7 +167,8 @@ JudgedFile read_rows(const Quantity& q, const std::string& file, const std::map<
         }
         if (!where.holds(inputs)) continue;
         grid.push_back(std::move(inputs));
-        if (grid.size() > most_judged_rows) throw rows.fault(row, fmt::format("more than {} rows to judge at once; choose some by --where", most_judged_rows));
+        if (grid.size() > most_judged_rows)
+            throw rows.fault(row, fmt::format("more than {} rows to judge at once; choose some by --where", most_judged_rows));
     }
     if (grid.empty()) throw Failure(bad_input, fmt::format("{}: --where leaves no row", file));
     JudgedFile judged;

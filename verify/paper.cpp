@@ -69,10 +69,21 @@ std::vector<Entry> judge_all()
 nlohmann::ordered_json json_of(const Entry& e)
 {
     const auto& c = e.claim->correction;
-    nlohmann::ordered_json j = {
-        {"id", e.claim->id}, {"verdict", name(e.finding.verdict)}, {"method", e.finding.method}, {"statement", e.claim->statement},
-        {"reason", e.finding.reason}, {"correction", corrected_form(e)}, {"assumptions", e.claim->assumptions},
-        {"print", e.print.tex.empty() ? e.print.quote : e.print.tex}, {"rests_on", e.claim->rests_on}, {"steps", e.finding.steps}, {"judge", e.finding.judge}, {"lemmas", e.finding.lemmas}, {"rows", e.finding.rows}, {"caveat", caveat(e.claim->id)}, {"same_as", same_as(e.claim->id)}};
+    nlohmann::ordered_json j = {{"id", e.claim->id},
+                                {"verdict", name(e.finding.verdict)},
+                                {"method", e.finding.method},
+                                {"statement", e.claim->statement},
+                                {"reason", e.finding.reason},
+                                {"correction", corrected_form(e)},
+                                {"assumptions", e.claim->assumptions},
+                                {"print", e.print.tex.empty() ? e.print.quote : e.print.tex},
+                                {"rests_on", e.claim->rests_on},
+                                {"steps", e.finding.steps},
+                                {"judge", e.finding.judge},
+                                {"lemmas", e.finding.lemmas},
+                                {"rows", e.finding.rows},
+                                {"caveat", caveat(e.claim->id)},
+                                {"same_as", same_as(e.claim->id)}};
     if (c) {
         j["fault"] = c->fault;
         j["severity"] = severity(*c);
@@ -81,7 +92,8 @@ nlohmann::ordered_json json_of(const Entry& e)
         j["correction_verdict"] = name(e.corrected->verdict);
     }
     j["controls"] = nlohmann::ordered_json::array();
-    for (const auto& k : e.controls) j["controls"].push_back({{"what", k.what}, {"verdict", name(k.finding.verdict)}, {"reason", k.finding.reason}});
+    for (const auto& k : e.controls)
+        j["controls"].push_back({{"what", k.what}, {"verdict", name(k.finding.verdict)}, {"reason", k.finding.reason}});
     j["failures"] = failures(e);
     return j;
 }
@@ -121,7 +133,10 @@ int print_ledger(const std::vector<Entry>& entries)
             for (const Entry* e : by_section[s]) {
                 if (e->finding.verdict != v) continue;
                 const auto& c = e->claim->correction;
-                if (v == Verdict::refuted && c) fmt::print("  refuted     {}  {}{}: {}\n              holds ({}): {}\n", e->claim->id, severity(*c), same_as(e->claim->id).empty() ? "" : ", as " + same_as(e->claim->id), c->wrong, name(e->corrected->verdict), c->corrected);
+                if (v == Verdict::refuted && c)
+                    fmt::print("  refuted     {}  {}{}: {}\n              holds ({}): {}\n", e->claim->id, severity(*c),
+                               same_as(e->claim->id).empty() ? "" : ", as " + same_as(e->claim->id), c->wrong, name(e->corrected->verdict),
+                               c->corrected);
                 else fmt::print("  {:<11} {}  {}\n", name(v), e->claim->id, e->finding.reason);
             }
         for (const Entry* e : by_section[s])
@@ -156,7 +171,8 @@ int print_ledger(const std::vector<Entry>& entries)
         }
         fmt::print("\n");
     }
-    if (failed == 0) fmt::print("every verdict is the recorded one and every control was caught; `touchstone paper 7.17` explains one entry\n");
+    if (failed == 0)
+        fmt::print("every verdict is the recorded one and every control was caught; `touchstone paper 7.17` explains one entry\n");
     return failed == 0 ? holds : fails;
 }
 
@@ -170,7 +186,8 @@ int print_controls(const std::vector<Entry>& entries)
             survivors += caught ? 0 : 1;
             ++all;
         }
-        if (e.corrected) fmt::print("{:<8} {:<28} {}\n", name(e.corrected->verdict), e.claim->id, "corrected: " + e.claim->correction->corrected);
+        if (e.corrected)
+            fmt::print("{:<8} {:<28} {}\n", name(e.corrected->verdict), e.claim->id, "corrected: " + e.claim->correction->corrected);
     }
     int failed = 0;
     for (const Entry& e : entries) failed += static_cast<int>(e.surviving().size());
@@ -230,12 +247,17 @@ int explain(const Entry& e)
     section("method", e.finding.method);
     section("judged in", e.finding.judge);
     for (std::size_t i = 0; i < e.finding.lemmas.size(); ++i) section(i == 0 ? "lemmas" : "", e.finding.lemmas[i]);
-    if (!e.finding.rows.empty()) section("rows", fmt::format("{} of data/paper/values.txt, {} to {}", e.finding.rows.size(), e.finding.rows.front(), e.finding.rows.back()));
-    for (std::size_t i = 0; i < e.finding.steps.size(); ++i) section(i == 0 ? "steps" : "", fmt::format("{}. {}", i + 1, e.finding.steps[i]));
+    if (!e.finding.rows.empty())
+        section("rows",
+                fmt::format("{} of data/paper/values.txt, {} to {}", e.finding.rows.size(), e.finding.rows.front(), e.finding.rows.back()));
+    for (std::size_t i = 0; i < e.finding.steps.size(); ++i)
+        section(i == 0 ? "steps" : "", fmt::format("{}. {}", i + 1, e.finding.steps[i]));
     if (e.corrected)
-        for (std::size_t i = 0; i < e.corrected->steps.size(); ++i) section(i == 0 ? "corrected" : "", fmt::format("{}. {}", i + 1, e.corrected->steps[i]));
+        for (std::size_t i = 0; i < e.corrected->steps.size(); ++i)
+            section(i == 0 ? "corrected" : "", fmt::format("{}. {}", i + 1, e.corrected->steps[i]));
     for (std::size_t i = 0; i < e.controls.size(); ++i)
-        section(i == 0 ? "controls" : "", fmt::format("{}: {} ({})", e.controls[i].what, name(e.controls[i].finding.verdict), e.controls[i].finding.reason));
+        section(i == 0 ? "controls" : "",
+                fmt::format("{}: {} ({})", e.controls[i].what, name(e.controls[i].finding.verdict), e.controls[i].finding.reason));
     section("rests on", joined(e.claim->rests_on));
     std::vector<std::string> used_by;
     for (const Claim& c : claims())
@@ -251,12 +273,16 @@ int run_paper(const PaperOptions& options)
 {
     if (!options.ledger.empty()) return run_own_ledger(options.ledger, options.id, options.json, options.mutate);
     if (options.recompute || options.values) recompute_values();
-    if (!options.svg.empty() || !options.pdf.empty() || !options.csv.empty()) return write_figure(options.id, options.svg, options.pdf, options.csv);
+    if (!options.svg.empty() || !options.pdf.empty() || !options.csv.empty())
+        return write_figure(options.id, options.svg, options.pdf, options.csv);
     if (options.own) return print_own(options.id, options.json);
     if (!options.id.empty()) {
         const auto claim = std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == options.id; });
         if (claim == claims().end())
-            throw Failure(bad_input, fmt::format("no entry '{}' in the ledger; an equation number such as 7.17, or an id that `touchstone paper --json` lists", options.id));
+            throw Failure(
+                bad_input,
+                fmt::format("no entry '{}' in the ledger; an equation number such as 7.17, or an id that `touchstone paper --json` lists",
+                            options.id));
         if (options.mutate) return print_mutation(options.id);
         const Entry e = run(*claim, prints().at(claim->id));
         if (!options.json) return explain(e);
@@ -315,15 +341,20 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("--svg", options->svg, "Draw a figure: touchstone paper figure5 --svg FILE");
     command->add_option("--pdf", options->pdf, "Draw a figure");
     command->add_option("--csv", options->csv, "The points of a figure, each with its error and status");
-    command->add_option("--errata", options->errata, "The erratum, from the proved corrections of the equations")->check(CLI::IsMember({"md", "tex", "html"}));
+    command->add_option("--errata", options->errata, "The erratum, from the proved corrections of the equations")
+        ->check(CLI::IsMember({"md", "tex", "html"}));
     command->add_flag("--mutate", options->mutate, "What a typesetter could change in the print, and what no judge would see");
-    command->add_option("--ledger", options->ledger, "A ledger of one's own: the directory with its ledger.json (docs/ledger.md)")->check(not_empty());
-    command->add_flag("--recompute", options->recompute, "Compute what takes long, instead of taking it from data/paper/values.txt (hash checked), and compare");
+    command->add_option("--ledger", options->ledger, "A ledger of one's own: the directory with its ledger.json (docs/ledger.md)")
+        ->check(not_empty());
+    command->add_flag("--recompute", options->recompute,
+                      "Compute what takes long, instead of taking it from data/paper/values.txt (hash checked), and compare");
     command->add_flag("--values", options->values, "Print data/paper/values.txt, computed anew");
     command->add_flag("--verdicts", options->verdicts, "Print data/paper/verdicts.txt, as judged now");
-    command->add_flag("--own", options->own, "What the program itself rests on: the lemmas of its operator and every constant of its proofs, each with a control");
+    command->add_flag("--own", options->own,
+                      "What the program itself rests on: the lemmas of its operator and every constant of its proofs, each with a control");
     command->callback([&run, options, command] {
-        if (command->count("entry") > 0 && options->id.empty()) throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
+        if (command->count("entry") > 0 && options->id.empty())
+            throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
         run = [options] { return run_paper(*options); };
     });
 }

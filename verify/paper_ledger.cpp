@@ -18,7 +18,8 @@ std::string says(const Print& p)
 {
     if (p.parts() == 0) return "a table";
     std::string all = p.text("0.lhs");
-    for (std::size_t i = 0; i < p.parts(); ++i) all += " " + p.text(std::to_string(i) + ".relation") + " " + p.text(std::to_string(i) + ".rhs");
+    for (std::size_t i = 0; i < p.parts(); ++i)
+        all += " " + p.text(std::to_string(i) + ".relation") + " " + p.text(std::to_string(i) + ".rhs");
     return all;
 }
 
@@ -36,16 +37,22 @@ void print_result(const OwnResult& r)
 {
     const OwnEntry& e = *r.entry;
     fmt::print("{:<11} {}  {}\n", name(r.finding.verdict), e.print.id, says(e.print));
-    if (!r.finding.reason.empty() && r.finding.verdict != Verdict::proved && r.finding.verdict != Verdict::definition) fmt::print("            {}\n", r.finding.reason);
-    if (r.corrected) fmt::print("            {}{}holds, {}: {}\n", e.correction->wrong, e.correction->wrong.empty() ? "" : "; ", name(r.corrected->verdict), right(e));
+    if (!r.finding.reason.empty() && r.finding.verdict != Verdict::proved && r.finding.verdict != Verdict::definition)
+        fmt::print("            {}\n", r.finding.reason);
+    if (r.corrected)
+        fmt::print("            {}{}holds, {}: {}\n", e.correction->wrong, e.correction->wrong.empty() ? "" : "; ",
+                   name(r.corrected->verdict), right(e));
     if (const std::string f = failure(r); !f.empty()) fmt::print("FAILED {}: {}\n", e.print.id, f);
 }
 
 nlohmann::ordered_json json_of(const OwnResult& r)
 {
     const OwnEntry& e = *r.entry;
-    nlohmann::ordered_json j = {{"id", e.print.id}, {"verdict", name(r.finding.verdict)}, {"method", r.finding.method}, {"statement", says(e.print)}, {"reason", r.finding.reason},
-                                {"correction", r.corrected ? right(e) : ""}, {"print", e.print.tex}, {"rests_on", e.rests_on}, {"steps", r.finding.steps}, {"failures", nlohmann::json::array()}};
+    nlohmann::ordered_json j = {{"id", e.print.id},           {"verdict", name(r.finding.verdict)},
+                                {"method", r.finding.method}, {"statement", says(e.print)},
+                                {"reason", r.finding.reason}, {"correction", r.corrected ? right(e) : ""},
+                                {"print", e.print.tex},       {"rests_on", e.rests_on},
+                                {"steps", r.finding.steps},   {"failures", nlohmann::json::array()}};
     if (r.corrected) j["correction_verdict"] = name(r.corrected->verdict);
     if (const std::string f = failure(r); !f.empty()) j["failures"].push_back(f);
     return j;
@@ -59,7 +66,8 @@ int print_mutation(const OwnLedger& ledger, const std::string& id)
         if (s.excuse.empty()) fmt::print("SURVIVES as {:<11} {:<20} {}: {}\n", s.verdict, s.id, s.kind, s.change);
         excused += s.excuse.empty() ? 0 : 1;
     }
-    for (const std::string& unjudged : m.unjudged) fmt::print("not judged  {}: a definition, and nothing says what it should be\n", unjudged);
+    for (const std::string& unjudged : m.unjudged)
+        fmt::print("not judged  {}: a definition, and nothing says what it should be\n", unjudged);
     fmt::print("{} changes: {} refuted, {} excused, {} survive\n", m.changes, m.refuted, excused, m.unexcused());
     return m.unexcused() == 0 ? holds : fails;
 }

@@ -93,7 +93,9 @@ public:
     void show()
     {
         const double often = log_every > 0 ? log_every : quiet;
-        if (!begun_ || !speaks() || since(start_) < std::min(quiet, often) || since(last_) < (terminal_ ? std::min(redraw, often) : log_every)) return;
+        if (!begun_ || !speaks() || since(start_) < std::min(quiet, often) ||
+            since(last_) < (terminal_ ? std::min(redraw, often) : log_every))
+            return;
         last_ = Clock::now();
         const double share = shown_ = std::max(shown_, share_now());
         const std::string text = line(share);
@@ -121,11 +123,13 @@ private:
     std::string line(double share) const
     {
         const double seconds = since(start_);
-        if (by_steps() && steps.total > 0) return progress_line(steps.last, static_cast<std::size_t>(steps.done), static_cast<std::size_t>(steps.total), share, seconds);
+        if (by_steps() && steps.total > 0)
+            return progress_line(steps.last, static_cast<std::size_t>(steps.done), static_cast<std::size_t>(steps.total), share, seconds);
         if (work.empty()) return "";
         const Work& outer = work.front();
         std::string text = progress_line(outer.what, outer.parts, outer.total, share, seconds);
-        for (auto w = work.begin() + 1; w != work.end(); ++w) text += fmt::format("; {} {}{}", w->what, w->parts, w->total > 0 ? fmt::format(" of {}", w->total) : "");
+        for (auto w = work.begin() + 1; w != work.end(); ++w)
+            text += fmt::format("; {} {}{}", w->what, w->parts, w->total > 0 ? fmt::format(" of {}", w->total) : "");
         if (const std::string& step = work.back().step; !step.empty()) text += "; " + step;
         if (steps.total > 0) text += fmt::format("; {} {} of {}", steps.last, steps.done, steps.total);
         return text;
@@ -149,7 +153,8 @@ private:
         std::unique_lock waiting(own);
         std::condition_variable_any never;
         while (!stop.stop_requested()) {
-            never.wait_for(waiting, stop, std::chrono::duration<double>(log_every > 0 ? std::min(redraw, log_every) : redraw), [] { return false; });
+            never.wait_for(waiting, stop, std::chrono::duration<double>(log_every > 0 ? std::min(redraw, log_every) : redraw),
+                           [] { return false; });
             const std::scoped_lock lock(mutex);
             show();
         }

@@ -46,7 +46,8 @@ std::vector<std::string> recompute(const ReportOptions& o)
     std::vector<std::string> changed;
     for (const TableSpec& spec : figures::figure_tables()) {
         Progress progress(spec.name, spec.grid().size());
-        const std::string text = figures::stored_form(compute(spec, spec.digits, o.jobs, [&progress](std::size_t done, std::size_t) { progress.done(done); }));
+        const std::string text =
+            figures::stored_form(compute(spec, spec.digits, o.jobs, [&progress](std::size_t done, std::size_t) { progress.done(done); }));
         write_file(folder / (spec.name + ".txt"), text);
         if (text != figures::compiled_in(spec.name)) changed.push_back(spec.name);
     }
@@ -69,7 +70,9 @@ int make_report(const ReportOptions& o)
     if (o.recompute) {
         const auto changed = recompute(o);
         if (!changed.empty())
-            throw Failure(fails, fmt::format("recomputed tables differ from those compiled in: {} (the new ones are in {}/data; data/figures holds those of the program)", fmt::join(changed, ", "), o.out));
+            throw Failure(fails, fmt::format("recomputed tables differ from those compiled in: {} (the new ones are in {}/data; "
+                                             "data/figures holds those of the program)",
+                                             fmt::join(changed, ", "), o.out));
     }
     make_folder(fs::path(o.out) / "figures");
     const auto codes = report::shipped_codes();
@@ -93,7 +96,8 @@ int make_report(const ReportOptions& o)
     const fs::path page = fs::path(o.out) / "index.html";
     write_file(page, report::page(contents));
     Progress::clear();
-    fmt::print("{}: {} figures (SVG, PDF and CSV in {}/figures), {} entries of the ledger\n", page.string(), contents.drawn.size(), o.out, contents.ledger.size());
+    fmt::print("{}: {} figures (SVG, PDF and CSV in {}/figures), {} entries of the ledger\n", page.string(), contents.drawn.size(), o.out,
+               contents.ledger.size());
     return holds;
 }
 
@@ -119,11 +123,13 @@ int write_figure(const std::string& id, const std::string& svg, const std::strin
 
 void add_report(CLI::App& app, Run& run)
 {
-    auto* command = app.add_subcommand("report", "The paper's figures, Table 1, the ledger and the erratum in one HTML file: touchstone report --out DIR");
+    auto* command = app.add_subcommand(
+        "report", "The paper's figures, Table 1, the ledger and the erratum in one HTML file: touchstone report --out DIR");
     auto o = std::make_shared<ReportOptions>();
     command->add_option("--out", o->out, "Folder for index.html and figures/")->required();
     command->add_option("--ledger", o->ledger, "What `touchstone paper --json` wrote, instead of judging every entry now");
-    command->add_flag("--recompute", o->recompute, "Make the tables behind the figures anew (minutes), into DIR/data; fails if they differ from those compiled in");
+    command->add_flag("--recompute", o->recompute,
+                      "Make the tables behind the figures anew (minutes), into DIR/data; fails if they differ from those compiled in");
     command->add_option("--jobs", o->jobs, "Threads of --recompute")->check(CLI::Range(1u, 1024u));
     command->callback([&run, o] { run = [o] { return make_report(*o); }; });
 }

@@ -27,14 +27,16 @@ std::string text(const std::string& s) { return '"' + s + '"'; }
 std::string axis_commands(char name, const Axis& a)
 {
     std::string c = fmt::format("{} logscale {}\n", a.logarithmic ? "set" : "unset", name);
-    c += fmt::format("set {0}label {1}\nset {0}range [{2:.17g}:{3:.17g}]{4}\n", name, text(a.label), a.low, a.high, a.reversed ? " reverse" : "");
+    c += fmt::format("set {0}label {1}\nset {0}range [{2:.17g}:{3:.17g}]{4}\n", name, text(a.label), a.low, a.high,
+                     a.reversed ? " reverse" : "");
     if (a.logarithmic) {
         const double factor = a.step > 0 ? a.step : 10;
         c += fmt::format("set format {0} '10^{{%T}}'\nset {0}tics {1:g} nomirror\nunset m{0}tics\n", name, factor);
     }
     else {
         c += fmt::format("set format {0} '%g'\n", name);
-        c += a.step > 0 ? fmt::format("set {0}tics {1:g} nomirror\nunset m{0}tics\n", name, a.step) : fmt::format("set {0}tics autofreq nomirror\nunset m{0}tics\n", name);
+        c += a.step > 0 ? fmt::format("set {0}tics {1:g} nomirror\nunset m{0}tics\n", name, a.step)
+                        : fmt::format("set {0}tics autofreq nomirror\nunset m{0}tics\n", name);
     }
     return c;
 }
@@ -64,7 +66,8 @@ std::string rectangles(const Curve& c)
         std::size_t last = k;
         while (last + 1 < points.size() && points[last + 1].x < points[last].x * c.cells.width * c.cells.width * 1.001) ++last;
         const double left = points[k].x / c.cells.width, right = points[last].x * c.cells.width;
-        lines += fmt::format("{0:.6g} {1:.6g} {0:.6g} {2:.6g} {3:.6g} {4:.6g}\n", left, c.cells.y, right, c.cells.y / c.cells.height, c.cells.y * c.cells.height);
+        lines += fmt::format("{0:.6g} {1:.6g} {0:.6g} {2:.6g} {3:.6g} {4:.6g}\n", left, c.cells.y, right, c.cells.y / c.cells.height,
+                             c.cells.y * c.cells.height);
         k = last + 1;
     }
     return lines;
@@ -81,17 +84,21 @@ std::string data_of(const Curve& c)
 std::string panel_commands(const Panel& p, std::size_t number)
 {
     std::string c = fmt::format("set title {}\n{}{}", text(p.title), axis_commands('x', p.x), axis_commands('y', p.y));
-    c += p.key.empty() || p.key == above_all ? "unset key\n" : fmt::format("set key {} Left reverse samplen 2 spacing 1.1 noopaque\n", p.key);
+    c += p.key.empty() || p.key == above_all ? "unset key\n"
+                                             : fmt::format("set key {} Left reverse samplen 2 spacing 1.1 noopaque\n", p.key);
     c += "unset label\nunset object\n";
     for (const Band& b : p.bands)
-        c += fmt::format("set object rectangle from {:.17g}, graph 0 to {:.17g}, graph 1 behind fillstyle solid 0.18 noborder fillcolor rgb '#888888'\n", b.from, b.to);
-    for (const Note& n : p.notes) c += fmt::format("set label {} at {:.17g}, {:.17g} {} front\n", text(n.text), n.x, n.y, n.centred ? "center" : "left");
+        c += fmt::format("set object rectangle from {:.17g}, graph 0 to {:.17g}, graph 1 behind fillstyle solid 0.18 noborder fillcolor "
+                         "rgb '#888888'\n", b.from, b.to);
+    for (const Note& n : p.notes)
+        c += fmt::format("set label {} at {:.17g}, {:.17g} {} front\n", text(n.text), n.x, n.y, n.centred ? "center" : "left");
     std::string plots;
     for (std::size_t k = 0; k < p.curves.size(); ++k) {
         const Curve& curve = p.curves[k];
         if (curve.points.empty()) continue; // for the legend alone
         c += fmt::format("$d{}_{} << END\n{}END\n", number, k, data_of(curve));
-        plots += fmt::format("{}$d{}_{} using {} {} {}", plots.empty() ? "plot " : ", \\\n     ", number, k, curve.style == Style::cells ? "1:2:3:4:5:6" : "1:2", drawn(curve),
+        plots += fmt::format("{}$d{}_{} using {} {} {}", plots.empty() ? "plot " : ", \\\n     ", number, k,
+                             curve.style == Style::cells ? "1:2:3:4:5:6" : "1:2", drawn(curve),
                              curve.legend.empty() ? "notitle" : "title " + text(curve.legend));
     }
     return c + plots + "\n";
@@ -138,12 +145,15 @@ Size size_of(const Figure& f, Layout layout)
 std::string legend_commands(const Figure& f, const Size& s)
 {
     std::string c = fmt::format("set origin 0,{:.6f}\nset size 1,{:.6f}\n", 1 - s.legend / s.height, s.legend / s.height);
-    c += "unset border\nunset tics\nunset title\nunset xlabel\nunset ylabel\nunset grid\nunset logscale\nset lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n";
-    c += fmt::format("set xrange [0:1]\nset yrange [0:1]\nset key at graph 0.5, graph 0.5 center center horizontal Left reverse maxcols {} samplen 2 width 0.5\nplot ", s.legend_columns);
+    c += "unset border\nunset tics\nunset title\nunset xlabel\nunset ylabel\nunset grid\nunset logscale\nset lmargin 0\nset rmargin "
+         "0\nset tmargin 0\nset bmargin 0\n";
+    c += fmt::format("set xrange [0:1]\nset yrange [0:1]\nset key at graph 0.5, graph 0.5 center center horizontal Left reverse maxcols "
+                     "{} samplen 2 width 0.5\nplot ", s.legend_columns);
     const char* comma = "";
     for (const Curve& curve : f.panels.front().curves) {
         if (curve.legend.empty()) continue;
-        c += fmt::format("{}{} {} title {}", comma, curve.style == Style::cells ? "'+' using (2):(2):(2):(2):(2):(2)" : "2", drawn(curve), text(curve.legend));
+        c += fmt::format("{}{} {} title {}", comma, curve.style == Style::cells ? "'+' using (2):(2):(2):(2):(2):(2)" : "2", drawn(curve),
+                         text(curve.legend));
         comma = ", ";
     }
     return c + "\n";
@@ -153,11 +163,13 @@ std::string run_gnuplot(const std::string& commands)
 {
     const auto answer = run_tool({"gnuplot", "-"}, commands + "unset multiplot\n");
     if (!answer) throw Failure(program::protocol_error, "gnuplot could not be run; it draws the figures (Debian package gnuplot-nox)");
-    if (!answer->succeeded || answer->output.empty()) throw Failure(program::protocol_error, fmt::format("gnuplot refused a figure: {}", answer->complaint.substr(0, 400)));
+    if (!answer->succeeded || answer->output.empty())
+        throw Failure(program::protocol_error, fmt::format("gnuplot refused a figure: {}", answer->complaint.substr(0, 400)));
     return answer->output;
 }
 
-/// The paper, white or dark whatever page it lies on, and what becomes light on dark: ink and the two blues. gnuplot writes a colour as a name, or as its three numbers.
+/// The paper, white or dark whatever page it lies on, and what becomes light on dark: ink and the two blues. gnuplot writes a colour as a
+/// name, or as its three numbers.
 std::string dark_mode()
 {
     constexpr std::array<std::pair<const char*, const char*>, 4> changes{
@@ -181,14 +193,16 @@ std::string dressed(std::string drawing, const Figure& f)
         if (b != std::string::npos) drawing.erase(a, b + to.size() - a);
     };
     const auto xml = [](std::string words) {
-        for (std::size_t at = 0; (at = words.find_first_of("&<>", at)) != std::string::npos; ++at) words.replace(at, 1, words[at] == '&' ? "&amp;" : words[at] == '<' ? "&lt;" : "&gt;");
+        for (std::size_t at = 0; (at = words.find_first_of("&<>", at)) != std::string::npos; ++at)
+            words.replace(at, 1, words[at] == '&' ? "&amp;" : words[at] == '<' ? "&lt;" : "&gt;");
         return words;
     };
     if (const auto at = drawing.find("<svg"); at != std::string::npos) drawing.erase(0, at); // UTF-8 needs no declaration
     cut("<desc>", "</desc>");
     cut("<title>", "</title>");
-    const std::string style = fmt::format("<title>{}</title>\n<desc>{} Drawn from `touchstone paper {} --csv`.</desc>\n<style>{}</style>\n<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n", xml(f.title), xml(f.alternative),
-                                          f.id, dark_mode());
+    const std::string style = fmt::format("<title>{}</title>\n<desc>{} Drawn from `touchstone paper {} "
+                                          "--csv`.</desc>\n<style>{}</style>\n<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n",
+                                          xml(f.title), xml(f.alternative), f.id, dark_mode());
     drawing.erase(drawing.find_last_not_of('\n') + 1);
     drawing += '\n';
     replace("<g id=\"gnuplot_canvas\">", style + "<g id=\"gnuplot_canvas\">");
@@ -202,7 +216,8 @@ std::string script(const Figure& f, Layout layout)
     const Size s = size_of(f, layout);
     std::string c = "set encoding utf8\nset multiplot\n";
     if (s.legend > 0) c += legend_commands(f, s);
-    c += "set border 3 lw 0.8\nset tics scale 0.6\nset grid lc rgb '#999999' lw 0.25 dashtype solid\nset lmargin 9.5\nset rmargin 2.5\nset tmargin 2.6\nset bmargin 4\n"; // the same for all panels
+    c += "set border 3 lw 0.8\nset tics scale 0.6\nset grid lc rgb '#999999' lw 0.25 dashtype solid\nset lmargin 9.5\nset rmargin "
+         "2.5\nset tmargin 2.6\nset bmargin 4\n"; // the same for all panels
     const double width = 1.0 / s.columns, height = (s.height - s.legend) / s.height / s.rows;
     for (std::size_t k = 0; k < f.panels.size(); ++k) {
         const int row = static_cast<int>(k) / s.columns, column = static_cast<int>(k) % s.columns;
@@ -215,7 +230,8 @@ std::string script(const Figure& f, Layout layout)
 std::string svg(const Figure& f, Layout layout)
 {
     const Size s = size_of(f, layout);
-    const std::string drawing = run_gnuplot(fmt::format("set terminal svg size {:.0f},{:.0f} fixed enhanced font 'sans-serif,13'\n{}", s.width, s.height, script(f, layout)));
+    const std::string drawing = run_gnuplot(
+        fmt::format("set terminal svg size {:.0f},{:.0f} fixed enhanced font 'sans-serif,13'\n{}", s.width, s.height, script(f, layout)));
     return dressed(drawing, f);
 }
 
@@ -223,7 +239,8 @@ std::string pdf(const Figure& f)
 {
     const Size s = size_of(f, Layout::wide);
     constexpr double per_inch = 110; // a page's width is 7.8 inches of it
-    return run_gnuplot(fmt::format("set terminal pdfcairo size {:.2f},{:.2f} enhanced font 'sans,10'\n{}", s.width / per_inch, s.height / per_inch, script(f, Layout::wide)));
+    return run_gnuplot(fmt::format("set terminal pdfcairo size {:.2f},{:.2f} enhanced font 'sans,10'\n{}", s.width / per_inch,
+                                   s.height / per_inch, script(f, Layout::wide)));
 }
 
 } // namespace touchstone::figures

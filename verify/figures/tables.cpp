@@ -82,10 +82,14 @@ Rows hertzian_rows()
 
 std::string_view text_of(const std::string& table)
 {
-    static const std::map<std::string, std::string_view (*)()> texts{
-        {"contact_area", data::contact_area_text}, {"contact_area_full", data::contact_area_full_text}, {"contact_area_heavy", data::contact_area_heavy_text},
-        {"contact_density", data::contact_density_text}, {"segments_density", data::segments_density_text}, {"figure5_density", data::figure5_density_text},
-        {"figure5_segments", data::figure5_segments_text}, {"hertzian_share", data::hertzian_share_text}};
+    static const std::map<std::string, std::string_view (*)()> texts{{"contact_area", data::contact_area_text},
+                                                                     {"contact_area_full", data::contact_area_full_text},
+                                                                     {"contact_area_heavy", data::contact_area_heavy_text},
+                                                                     {"contact_density", data::contact_density_text},
+                                                                     {"segments_density", data::segments_density_text},
+                                                                     {"figure5_density", data::figure5_density_text},
+                                                                     {"figure5_segments", data::figure5_segments_text},
+                                                                     {"hertzian_share", data::hertzian_share_text}};
     return texts.at(table)();
 }
 

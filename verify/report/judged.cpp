@@ -40,7 +40,11 @@ const std::vector<Asked>& all_asked()
         {"GSL's functions", "subject_gsl", "westergaard.half_width", "westergaard_half_width"},
         {"GSL's functions", "subject_gsl", "westergaard.gap", "westergaard_gap"},
         {"GSL's functions", "subject_gsl", "archard.K", "archard_K", {"--where", "n=0..64", "--held-out", "0"}},
-        {"recursion of section 6 on GSL", "subject_recursion", "contact.area", "contact_area", {"--where", "n=0..10", "--held-out", "0", "--recheck", "0", "--strict"}},
+        {"recursion of section 6 on GSL",
+         "subject_recursion",
+         "contact.area",
+         "contact_area",
+         {"--where", "n=0..10", "--held-out", "0", "--recheck", "0", "--strict"}},
     };
     return all;
 }
@@ -60,7 +64,10 @@ fs::path this_program()
     return fs::read_symlink("/proc/self/exe", error);
 }
 
-double number_at(const nlohmann::json& interval, std::size_t k) { return interval.is_array() && interval.size() > k && interval[k].is_number() ? interval[k].get<double>() : -1; }
+double number_at(const nlohmann::json& interval, std::size_t k)
+{
+    return interval.is_array() && interval.size() > k && interval[k].is_number() ? interval[k].get<double>() : -1;
+}
 
 std::string ulps(double u) { return u < 0 ? "" : fmt::format("{:.2g}", u); }
 
@@ -73,10 +80,12 @@ std::string row(const Judged& j)
     const char* const colour = verdict == "pass" ? "proved" : verdict == "fail" ? "refuted" : "undecided";
     const std::string worst_ulps = ulps(number_at(worst.value("ulps", nlohmann::json()), 1));
     const std::string forced = strict ? "not asked" : ulps(number_at(worst.value("forced_by_inputs", nlohmann::json()), 0));
-    return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td><span class=\"badge {}\">{}</span></td><td class=\"number\">{} of {}</td>"
-                       "<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n"
-                       "<tr class=\"regenerate\"><td colspan=\"6\"><code>{}</code></td></tr>\n",
-                       escaped(j.code), escaped(j.table), colour, escaped(verdict), said.value("failed", 0), said.value("rows", 0), worst_ulps, forced, escaped(j.command));
+    return fmt::format(
+        "<tr><th scope=\"row\">{}</th><td>{}</td><td><span class=\"badge {}\">{}</span></td><td class=\"number\">{} of {}</td>"
+        "<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n"
+        "<tr class=\"regenerate\"><td colspan=\"6\"><code>{}</code></td></tr>\n",
+        escaped(j.code), escaped(j.table), colour, escaped(verdict), said.value("failed", 0), said.value("rows", 0), worst_ulps, forced,
+        escaped(j.command));
 }
 
 } // namespace
@@ -95,8 +104,11 @@ std::vector<Judged> judge_shipped(const fs::path& codes, const std::function<voi
     for (const Asked& a : all_asked()) {
         const auto answer = figures::run_tool(command_of(a, this_program(), codes, {"--json"}), "");
         auto said = nlohmann::json::parse(answer ? answer->output : "", nullptr, false);
-        if (!said.is_object()) throw Failure(internal_error, fmt::format("judging {} by {} said nothing: {}", a.program, a.table, answer ? answer->complaint : "not started"));
-        all.push_back({a.code, a.table, fmt::format("{}", fmt::join(command_of(a, "touchstone", "verify/subjects", {}), " ")), std::move(said)});
+        if (!said.is_object())
+            throw Failure(internal_error,
+                          fmt::format("judging {} by {} said nothing: {}", a.program, a.table, answer ? answer->complaint : "not started"));
+        all.push_back(
+            {a.code, a.table, fmt::format("{}", fmt::join(command_of(a, "touchstone", "verify/subjects", {}), " ")), std::move(said)});
         judged_one(all.size());
     }
     return all;
@@ -112,16 +124,20 @@ std::string drawn_judgement(const fs::path& codes)
 std::string judged_section(const std::vector<Judged>& all, const std::string& drawing_html)
 {
     if (all.empty())
-        return "<p>The judged codes of <code>verify/subjects</code> are built beside the program and not installed; a report made from the build folder judges them. "
+        return "<p>The judged codes of <code>verify/subjects</code> are built beside the program and not installed; a report made from the "
+               "build folder judges them. "
                "Your own code: <code>touchstone judge westergaard_pressure --svg errors.svg -- ./mycode</code></p>\n";
     std::string rows;
     for (const Judged& j : all) rows += row(j);
-    return "<p>Codes in double precision, judged while this page was made: a row fails if it is more than 4 ulps off beyond what the rounding of its inputs forces. The library's own forms pass everywhere; the formulas as printed, "
-           "and GSL's functions put together in the same way, fail where they subtract what is nearly equal. The recursion of section 6 on GSL's quadrature is judged strictly: 4 ulps, nothing forgiven. "
+    return "<p>Codes in double precision, judged while this page was made: a row fails if it is more than 4 ulps off beyond what the "
+           "rounding of its inputs forces. The library's own forms pass everywhere; the formulas as printed, "
+           "and GSL's functions put together in the same way, fail where they subtract what is nearly equal. The recursion of section 6 on "
+           "GSL's quadrature is judged strictly: 4 ulps, nothing forgiven. "
            "Run from the build folder.</p>\n"
-           "<div class=\"scroll\"><table class=\"judged\"><thead><tr><th>code</th><th>table</th><th>verdict</th><th>rows that fail</th><th>ulps, worst row</th><th>of these forced</th></tr></thead><tbody>\n"
-         + rows + "</tbody></table></div>\n" + drawing_html
-         + "<p>Your own code beside these: <code>touchstone judge westergaard_pressure --svg errors.svg -- ./mycode</code></p>\n";
+           "<div class=\"scroll\"><table class=\"judged\"><thead><tr><th>code</th><th>table</th><th>verdict</th><th>rows that "
+           "fail</th><th>ulps, worst row</th><th>of these forced</th></tr></thead><tbody>\n" +
+           rows + "</tbody></table></div>\n" + drawing_html +
+           "<p>Your own code beside these: <code>touchstone judge westergaard_pressure --svg errors.svg -- ./mycode</code></p>\n";
 }
 
 } // namespace touchstone::program::report

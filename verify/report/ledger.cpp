@@ -19,7 +19,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array verdicts{"refuted", "undecided", "qualitative", "argued", "proved", "verified", "definition"};
 
-std::string text_at(const Json& entry, const char* key) { return entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>() : ""; }
+std::string text_at(const Json& entry, const char* key)
+{
+    return entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>() : "";
+}
 
 /// How grave a refuted entry is: what the ledger says, else what kind of fault it is.
 std::string severity(const Json& entry)
@@ -28,7 +31,10 @@ std::string severity(const Json& entry)
     return said.empty() ? text_at(entry, "fault") : said;
 }
 
-bool is_sentence(const Json& entry) { return text_at(entry, "print").find('$') != std::string::npos || text_at(entry, "print").find('\\') == std::string::npos; }
+bool is_sentence(const Json& entry)
+{
+    return text_at(entry, "print").find('$') != std::string::npos || text_at(entry, "print").find('\\') == std::string::npos;
+}
 
 /// A print as the paper has it: an equation, or a sentence in quotation marks.
 std::string printed(const Json& entry)
@@ -39,7 +45,10 @@ std::string printed(const Json& entry)
     return "<div class=\"equation\">" + formula(print, true) + "</div>";
 }
 
-std::string term(const char* title, const std::string& html) { return html.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", title, html); }
+std::string term(const char* title, const std::string& html)
+{
+    return html.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", title, html);
+}
 
 std::string list_of(const Json& entry, const char* key)
 {
@@ -53,7 +62,8 @@ std::string controls_of(const Json& entry)
 {
     if (!entry.contains("controls") || entry["controls"].empty()) return "";
     std::string items;
-    for (const auto& c : entry["controls"]) items += fmt::format("<li>{}: {}</li>", escaped(text_at(c, "what")), escaped(text_at(c, "verdict")));
+    for (const auto& c : entry["controls"])
+        items += fmt::format("<li>{}: {}</li>", escaped(text_at(c, "what")), escaped(text_at(c, "verdict")));
     return "<ul>" + items + "</ul>";
 }
 
@@ -63,7 +73,8 @@ std::string links_of(const Json& entry, const std::set<std::string>& ids)
     if (entry.contains("rests_on"))
         for (const auto& id : entry["rests_on"]) {
             const std::string name = id.get<std::string>();
-            text += (text.empty() ? "" : ", ") + (ids.contains(name) ? fmt::format("<a href=\"#entry-{0}\">{0}</a>", escaped(name)) : escaped(name));
+            text += (text.empty() ? "" : ", ") +
+                    (ids.contains(name) ? fmt::format("<a href=\"#entry-{0}\">{0}</a>", escaped(name)) : escaped(name));
         }
     return text;
 }
@@ -76,30 +87,39 @@ std::string source_of(const Json& entry)
     if (const std::string judge = text_at(entry, "judge"); !judge.empty()) add(judge);
     for (const char* key : {"lemmas", "rows"})
         if (entry.contains(key))
-            for (const auto& place : entry[key]) add((std::string(key) == "rows" ? "data/paper/values.txt: " : "") + place.get<std::string>());
+            for (const auto& place : entry[key])
+                add((std::string(key) == "rows" ? "data/paper/values.txt: " : "") + place.get<std::string>());
     return html;
 }
 
 std::string entry_html(const Json& entry, const std::set<std::string>& ids)
 {
-    const std::string id = text_at(entry, "id"), verdict = text_at(entry, "verdict"), kind = severity(entry), command = "touchstone paper " + id;
+    const std::string id = text_at(entry, "id"), verdict = text_at(entry, "verdict"), kind = severity(entry),
+                      command = "touchstone paper " + id;
     std::string body = printed(entry);
     body += "<dl>" + term("assuming", escaped(text_at(entry, "assumptions"))) + term("reason", escaped(text_at(entry, "reason")));
     if (verdict == "refuted") {
         body += term("goes wrong", escaped(text_at(entry, "wrong")));
-        body += term("holds", escaped(text_at(entry, "correction")) + (text_at(entry, "correction_verdict").empty() ? "" : " (" + escaped(text_at(entry, "correction_verdict")) + ")"));
+        body += term("holds",
+                     escaped(text_at(entry, "correction")) +
+                         (text_at(entry, "correction_verdict").empty() ? "" : " (" + escaped(text_at(entry, "correction_verdict")) + ")"));
         body += term("consequence", escaped(text_at(entry, "consequence")));
     }
-    body += term("method", escaped(text_at(entry, "method"))) + term("steps", list_of(entry, "steps")) + term("changed prints", controls_of(entry)) + term("rests on", links_of(entry, ids))
-          + term("judged by", source_of(entry)) + term("regenerate", "<code>" + escaped(command) + "</code>") + "</dl>";
-    return fmt::format("<details class=\"entry\" id=\"entry-{0}\" data-verdict=\"{1}\" data-severity=\"{2}\"><summary><span class=\"badge {1}\">{1}</span>{3} <b>{0}</b> "
+    body += term("method", escaped(text_at(entry, "method"))) + term("steps", list_of(entry, "steps")) +
+            term("changed prints", controls_of(entry)) + term("rests on", links_of(entry, ids)) + term("judged by", source_of(entry)) +
+            term("regenerate", "<code>" + escaped(command) + "</code>") + "</dl>";
+    return fmt::format("<details class=\"entry\" id=\"entry-{0}\" data-verdict=\"{1}\" data-severity=\"{2}\"><summary><span class=\"badge "
+                       "{1}\">{1}</span>{3} <b>{0}</b> "
                        "<span class=\"statement\">{4}</span></summary>{5}</details>\n",
-                       escaped(id), escaped(verdict), escaped(kind), kind.empty() ? "" : " <span class=\"kind\">" + escaped(kind) + "</span>", escaped(text_at(entry, "statement")), body);
+                       escaped(id), escaped(verdict), escaped(kind),
+                       kind.empty() ? "" : " <span class=\"kind\">" + escaped(kind) + "</span>", escaped(text_at(entry, "statement")),
+                       body);
 }
 
 std::string box(const char* group, const std::string& value, std::size_t count)
 {
-    return fmt::format("<label><input type=\"checkbox\" data-filter=\"{0}\" value=\"{1}\" checked> {1} ({2})</label>\n", group, escaped(value), count);
+    return fmt::format("<label><input type=\"checkbox\" data-filter=\"{0}\" value=\"{1}\" checked> {1} ({2})</label>\n", group,
+                       escaped(value), count);
 }
 
 } // namespace
@@ -107,7 +127,9 @@ std::string box(const char* group, const std::string& value, std::size_t count)
 Json parse_ledger(const std::string& text, const std::string& file)
 {
     Json ledger = Json::parse(text, nullptr, false);
-    const auto good = [](const Json& e) { return e.is_object() && e.contains("id") && e["id"].is_string() && e.contains("verdict") && e["verdict"].is_string(); };
+    const auto good = [](const Json& e) {
+        return e.is_object() && e.contains("id") && e["id"].is_string() && e.contains("verdict") && e["verdict"].is_string();
+    };
     if (!ledger.is_array() || ledger.empty() || !std::all_of(ledger.begin(), ledger.end(), good))
         throw Failure(bad_input, fmt::format("{}: not what `touchstone paper --json` writes", file));
     return ledger;
@@ -148,17 +170,21 @@ std::string erratum_section(const Json& ledger)
     std::string whole = proofs::errata("html");
     for (const auto& e : ledger) { // each equation leads to its entry
         const std::string id = escaped(text_at(e, "id")), heading = "<dt>(" + id + ")";
-        if (const auto at = whole.find(heading); at != std::string::npos) whole.replace(at, heading.size(), fmt::format("<dt><a href=\"#entry-{0}\">({0})</a>", id));
+        if (const auto at = whole.find(heading); at != std::string::npos)
+            whole.replace(at, heading.size(), fmt::format("<dt><a href=\"#entry-{0}\">({0})</a>", id));
     }
     const auto from = whole.find("<dl>"), to = whole.rfind("</dl>");
     if (from == std::string::npos || to == std::string::npos) throw Failure(internal_error, "the erratum has no list of equations");
-    std::string html = "<h3>Equations</h3>\n<p>The forms to read are proved; both columns of symbols are set from the transcription and its proved correction.</p>\n<dl class=\"errata\">"
-                     + whole.substr(from + 4, to - from - 4) + "</dl>\n";
+    std::string html = "<h3>Equations</h3>\n<p>The forms to read are proved; both columns of symbols are set from the transcription and "
+                       "its proved correction.</p>\n<dl class=\"errata\">" +
+                       whole.substr(from + 4, to - from - 4) + "</dl>\n";
     std::string sentences;
     for (const auto& e : ledger) {
         if (text_at(e, "verdict") != "refuted" || !is_sentence(e)) continue;
-        sentences += fmt::format("<div class=\"erratum\"><h4><a href=\"#entry-{0}\">{0}</a> <span class=\"kind\">{1}</span></h4>{2}<dl>{3}{4}</dl></div>\n", escaped(text_at(e, "id")), escaped(severity(e)), printed(e),
-                                 term("wrong", escaped(text_at(e, "wrong"))), term("holds", escaped(text_at(e, "correction"))));
+        sentences += fmt::format(
+            "<div class=\"erratum\"><h4><a href=\"#entry-{0}\">{0}</a> <span class=\"kind\">{1}</span></h4>{2}<dl>{3}{4}</dl></div>\n",
+            escaped(text_at(e, "id")), escaped(severity(e)), printed(e), term("wrong", escaped(text_at(e, "wrong"))),
+            term("holds", escaped(text_at(e, "correction"))));
     }
     return sentences.empty() ? html : html + "<h3>Sentences</h3>\n" + sentences;
 }
@@ -170,14 +196,17 @@ std::string table_1_section()
     for (const auto& n : proofs::check_table_1(proofs::table_1_text())) {
         if (!n.id.starts_with("table1.")) continue;
         const long scale = std::stol(n.id.substr(n.id.find_last_not_of("0123456789") + 1));
-        rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td><td><code>touchstone eval archard.K n={}</code></td></tr>\n", scale,
-                            escaped(n.printed), escaped(n.true_value), n.holds ? "right" : "<b>wrong</b>", scale);
+        rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td "
+                            "class=\"number\">{}</td><td>{}</td><td><code>touchstone eval archard.K n={}</code></td></tr>\n",
+                            scale, escaped(n.printed), escaped(n.true_value), n.holds ? "right" : "<b>wrong</b>", scale);
         right += n.holds ? 1U : 0U;
         ++all;
     }
-    return fmt::format("<p>{} of {} printed values are right in every digit. Certified values are correctly rounded to 20 digits.</p>\n<div class=\"scroll\"><table><thead><tr><th>n</th><th>printed</th>"
-                       "<th>certified K<sub>n</sub></th><th>verdict</th><th>regenerate</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
-                       right, all, rows);
+    return fmt::format(
+        "<p>{} of {} printed values are right in every digit. Certified values are correctly rounded to 20 digits.</p>\n<div "
+        "class=\"scroll\"><table><thead><tr><th>n</th><th>printed</th>"
+        "<th>certified K<sub>n</sub></th><th>verdict</th><th>regenerate</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
+        right, all, rows);
 }
 
 } // namespace touchstone::program::report

@@ -141,7 +141,8 @@ private:
         const double z_max = highest(n) / G_, k = static_cast<double>(n);
         const Shape density = tabulated(n);
         return integral([&](double a) {
-            const double s = std::sin(a), c = std::cos(a), up = width * s * s, z = lo + up, y = z / z_max, t2 = width / z_max * c * c * (1 + y);
+            const double s = std::sin(a), c = std::cos(a), up = width * s * s, z = lo + up, y = z / z_max,
+                         t2 = width / z_max * c * c * (1 + y);
             return f(z, up) * y * std::pow(t2, (k - 1) / 2) * density(y * y, t2) * 2 * s * c * width;
         });
     }
@@ -151,7 +152,8 @@ private:
         if (n == 0) return [this](double y2, double t2) { return g(0, y2, t2); };
         while (tables_.size() < n) { // each half by the distance from its own end
             const std::size_t k = tables_.size() + 1;
-            tables_.emplace_back(Table([this, k](double y2) { return g(k, y2, 1 - y2); }), Table([this, k](double t2) { return g(k, 1 - t2, t2); }));
+            tables_.emplace_back(Table([this, k](double y2) { return g(k, y2, 1 - y2); }),
+                                 Table([this, k](double t2) { return g(k, 1 - t2, t2); }));
         }
         return [&t = tables_[n - 1]](double y2, double t2) { return y2 < t2 ? t.first(y2) : t.second(t2); };
     }

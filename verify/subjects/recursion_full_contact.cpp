@@ -4,7 +4,8 @@
 ///
 /// Backwards, since densities have infinities inside: v_0(x) is the share above p of a wave with mean pressure x (the area is p = 0), and
 ///
-///     v_{k+1}(x) = mean of v_k over one wave of mean x,   in the angle of (2.2) where x >= 1, else (2.4) with sin(pi xi/lambda) = sqrt(x) sin(psi),
+///     v_{k+1}(x) = mean of v_k over one wave of mean x,   in the angle of (2.2) where x >= 1, else (2.4) with sin(pi xi/lambda) = sqrt(x)
+///     sin(psi),
 ///
 /// so that Q_n(p) = v_n(load) for v_0 at p/p*_n. Each v_k is tabulated by Chebyshev series (gsl_cheb) in log x on panels that begin at the
 /// points where v_0 is not smooth and at their first images, and are halved where needed; integrals are cut at the same points and left to
@@ -90,7 +91,10 @@ double share_above(double x, double p)
 /// v_0, v_1, ... of one G and one p/p*_n, on the ratios that loads up to `heaviest` lead to.
 class Levels {
 public:
-    Levels(double G, double p, double heaviest) : G_(G), p_(p), reach_(std::max({1.0, (heaviest + 1) / G, 1 / (G - 1), 2 / G}) * (1 + 1e-12))
+    Levels(double G, double p, double heaviest)
+        : G_(G)
+        , p_(p)
+        , reach_(std::max({1.0, (heaviest + 1) / G, 1 / (G - 1), 2 / G}) * (1 + 1e-12))
     {
         std::vector<double> last{1};
         if (p > 0) last = p <= 2 ? std::vector{1.0, p * p / 4, p + 1} : std::vector{1.0, p - 1, p + 1};
