@@ -1,17 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""check.py [--limit N] TABLE...: recomputes every row of closed form in canonical tables and says how many it confirms.
+"""check.py [--limit N] [--certificate FILE]... TABLE...: recomputes every row of closed form in canonical tables and says how many it confirms.
 
 A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and
-an error of 0 only if the value is found to be exactly what is printed. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
+an error of 0 only if the value is found to be exactly what is printed. Areas and counts of segments are confirmed by certificates too, which are proved
+first (certificate.py). `digits` are confirmed in every row that is right or has a certificate. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
 """
 import argparse
 import hashlib
 import json
 import sys
+from math import inf, log10
 from fractions import Fraction
 
+import certificate
 import closed_forms
+import intervals as iv
 from intervals import Interval
 
 MOST_BITS = 16384
@@ -51,14 +55,37 @@ def read(path):
     return header, rows
 
 
+def with_certificates(forms, paths):
+    """the forms, and what the claims of certificates say of rows without one: A_n, and with it (8.1) the number gamma^n A_(n-1) of segments"""
+    areas = {}
+    for path in paths:
+        read = certificate.Certificate(path)
+        certificate.Replay(read, 1, read.count)
+        areas.update({(n, load, G): claimed for n, load, G, *claimed in read.claims.values()})
+
+    def area(n, load, base, degree=1):
+        value, error = areas[n, load, (base, degree)] if (n, load, (base, degree)) in areas else (None, None)
+        return None if value is None else Interval.of(value) + iv.error_term(Interval.of(error))
+
+    def segments(n, load, D, gamma):
+        G = closed_forms.exact_power(gamma, D - 1)
+        below = area(n - 1, load, G) if G is not None else area(n - 1, load, gamma ** (D - 1).numerator, (D - 1).denominator)
+        return None if below is None else below * gamma ** int(n)
+
+    def both(closed, certified):
+        return lambda *inputs: certified(*inputs) if closed(*inputs) is None else closed(*inputs)
+    return {**forms, "contact.area": both(forms["contact.area"], area), "segments.count": both(forms["segments.count"], segments)}
+
+
 def verdict(form, row, names, binary64):
-    """'right', 'wrong', 'not a closed form' or 'undecided' for one row"""
+    """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits"""
     cells = row.split()
     try:
         inputs = [Fraction(float(c)) if binary64 else Fraction(c) for c in cells[: len(names)]]
         value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])
     except (ValueError, OverflowError, ZeroDivisionError):
-        return "unreadable"
+        return "unreadable", 0
+    printed, low, high = len(cells[len(names)].split("e")[0].replace("-", "").replace(".", "").lstrip("0")), 0, 0
     Interval.bits = 64 + int(3.33 * len(cells[len(names)].split("e")[0]))
     while Interval.bits <= MOST_BITS:
         try:
@@ -67,29 +94,36 @@ def verdict(form, row, names, binary64):
             Interval.bits *= 2
             continue
         if true is None:
-            return "not a closed form"
+            return "not a closed form", 0
         if isinstance(true, Fraction):
-            return "right" if abs(true - value) <= error else "wrong"
+            return ("right", printed if error else inf) if abs(true - value) <= error else ("wrong", 0)
         low, high = true.ends()
         if value - error <= low and high <= value + error:
-            return "right"
+            return "right", printed
         if high < value - error or low > value + error:
-            return "wrong"
+            return "wrong", 0
         Interval.bits *= 2
-    return "undecided"
+    off = max(abs(high - value), abs(low - value))
+    return "undecided", int(log10(abs(value) / off)) if 0 < off < abs(value) else 0
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--limit", type=int, help="check at most N rows of a table, evenly spread")
+    parser.add_argument("--certificate", action="append", default=[], metavar="FILE", help="of areas, proved first")
     parser.add_argument("tables", nargs="+")
     arguments = parser.parse_args()
     worst = 0
-    print(f"{'table':30} {'rows':>6} {'right':>6} {'open':>6} {'wrong':>6}")
+    try:
+        forms = with_certificates(closed_forms.FORMS, arguments.certificate)
+    except (certificate.Malformed, certificate.Refused) as why:
+        print(f"check.py: a certificate says no: {why}", file=sys.stderr)
+        return 65
+    print(f"{'table':30} {'rows':>6} {'right':>6} {'open':>6} {'wrong':>6} {'digits':>6}")
     for path in arguments.tables:
         try:
             header, rows = read(path)
-            form = closed_forms.FORMS.get(header["quantity"])
+            form = forms.get(header["quantity"])
             if form is None:
                 raise Unreadable(f"{path}: no closed form is known for '{header['quantity']}'")
         except Unreadable as reason:
@@ -97,16 +131,17 @@ def main():
             worst = max(worst, 65)
             continue
         step = max(1, -(-len(rows) // arguments.limit)) if arguments.limit else 1
-        count = {}
+        count, least = {}, inf
         for number, row in enumerate(rows[::step]):
-            said = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
+            said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
             count[said] = count.get(said, 0) + 1
-            if said in ("wrong", "undecided", "unreadable"):
+            least = min(least, digits or inf)
+            if said in ("wrong", "unreadable") or said == "undecided" and not digits:
                 print(f"{path}: row {number * step + 1}: {said}: {row}", file=sys.stderr)
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)
         right = count.get("right", 0)
         asked = len(rows[::step])
-        print(f"{header['name']:30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6}", flush=True)
+        print(f"{header['name']:30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {'exact' if least == inf else least:>6}", flush=True)
         if wrong:
             worst = max(worst, 1)
     return worst

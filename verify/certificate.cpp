@@ -14,7 +14,7 @@
 namespace touchstone::program {
 namespace {
 
-constexpr long spare_digits = 2; ///< a printed digit is found right where the claim is narrower than what it was rounded by
+constexpr long spare_digits = 4; ///< a printed digit is found right where the claim is narrower than what it was rounded by
 constexpr long digits_of_a_value = 30;
 
 struct CertificateOptions {
@@ -85,7 +85,7 @@ void add_certificate(CLI::App& app, Run& run)
     auto o = std::make_shared<CertificateOptions>();
     command->add_option("subject", o->subject, "contact.area or segments.count with inputs, or a table of them")->required();
     command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval");
-    command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 2 more)")->check(CLI::Range(1L, certificate::most_digits));
+    command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")->check(CLI::Range(1L, certificate::most_digits));
     command->add_option("--out", o->out, "File to write (default: standard output)")->check(not_empty());
     command->callback([&run, o] { run = [o] { return write_certificate(*o); }; });
 }

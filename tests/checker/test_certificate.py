@@ -98,6 +98,28 @@ class Certificates(unittest.TestCase):
                 self.assertLessEqual(abs(value - area(n, load, G.replace("^1/2", "^0.5"))), error)
                 self.assertLess(error / value, Fraction(1, 10**digits))
 
+    def test_rows_of_tables_are_confirmed(self):
+        self.make("n=3", "load=1", "G=4", "--digits", 10)
+        table = (known.checker.parent / "data/reference/contact_area.txt").read_text()
+        head, rows = ([line for line in table.splitlines() if line.startswith("#") == which] for which in (True, False))
+        place = next(i for i, row in enumerate(rows) if row.split()[:3] == ["3", "1", "4"])
+
+        def confirmed(rows):
+            digest = hashlib.sha256("".join(row + "\n" for row in rows).encode()).hexdigest()
+            header = json.loads(head[-2][2:]) | {"sha256": digest, "rows": len(rows)}
+            path = self.path.parent / "table.txt"
+            path.write_text("\n".join([*head[:-2], "# " + json.dumps(header), head[-1], *rows]) + "\n")
+            return subprocess.run([sys.executable, known.checker / "check.py", "--certificate", self.path, path], capture_output=True, text=True)
+        said = confirmed(rows[place:place + 1])
+        self.assertEqual((said.returncode, said.stderr), (0, ""))
+        name, asked, right, still_open, wrong, digits = said.stdout.splitlines()[1].split()
+        self.assertEqual((asked, right, still_open, wrong), ("1", "0", "1", "0"))
+        self.assertIn(int(digits), range(10, 20))
+        cells = rows[place].split()
+        cells[3] = cells[3][:9] + str((int(cells[3][9]) + 1) % 10) + cells[3][10:]
+        said = confirmed([" ".join(cells)])
+        self.assertEqual((said.returncode, said.stdout.split()[-2]), (1, "1"), said.stdout)
+
     def test_pieces_cover_all(self):
         self.path.write_text(self.text)
         count = certificate.Certificate(self.path).count

@@ -39,7 +39,7 @@ class Checker(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         lines = [line.split() for line in result.stdout.splitlines()[1:]]
         self.assertEqual(len(lines), len(closed) + len(RECURSION))
-        for name, rows, right, still_open, wrong in lines:
+        for name, rows, right, still_open, wrong, _ in lines:
             self.assertGreater(int(right), 0, name)
             if name not in RECURSION:
                 self.assertEqual((right, still_open, wrong), (rows, "0", "0"), name)
@@ -60,7 +60,7 @@ class Checker(unittest.TestCase):
                 digit = str((int(mantissa[place]) + chosen.choice([1, 9])) % 10)
                 cells[len(inputs)] = mantissa[:place] + digit + mantissa[place + 1:] + e + exponent
                 with self.subTest(seed=seed, table=name, row=row, mutant=cells[len(inputs)]):
-                    self.assertIn(check.verdict(form, " ".join(cells), inputs, True), ("wrong", "undecided"))
+                    self.assertIn(check.verdict(form, " ".join(cells), inputs, True)[0], ("wrong", "undecided"))
 
     def test_what_is_no_table_is_refused(self):
         table = (known.tables / "westergaard_half_width.txt").read_text()
