@@ -211,3 +211,26 @@ TEST_CASE("many digits far below the edge, where arcsin z branches at the zeros 
     // 270 digits are within reach, and what is not says so
     CHECK(eval("contact.exceedance", {{"n", 1}, {"G", exactly("5/2")}, {"load", 1}, {"p", exactly("1e-17")}}, 150).status == Status::certified);
 }
+
+TEST_CASE("neighbouring pressures share levels: kept ones serve whatever needs no more accuracy")
+{
+    const WorkingPrecision precision(bits_for_digits(16) + 48);
+    const auto value = [](const char* share, long n, Accuracy a) { return density(Law::exceedance, n, share_of_highest(n, share, "0.7", "3.5"), at("0.7", "3.5"), a); };
+    const long before = levels_made();
+    const Ball first = value("1e-11", 1, {16}); // d = 25: the slope of an exceedance loses 2 d nats
+    CHECK(levels_made() == before + 1);
+    for (const char* share : {"1e-9", "1e-7", "1e-4", "0.1", "0.9"}) {
+        CAPTURE(share);
+        CHECK(value(share, 1, {16}).overlaps(density(Law::density, 1, share_of_highest(1, share, "0.7", "3.5"), at("0.7", "3.5"), {16})));
+        CHECK(value(share, 1, {12}).relative_bits() > 44);
+    }
+    CHECK(levels_made() == before + 2); // and one of the other law
+    CHECK(value("0.9", 1, {40}).relative_bits() > 130); // more digits need more
+    CHECK(levels_made() == before + 3);
+    CHECK(value("1e-11", 1, {16}).overlaps(first));
+    // p small enough for its own form at scale 2 with the accuracy it asks for, but not with more
+    const Ball small = value("1e-12", 2, {16});
+    CHECK(value("0.5", 2, {30}).relative_bits() > 96);
+    CHECK(value("1e-12", 2, {16}).overlaps(small));
+    CHECK(value("1e-12", 2, {16}).relative_bits() > 50);
+}

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <list>
@@ -1474,18 +1475,34 @@ struct Kept {
 std::mutex kept_mutex;
 std::list<Kept> kept; // most recently used first
 
-std::shared_ptr<Forward> levels_for(Law law, double accuracy, const Arguments& a)
+/// The balls of G and load that tell levels of this accuracy from others.
+std::pair<std::string, std::string> told_apart(double accuracy, const Arguments& a)
 {
-    std::string G, load;
-    {
-        const WorkingPrecision precision(static_cast<slong>(accuracy * 1.5) + 80);
-        G = a.G().dump();
-        load = a.load().dump();
-    }
+    const WorkingPrecision precision(static_cast<slong>(accuracy * 1.5) + 80);
+    return {a.G().dump(), a.load().dump()};
+}
+
+/// More accurate levels cost more a value: they serve where they are not much more accurate, as those of a neighbouring p are.
+constexpr double most_spare = 100; // nats
+
+std::atomic<long> made{0};
+
+/// Levels of at least this accuracy: kept ones if there are any that serve, or else new ones.
+std::shared_ptr<Forward> levels_for(Law law, double accuracy, const Arguments& a, const std::function<bool(double)>& serves)
+{
     const std::lock_guard lock(kept_mutex);
-    const auto found = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.law == law && k.accuracy == accuracy && k.G == G && k.load == load; });
-    if (found != kept.end()) kept.splice(kept.begin(), kept, found);
-    else kept.push_front({law, accuracy, G, load, std::make_shared<Forward>(law, a.G, a.load, accuracy)});
+    auto best = kept.end();
+    for (auto it = kept.begin(); it != kept.end(); ++it) {
+        if (it->law != law || it->accuracy < accuracy || it->accuracy > accuracy + most_spare) continue;
+        if ((best != kept.end() && best->accuracy <= it->accuracy) || (it->accuracy > accuracy && !serves(it->accuracy))) continue;
+        if (const auto [G, load] = told_apart(it->accuracy, a); it->G == G && it->load == load) best = it;
+    }
+    if (best != kept.end()) kept.splice(kept.begin(), kept, best);
+    else {
+        const auto [G, load] = told_apart(accuracy, a);
+        kept.push_front({law, accuracy, G, load, std::make_shared<Forward>(law, a.G, a.load, accuracy)});
+        ++made;
+    }
     std::size_t held = 0, count = 0;
     for (auto it = kept.begin(); it != kept.end();) {
         held += it->made.use_count() > 1 ? 0 : it->made->memory(); // one in use elsewhere may be busy for long
@@ -1545,7 +1562,10 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
     const double d = positive_distance(n, p_at, a), accuracy = accuracy_at(law, n, d, a, wanted, for_density);
     if (accuracy > most_accuracy && accuracy_for(wanted) < most_accuracy - 100) throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
     if (accuracy > most_accuracy) throw BeyondReach("so many digits of a distribution would cost too much");
-    Asked asked{levels_for(law, accuracy, a), {}, {}};
+    // the form for small p needs a p that is small for the levels, too
+    const bool small = law == Law::exceedance && for_density && n >= 2 && accuracy_for_small(accuracy_for(wanted), n, d, a.G(), a.load()) > 0;
+    const auto serves = [&](double levels) { return !small || 2 * d > cut_for_small(levels, n, a.G(), a.load()) + 1.02; };
+    Asked asked{levels_for(law, accuracy, a, serves), {}, {}};
     const slong bits = asked.levels->bits();
     asked.d = distance_from_edge(n, p_at, a, bits + 40 + static_cast<slong>(std::max(0.0, -std::log2(d))));
     const WorkingPrecision precision(bits);
@@ -1554,6 +1574,8 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
 }
 
 } // namespace
+
+long levels_made() { return made; }
 
 Ball density(Law law, long n, const std::function<Ball()>& p, const Arguments& a, Accuracy wanted)
 {
@@ -1579,16 +1601,18 @@ long most_digits_of_distribution(long n, const std::function<Ball()>& p, const A
     return least;
 }
 
+static bool always(double) { return true; }
+
 Ball force(Law law, long n, const Arguments& a, Accuracy wanted)
 {
     require_proven(a.G(), a.load());
-    return levels_for(law, accuracy_for(wanted) + (law == Law::exceedance ? 12 : 0), a)->force(n);
+    return levels_for(law, accuracy_for(wanted) + (law == Law::exceedance ? 12 : 0), a, always)->force(n);
 }
 
 Ball mass(long n, const Arguments& a, Accuracy wanted)
 {
     require_proven(a.G(), a.load());
-    return levels_for(Law::density, accuracy_for(wanted), a)->mass(n);
+    return levels_for(Law::density, accuracy_for(wanted), a, always)->mass(n);
 }
 
 std::string distribution_certificate(Law law, long n, const std::function<Ball()>& p, const Arguments& a, Accuracy wanted)

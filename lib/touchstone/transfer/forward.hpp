@@ -100,10 +100,12 @@ private:
 };
 
 /// (6.1)  q_n(p) p*_0, and the share of lambda_0 with p_n > p, for 0 < p < p_n^max, 1 <= n <= largest_n, to about the accuracy wanted.
-/// The levels of a (G, load) are kept for later calls (most recently used first, at most about 300 MB).
+/// The levels of a (G, load) are kept for later calls that need no more accuracy, nor much less (most recently used first, at most about 300 MB).
 /// \throws BeyondReach unless G > 2, 0 < load <= 1 and p < p_n^max are proven, or where the digits would cost too much
 Ball density(Law, long n, const std::function<Ball()>& p, const Arguments&, Accuracy);
 Ball exceedance(Law, long n, const std::function<Ball()>& p, const Arguments&, Accuracy);
+/// How many levels the calls so far have made, all others having found theirs kept.
+long levels_made();
 /// The most digits that cost little enough for both laws to give them: fewer where p is small.
 long most_digits_of_distribution(long n, const std::function<Ball()>& p, const Arguments&, bool for_density);
 /// int p q_n dp by the levels of this law, and int q_n dp by those of the density: see Forward.
