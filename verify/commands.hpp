@@ -22,6 +22,7 @@ void add_list(CLI::App&, Run&);
 void add_eval(CLI::App&, Run&);
 void add_check(CLI::App&, Run&);
 void add_formula(CLI::App&, Run&);
+void add_integrate(CLI::App&, Run&);
 void add_table(CLI::App&, Run&);
 void add_paper(CLI::App&, Run&);
 void add_judge(CLI::App&, Run&);

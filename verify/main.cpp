@@ -18,6 +18,8 @@
 #include <cstring>
 #include <system_error>
 #include <new>
+#include <string>
+#include <vector>
 
 CLI::Validator touchstone::program::not_empty()
 {
@@ -75,6 +77,16 @@ int guarded(const Run& run)
     }
 }
 
+/// `integrate` has formulas and ends that begin with a minus and no short options: a blank in front keeps them from being read as ones.
+std::vector<std::string> words_of(int argc, char** argv)
+{
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.empty() || words.front() != "integrate") return words;
+    for (std::string& w : words)
+        if (w.size() > 1 && w[0] == '-' && w[1] != '-' && w != "-h") w.insert(w.begin(), ' ');
+    return words;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -93,6 +105,7 @@ int main(int argc, char** argv)
     add_eval(app, run);
     add_check(app, run);
     add_formula(app, run);
+    add_integrate(app, run);
     add_table(app, run);
     add_paper(app, run);
     add_judge(app, run);
@@ -105,7 +118,9 @@ int main(int argc, char** argv)
             return complain(usage_error, fmt::format("no subcommand '{}'; nearest is '{}' (try: touchstone --help)", first, nearest_name(first, names)));
     }
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words = words_of(argc, argv);
+        std::reverse(words.begin(), words.end()); // as CLI11 takes them
+        app.parse(std::move(words));
     }
     catch (const CLI::Success& e) { // --help, --version
         return app.exit(e);

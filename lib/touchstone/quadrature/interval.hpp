@@ -123,6 +123,7 @@ Abscissa<EndpointNumber<V>> Interval::at(const EndpointNumber<V>& u, const Endpo
 {
     using N = EndpointNumber<V>;
     const auto ray = [&](N distance, N nearness, N slope) -> Abscissa<N> {
+        if (arb_is_zero(start_.get())) return mirrored_ ? Abscissa<N>{-distance, nearness, distance, slope} : Abscissa<N>{distance, distance, nearness, slope};
         if (mirrored_) return {N(start_) - distance, std::move(nearness), std::move(distance), std::move(slope)};
         return {N(start_) + distance, std::move(distance), std::move(nearness), std::move(slope)};
     };

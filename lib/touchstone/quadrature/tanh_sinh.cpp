@@ -505,7 +505,7 @@ Ball evaluate(ProvedPanel& proved, double log2_tolerance, slong& precision)
 
 /// Prove panels, bisecting near what stops a proof or makes its strip thin.
 bool prove_panels(const MakePanel& make, const Rational& from, const Rational& to, const Options& options, int depth, double bits,
-                  std::vector<ProvedPanel>& out, std::string& reason)
+                  std::vector<ProvedPanel>& out, std::string& reason, std::optional<double>& stopped)
 {
     ProvedPanel p;
     p.f = make(from, to);
@@ -533,13 +533,17 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
         const Rational cut = from + (to - from) * Rational(static_cast<long>(std::lround(at * 1024)), 1024);
         std::vector<ProvedPanel> parts;
         std::string why;
-        if (prove_panels(make, from, cut, options, depth + 1, bits, parts, why) && prove_panels(make, cut, to, options, depth + 1, bits, parts, why)) {
+        if (prove_panels(make, from, cut, options, depth + 1, bits, parts, why, stopped) && prove_panels(make, cut, to, options, depth + 1, bits, parts, why, stopped)) {
             std::move(parts.begin(), parts.end(), std::back_inserter(out));
             return true;
         }
         if (!proved) { reason = std::move(why); return false; }
     }
-    if (!proved) { reason = described(); return false; }
+    if (!proved) {
+        reason = described();
+        if (at >= 0) stopped = from.get_d() + (to.get_d() - from.get_d()) * at;
+        return false;
+    }
     out.push_back(std::move(p));
     return true;
 }
@@ -598,7 +602,7 @@ try {
     const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
     std::vector<ProvedPanel> panels;
     std::string reason;
-    if (!prove_panels(make, 0, 1, options, 0, wanted, panels, reason)) return refuse(std::move(reason));
+    if (!prove_panels(make, 0, 1, options, 0, wanted, panels, reason, result.fraction)) return refuse(std::move(reason));
 
     const auto declared = [&](const std::optional<Rational>& e, const Exponent& proved, const char* end) {
         if (!e || !(proved < Exponent(*e))) return true;

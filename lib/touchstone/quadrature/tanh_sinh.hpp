@@ -88,6 +88,7 @@ struct Enclosure {
     Status status = Status::indeterminate;
     long digits = 0;    ///< proven: |error| <= 10^-digits |integral|; at most those asked for
     std::string reason; ///< unless certified: what could not be proved, and where
+    std::optional<double> fraction; ///< if indeterminate: where the proof stopped inside the interval, as the fraction u
     Certificate certificate;
     explicit operator bool() const = delete;
 };

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/compiled.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::quadrature::compiled {
+namespace {
+
+ExpressionPtr number(long n) { return make_number(Rational(n)); }
+ExpressionPtr sum(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::add, {a, b}); }
+ExpressionPtr difference(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::add, {a, make(Op::negate, {b})}); }
+ExpressionPtr product(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::multiply, {a, b}); }
+ExpressionPtr quotient(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::divide, {a, b}); }
+ExpressionPtr of(Op op, const ExpressionPtr& a) { return make(op, {a}); }
+
+double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+class Compiler {
+public:
+    explicit Compiler(const Place& place) : place_(place) {}
+    NodePtr compile(const ExpressionPtr& e) const;
+
+private:
+    NodePtr by_operation(const ExpressionPtr& e) const;
+    NodePtr power(const ExpressionPtr& base, const ExpressionPtr& exponent) const;
+    NodePtr exponential(const ExpressionPtr& argument) const;
+    NodePtr without_branch(const ExpressionPtr& e) const;
+    NodePtr node(Kind kind, const std::vector<ExpressionPtr>& args, Op op = Op::number) const;
+    NodePtr constant(const ExactSum& c) const;
+    NodePtr factored(const Polynomial& p) const;
+    std::optional<ExpressionPtr> rewritten(const Expression& e) const;
+    void find_zeros(Node& n, const Expression& e) const;
+    std::optional<Zero> zero_at(const Node& n, const Expression& e, Side side) const;
+    std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node& n, Side side, double radius) const;
+    /// The end as an exact number, if it is finite and one.
+    const std::optional<ExactSum>& end(Side s) const { return s == Side::left ? place_.range->from.exact : place_.range->to.exact; }
+    bool has_range() const { return place_.range != nullptr; }
+    bool is_infinite() const { return has_range() && place_.range->map != Map::finite; }
+    bool reaches_one(const Expression& e) const;
+
+    Place place_;
+};
+
+NodePtr Compiler::constant(const ExactSum& c) const
+{
+    auto n = std::make_unique<Node>();
+    n->exact = c;
+    return n;
+}
+
+NodePtr Compiler::node(Kind kind, const std::vector<ExpressionPtr>& args, Op op) const
+{
+    auto n = std::make_unique<Node>();
+    n->kind = kind;
+    n->op = op;
+    for (const ExpressionPtr& a : args) n->args.push_back(compile(a));
+    return n;
+}
+
+/// p with its zeros at the ends taken out, exactly: (x - a)^m (b - x)^n q(x).
+NodePtr Compiler::factored(const Polynomial& p) const
+{
+    auto n = std::make_unique<Node>();
+    n->kind = Kind::factored;
+    n->rest = p;
+    for (const Side s : {Side::left, Side::right}) {
+        if (!end(s)) continue;
+        while (n->rest.size() > 1 && value(n->rest, *end(s)).is_zero()) {
+            n->rest = without_root(n->rest, *end(s));
+            if (s == Side::right) // b - x, not x - b
+                for (ExactSum& c : n->rest) c = -c;
+            ++n->order[s == Side::left ? 0 : 1];
+        }
+    }
+    return n->order[0] + n->order[1] > 0 ? std::move(n) : nullptr;
+}
+
+/// Whether e is 1 or -1 at an end of the range.
+bool Compiler::reaches_one(const Expression& e) const
+{
+    for (const Side s : {Side::left, Side::right}) {
+        if (!has_range() || !end(s)) continue;
+        const auto series = expand(e, *end(s), s == Side::left ? 1 : -1);
+        if (series && !series->c.empty() && series->valuation == 0 && (series->c[0] == ExactSum(1) || series->c[0] == ExactSum(-1))) return true;
+    }
+    return false;
+}
+
+/// By what the function is replaced so that its behaviour at the ends shows.
+std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
+{
+    if (e.args.size() != 1) return std::nullopt;
+    const ExpressionPtr& a = e.args[0];
+    const ExpressionPtr one = number(1), two = number(2);
+    const auto below = [&] { return of(Op::sqrt, difference(one, a)); };
+    const auto above = [&] { return of(Op::sqrt, sum(one, a)); };
+    const auto both_exponentials = [&](bool minus) {
+        const ExpressionPtr up = of(Op::exp, a), down = of(Op::exp, of(Op::negate, a));
+        return minus ? difference(up, down) : sum(up, down);
+    };
+    switch (e.op) {
+    case Op::tan: return quotient(of(Op::sin, a), of(Op::cos, a));
+    case Op::cot: return quotient(of(Op::cos, a), of(Op::sin, a));
+    case Op::sec: return quotient(one, of(Op::cos, a));
+    case Op::csc: return quotient(one, of(Op::sin, a));
+    case Op::coth: return quotient(of(Op::cosh, a), of(Op::sinh, a));
+    case Op::csch: return quotient(one, of(Op::sinh, a));
+    case Op::sinh: return is_infinite() ? std::optional(quotient(both_exponentials(true), two)) : std::nullopt;
+    case Op::cosh: return is_infinite() ? std::optional(quotient(both_exponentials(false), two)) : std::nullopt;
+    case Op::tanh: return is_infinite() ? std::optional(quotient(both_exponentials(true), both_exponentials(false))) : std::nullopt;
+    case Op::sech: return is_infinite() ? std::optional(quotient(two, both_exponentials(false))) : std::nullopt;
+    case Op::expm1: return difference(of(Op::exp, a), one);
+    case Op::log1p: return of(Op::log, sum(one, a));
+    case Op::acos: // cos t = a: tan(t/4) = sqrt(1 - a)/(sqrt 2 + sqrt(1 + a))
+        if (!reaches_one(*a)) return std::nullopt;
+        return product(number(4), of(Op::atan, quotient(below(), sum(of(Op::sqrt, two), above()))));
+    case Op::asin: // sin t = a: tan(t/2) = a/(1 + cos t)
+        if (!reaches_one(*a)) return std::nullopt;
+        return product(two, of(Op::atan, quotient(a, sum(one, product(below(), above())))));
+    case Op::acosh:
+        if (!reaches_one(*a)) return std::nullopt;
+        return product(two, of(Op::asinh, of(Op::sqrt, quotient(difference(a, one), two))));
+    case Op::atanh:
+        if (!reaches_one(*a)) return std::nullopt;
+        return quotient(difference(of(Op::log, sum(one, a)), of(Op::log, difference(one, a))), two);
+    default: return std::nullopt;
+    }
+}
+
+/// exp(k x + c), k rational, is a power of exp(x).
+NodePtr Compiler::exponential(const ExpressionPtr& argument) const
+{
+    const bool logarithmic = has_range() && (place_.range->map == Map::right_exponential || place_.range->map == Map::left_exponential || place_.range->map == Map::line_exponential);
+    const auto p = logarithmic ? polynomial(*argument) : std::nullopt;
+    const auto slope = p && p->size() == 2 ? (*p)[1].rational() : std::nullopt;
+    if (!slope) return node(Kind::function, {argument}, Op::exp);
+    auto n = std::make_unique<Node>();
+    n->kind = Kind::exponential;
+    n->exponent = Exponent(*slope);
+    if ((*p)[0].is_zero()) return n;
+    auto whole = std::make_unique<Node>();
+    whole->kind = Kind::multiply;
+    whole->args.push_back(std::move(n));
+    auto factor = std::make_unique<Node>();
+    factor->kind = Kind::function;
+    factor->op = Op::exp;
+    factor->args.push_back(constant((*p)[0]));
+    whole->args.push_back(std::move(factor));
+    return whole;
+}
+
+NodePtr Compiler::power(const ExpressionPtr& base, const ExpressionPtr& exponent) const
+{
+    if (!depends_on_x(*exponent)) {
+        const auto exact = exact_value(*exponent);
+        if (const auto q = exact ? exact->rational() : std::nullopt) {
+            NodePtr n = node(Kind::power, {base});
+            n->exponent = Exponent(*q);
+            return n;
+        }
+        if (base->op != Op::e && depends_on_x(*base)) return node(Kind::ball_power, {base, exponent});
+    }
+    if (base->op == Op::e) return compile(of(Op::exp, exponent));
+    if (!depends_on_x(*base)) return compile(of(Op::exp, product(exponent, of(Op::log, base))));
+    return node(Kind::general_power, {base, exponent});
+}
+
+/// abs and sign of what is known not to vanish inside the range; max, min by abs; floor, ceil of what stays between integers.
+NodePtr Compiler::without_branch(const ExpressionPtr& e) const
+{
+    const ExpressionPtr& a = e->args[0];
+    if (e->op == Op::max || e->op == Op::min) {
+        ExpressionPtr r = a;
+        for (std::size_t i = 1; i < e->args.size(); ++i) {
+            const ExpressionPtr spread = of(Op::abs, difference(r, e->args[i])), total = sum(r, e->args[i]);
+            r = quotient(e->op == Op::max ? sum(total, spread) : difference(total, spread), number(2));
+        }
+        return compile(r);
+    }
+    const auto p = polynomial(*a);
+    const bool is_step = e->op == Op::floor || e->op == Op::ceil;
+    if (!p || p->size() != 2 || !has_range() || place_.range->map != Map::finite || !place_.range->from.exact || !place_.range->to.exact) return node(Kind::function, {a}, e->op);
+    // linear: the values at the two ends bound it
+    const ExactSum at_from = value(*p, *place_.range->from.exact), at_to = value(*p, *place_.range->to.exact);
+    const Ball low = at_from.ball(), high = at_to.ball(), middle = (low + high) / Ball(2);
+    if (is_step) {
+        Ball n;
+        (e->op == Op::floor ? arb_floor : arb_ceil)(n.get(), middle.get(), WorkingPrecision::bits());
+        if (!arb_is_int(n.get()) || arf_cmpabs_2exp_si(arb_midref(n.get()), 60) > 0) return node(Kind::function, {a}, e->op);
+        const long step = arf_get_si(arb_midref(n.get()), ARF_RND_NEAR);
+        const ExactSum from(e->op == Op::floor ? step : step - 1), to = from + ExactSum(1);
+        for (const ExactSum& end_value : {at_from, at_to}) {
+            const Ball below = (end_value - from).ball(), beyond = (to - end_value).ball();
+            const bool inside = ((end_value - from).is_zero() || arb_is_positive(below.get())) && ((to - end_value).is_zero() || arb_is_positive(beyond.get()));
+            if (!inside) return node(Kind::function, {a}, e->op);
+        }
+        return constant(ExactSum(step));
+    }
+    const auto sign_of = [](const ExactSum& v) { return v.is_zero() ? 0 : arb_is_positive(v.ball().get()) ? 1 : arb_is_negative(v.ball().get()) ? -1 : 2; };
+    const int s = sign_of(at_from), t = sign_of(at_to);
+    const int sign = s == 0 ? t : t == 0 || t == s ? s : 0;
+    if (sign != 1 && sign != -1) return node(Kind::function, {a}, e->op);
+    if (e->op == Op::sign) return constant(ExactSum(sign));
+    return compile(sign > 0 ? a : of(Op::negate, a));
+}
+
+NodePtr Compiler::by_operation(const ExpressionPtr& e) const
+{
+    switch (e->op) {
+    case Op::number: return constant(ExactSum(e->number));
+    case Op::pi: return constant(ExactSum::pi());
+    case Op::e: return compile(of(Op::exp, number(1)));
+    case Op::variable: {
+        auto n = std::make_unique<Node>();
+        n->kind = Kind::variable;
+        return n;
+    }
+    case Op::add: return node(Kind::add, e->args);
+    case Op::multiply: return node(Kind::multiply, e->args);
+    case Op::divide: return node(Kind::divide, e->args);
+    case Op::negate: return node(Kind::multiply, {number(-1), e->args[0]});
+    case Op::sqrt:
+    case Op::cbrt: return power(e->args[0], make_number(Rational(1, e->op == Op::sqrt ? 2 : 3)));
+    case Op::power: return power(e->args[0], e->args[1]);
+    case Op::exp: return exponential(e->args[0]);
+    case Op::abs:
+    case Op::sign:
+    case Op::floor:
+    case Op::ceil:
+    case Op::max:
+    case Op::min: return without_branch(e);
+    case Op::bessel_j:
+    case Op::bessel_y:
+    case Op::bessel_i:
+    case Op::bessel_k:
+    case Op::polylog:
+        if (depends_on_x(*e->args[0])) throw ExpressionError(e->column, "the order of a Bessel function or polylogarithm must not depend on x");
+        return node(Kind::ordered_function, e->args, e->op);
+    default: return node(Kind::function, e->args, e->op);
+    }
+}
+
+NodePtr Compiler::compile(const ExpressionPtr& e) const
+{
+    if (!depends_on_x(*e)) {
+        if (const auto exact = exact_value(*e)) return constant(*exact);
+    }
+    else if (has_range()) {
+        if (e->op != Op::variable && e->op != Op::multiply && e->op != Op::divide && e->op != Op::power)
+            if (const auto p = polynomial(*e))
+                if (NodePtr n = factored(*p)) return n;
+    }
+    if (const auto better = rewritten(*e)) return compile(*better);
+    NodePtr n = by_operation(e);
+    if (has_range() && depends_on_x(*e) && (n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function)) find_zeros(*n, *e);
+    return n;
+}
+
+/// On the disc |s| <= radius about the end, n = s^p c: p, and a bound of |c|. Nothing if c is not proved analytic there.
+std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, Side side, double radius) const
+{
+    constexpr int across = 4; // boxes along a side of the square about the disc
+    const double half = radius / across;
+    std::optional<Exponent> order;
+    Ball most(0);
+    for (int i = 0; i < across; ++i)
+        for (int j = 0; j < across; ++j) {
+            const auto interval = [&](int k) {
+                Ball b = Ball::exactly((2 * k + 1 - across) * half);
+                mag_t m;
+                mag_init(m);
+                mag_set_d(m, half);
+                arb_add_error_mag(b.get(), m);
+                mag_clear(m);
+                return b;
+            };
+            const ComplexBall s(interval(i), interval(j));
+            const Disc disc(side, s);
+            const EndpointNumber<ComplexBall> v = evaluate(n, point_about(side, disc, s, place_), place_);
+            if (!v.factor().is_finite()) return std::nullopt;
+            if (order && !(*order == v.order(side).power)) return std::nullopt;
+            order = v.order(side).power;
+            Ball size = touchstone::abs(v.factor()), top;
+            arb_get_ubound_arf(arb_midref(top.get()), size.get(), 53);
+            if (!arb_gt(most.get(), top.get())) most = top;
+        }
+    return std::pair(*order, most);
+}
+
+/// The zero that the exact expansion shows and the sum of terms does not.
+std::optional<Zero> Compiler::zero_at(const Node& n, const Expression& e, Side side) const
+{
+    const auto series = expand(e, *end(side), side == Side::left ? 1 : -1);
+    if (!series || series->c.empty() || series->valuation.get_den() != 1 || series->valuation < 0 || !series->valuation.get_num().fits_slong_p()) return std::nullopt;
+    Zero zero;
+    zero.order = series->valuation.get_num().get_si();
+    zero.c = series->c;
+    const Range& range = *place_.range;
+    const double span = range.map == Map::finite ? to_double(range.to.ball() - range.from.ball()) / 2 : 1;
+    std::optional<Zero> best;
+    for (double radius = span; radius >= span / 64; radius /= 2) {
+        const auto bound = bound_on_disc(n, side, radius);
+        if (!bound) continue;
+        const auto& [order, size] = *bound;
+        if (!order.is_integer()) return std::nullopt;
+        if (order == Exponent(zero.order)) return std::nullopt; // it shows as it is
+        // |T| on the circle, so inside: |c| R^(order - m)
+        zero.radius = radius;
+        zero.bound = size * exp((order - Exponent(zero.order)).ball() * log(Ball::exactly(radius)));
+        if (!zero.bound.is_finite()) continue;
+        best = zero;
+        const double tail = to_double(zero.bound) * std::pow(0.25, static_cast<double>(zero.c.size()));
+        if (tail < 0.05 * std::fabs(to_double(zero.c[0].ball()))) break;
+    }
+    return best;
+}
+
+void Compiler::find_zeros(Node& n, const Expression& e) const
+{
+    std::array<std::optional<Zero>, 2> found;
+    for (const Side s : {Side::left, Side::right})
+        if (end(s)) found[s == Side::left ? 0 : 1] = zero_at(n, e, s);
+    n.zero = std::move(found);
+}
+
+} // namespace
+
+NodePtr compile(const ExpressionPtr& e, const Place& place) { return Compiler(place).compile(e); }
+
+} // namespace touchstone::quadrature::compiled

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The nodes an integrand is compiled to, and their evaluation (internal; see integrand.hpp).
+#pragma once
+
+#include "touchstone/quadrature/integrand.hpp"
+#include "touchstone/quadrature/polynomial.hpp"
+
+#include <array>
+
+namespace touchstone::quadrature::compiled {
+
+enum class Kind { constant, variable, factored, add, multiply, divide, power, ball_power, general_power, function, ordered_function, exponential };
+
+/// s^order T at one end, s the distance to it.
+struct Zero {
+    long order = 0;
+    std::vector<ExactSum> c; ///< first coefficients of T
+    double radius = 0;       ///< T is analytic for |s| <= radius
+    Ball bound;              ///< of |T| there
+};
+
+struct Node;
+using NodePtr = std::unique_ptr<Node>;
+
+struct Node {
+    Kind kind = Kind::constant;
+    Op op = Op::number;
+    std::vector<NodePtr> args;
+    std::optional<ExactSum> exact;          // constant
+    Exponent exponent;                      // power; exponential: the k of exp(k x) exp(...)
+    std::array<long, 2> order{};            // factored: exact multiplicities at the two ends
+    Polynomial rest;                        // factored: what remains
+    std::array<std::optional<Zero>, 2> zero;
+
+    /// A constant, a coefficient: computed once at each precision that is asked for.
+    struct Kept {
+        Ball value;
+        slong bits = 0;
+    };
+    mutable std::vector<Kept> kept;
+};
+
+/// x, the distances, and exp(x) where the map makes it a power of them.
+template <class V>
+struct Point {
+    EndpointNumber<V> x, left, right;
+    std::optional<EndpointNumber<V>> exp_x;
+    const EndpointNumber<V>& distance(Side s) const { return s == Side::left ? left : right; }
+};
+
+/// What evaluation needs to know of the range.
+struct Place {
+    const Range* range = nullptr;
+    /// The point whose distance to one end is exactly s.
+    template <class V>
+    Point<V> at_distance(Side side, const V& s) const;
+    template <class V>
+    std::optional<EndpointNumber<V>> exp_x(const EndpointNumber<V>& left, const EndpointNumber<V>& right) const;
+};
+
+template <class V>
+EndpointNumber<V> evaluate(const Node&, const Point<V>&, const Place&);
+
+/// The disc about one end, where only that end's distance keeps its powers.
+class Disc : public Frame<ComplexBall> {
+public:
+    Disc(Side side, ComplexBall s) : side_(side), s_(std::move(s)) {}
+    ComplexBall distance(Side s) const override { return s == side_ ? s_ : ComplexBall::indeterminate(); }
+    ComplexBall logarithm(Side) const override { return ComplexBall::indeterminate(); }
+
+private:
+    Side side_;
+    ComplexBall s_;
+};
+
+/// The point at distance s (complex) from an end; `disc` must outlive it.
+Point<ComplexBall> point_about(Side side, const Disc& disc, const ComplexBall& s, const Place& place);
+
+NodePtr compile(const ExpressionPtr&, const Place&);
+
+} // namespace touchstone::quadrature::compiled

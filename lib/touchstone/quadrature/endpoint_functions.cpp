@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/endpoint_functions.hpp"
+
+#include <cmath>
+
+namespace touchstone::quadrature {
+namespace {
+
+using Real = EndpointNumber<Ball>;
+using Complex = EndpointNumber<ComplexBall>;
+
+/// The side whose logarithm the number grows with on this piece, if it does and has no power of the distance there.
+std::optional<Side> side_of_growth(const Complex& x)
+{
+    for (const Side s : {Side::left, Side::right})
+        if (x.frame() && x.frame()->reaches(s) && x.order(s).power.is_zero() && Exponent(0) < x.order(s).logs) return s;
+    return std::nullopt;
+}
+
+ComplexBall disc(const Ball& radius)
+{
+    ComplexBall z;
+    mag_t r;
+    mag_init(r);
+    arb_get_mag(r, radius.get());
+    arb_add_error_mag(acb_realref(z.get()), r);
+    arb_add_error_mag(acb_imagref(z.get()), r);
+    mag_clear(r);
+    return z;
+}
+
+double upper(const Ball& x)
+{
+    Ball top;
+    arb_get_ubound_arf(arb_midref(top.get()), x.get(), 53);
+    return arf_get_d(arb_midref(top.get()), ARF_RND_UP);
+}
+
+constexpr long grain = 4096; // exponents on a piece are multiples of 1/grain
+
+/// The least rho on the piece: A = pi sinh(x1) cos(y2), from what the frame knows of it.
+Ball least_rho(const Complex& x, Side s)
+{
+    // vanishing(s, 0, -1) is the real interval [0, 1/A]
+    const ComplexBall most = x.frame()->vanishing(s, Ball(0), Exponent(-1));
+    Ball top;
+    arb_get_ubound_arf(arb_midref(top.get()), acb_realref(most.get()), 53);
+    return Ball(1) / top;
+}
+
+/// distance^-kappa times what |exp(kappa rho)| is of it, kappa rounded up.
+Complex growing(const Complex& x, Side s, double kappa)
+{
+    if (!(std::fabs(kappa) < 1e9)) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    const Exponent k(static_cast<long>(std::ceil(kappa * static_cast<double>(grain))), grain);
+    const Ball bound = exp(-touchstone::abs(k.ball()) * log(Ball(1) - exp(-least_rho(x, s))));
+    const Order own{-k, 0};
+    return {x.frame(), s == Side::left ? own : Order{}, s == Side::right ? own : Order{}, disc(bound)};
+}
+
+/// The factor of x there, with the other end's powers multiplied out.
+ComplexBall factor_at(const Complex& x, Side s)
+{
+    const Order rest = x.order(s == Side::left ? Side::right : Side::left);
+    return Complex(x.frame(), s == Side::left ? Order{} : rest, s == Side::left ? rest : Order{}, x.factor()).value();
+}
+
+Complex exponential(const Complex& x)
+{
+    const auto side = side_of_growth(x);
+    if (!side) return x.map([](const ComplexBall& v) { return analytic::exp(v); });
+    const Exponent logs = x.order(*side).logs;
+    const Ball c = factor_at(x, *side).real();
+    double kappa = upper(c);
+    if (Exponent(1) < logs || logs < Exponent(1)) {
+        // rho^k c <= -|c| A^(k-1) rho for k > 1, c < 0; for k < 1 it grows or falls too slowly to be told from a constant by powers
+        if (logs < Exponent(1) || !(kappa < 0)) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+        kappa = std::max(kappa * arf_get_d(arb_midref(exp((logs - Exponent(1)).ball() * log(least_rho(x, *side))).get()), ARF_RND_DOWN) * (1 - 1e-9), -1e6);
+    }
+    return growing(x, *side, kappa);
+}
+
+Complex trigonometric(Op op, const Complex& x)
+{
+    const auto side = side_of_growth(x);
+    if (!side) return op == Op::sin ? sin(x) : cos(x);
+    if (!(x.order(*side).logs == Exponent(1))) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    return growing(x, *side, upper(touchstone::abs(factor_at(x, *side).imag())));
+}
+
+/// +-pi/2 - atan(1/x) where x goes to infinity inside a half plane that the strip does not leave.
+Complex arc_tangent(const Complex& x)
+{
+    const auto side = side_of_growth(x);
+    if (!side) return atan(x);
+    const Ball c = factor_at(x, *side).real();
+    if (!arb_is_nonzero(c.get())) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    const Ball half_pi = touchstone::pi<Ball>() / Ball(2);
+    return Complex(ComplexBall(arb_is_positive(c.get()) ? half_pi : -half_pi)) - atan(Complex(1) / x);
+}
+
+/// |erfc(z)| <= |exp(-z^2)| for Re z >= 0: erfc(z) = exp(-z^2) w(iz), |w| <= 1 above the real axis (DLMF 7.7.2).
+Complex error_function(Op op, const Complex& x)
+{
+    const auto side = side_of_growth(x);
+    if (!side) return x.map([&](const ComplexBall& v) { return special_function(op, v); });
+    const Ball c = factor_at(x, *side).real();
+    if (!arb_is_nonzero(c.get())) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    const bool rightwards = arb_is_positive(c.get()) != 0;
+    const Complex rest = exponential(-(x * x)) * Complex(disc(Ball(1))); // erfc(|x|)
+    if (op == Op::erfc) return rightwards ? rest : Complex(2) - rest;
+    return rightwards ? Complex(1) - rest : rest - Complex(1);
+}
+
+/// |K_nu(z)| <= K_nu(Re z) <= K_nu(a) exp(a - Re z) for real nu and Re z >= a > 0, from K_nu(z) = integral of exp(-z cosh t) cosh(nu t) (DLMF 10.32.9).
+Complex bessel_k(const Ball& order, const Complex& x, Side side)
+{
+    const Ball c = factor_at(x, side).real();
+    if (!(x.order(side).logs == Exponent(1)) || !arb_is_positive(c.get())) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    Ball low;
+    arb_get_lbound_arf(arb_midref(low.get()), (c * least_rho(x, side)).get(), 53);
+    const Ball at = touchstone::abs(special_function(Op::bessel_k, order, low)) * exp(low);
+    return exponential(-x) * Complex(disc(at));
+}
+
+template <class V>
+bool is_odd_at_zero(Op op, const EndpointNumber<V>& x)
+{
+    return (op == Op::sinh || op == Op::tanh || op == Op::asinh || op == Op::atanh) && vanishes_at_an_end(x);
+}
+
+/// The odd functions as x times an even one, so that a zero stays one.
+template <class V>
+EndpointNumber<V> odd(Op op, const EndpointNumber<V>& x)
+{
+    const V z = x.value();
+    const auto f = [op](const V& v) { return special_function(op, v); };
+    V ratio;
+    if (op == Op::asinh || op == Op::atanh) ratio = analytic::odd_over_argument(z, f);
+    else {
+        // sinh z = z sinc(i z), tanh z = sinh z/cosh z
+        if constexpr (std::same_as<V, ComplexBall>) {
+            ComplexBall turned;
+            acb_mul_onei(turned.get(), z.get());
+            ratio = analytic::sinc(turned);
+        }
+        else ratio = arb_contains_zero(z.get()) ? V::indeterminate() : f(z) / z;
+        if (op == Op::tanh) {
+            if constexpr (std::same_as<V, ComplexBall>) ratio = ratio / special_function(Op::cosh, z);
+        }
+    }
+    return {x.frame(), x.left(), x.right(), x.factor() * ratio};
+}
+
+template <class V>
+EndpointNumber<V> general(Op op, const EndpointNumber<V>& x)
+{
+    if (is_odd_at_zero(op, x)) return odd(op, x);
+    switch (op) {
+    case Op::log: return log(x);
+    case Op::sqrt: return sqrt(x);
+    case Op::asin: return asin(x);
+    case Op::sin: return sin(x);
+    case Op::cos: return cos(x);
+    case Op::atan: return atan(x);
+    // the powers of the distances are positive on the interval
+    case Op::abs: return {x.frame(), x.left(), x.right(), analytic::abs(x.factor())};
+    case Op::sign: return {x.frame(), {}, {}, analytic::sgn(x.factor())};
+    default: return x.map([op](const V& v) { return special_function(op, v); });
+    }
+}
+
+} // namespace
+
+Real function_of(Op op, const Real& x) { return general(op, x); }
+
+Complex function_of(Op op, const Complex& x)
+{
+    switch (op) {
+    case Op::exp: return exponential(x);
+    case Op::sin:
+    case Op::cos: return trigonometric(op, x);
+    case Op::atan: return arc_tangent(x);
+    case Op::erf:
+    case Op::erfc: return error_function(op, x);
+    default: return general(op, x);
+    }
+}
+
+Real function_of(Op op, const Ball& order, const Real& x)
+{
+    return x.map([&](const Ball& v) { return special_function(op, order, v); });
+}
+
+Complex function_of(Op op, const Ball& order, const Complex& x)
+{
+    if (const auto side = side_of_growth(x); side && op == Op::bessel_k) return bessel_k(order, x, *side);
+    return x.map([&](const ComplexBall& v) { return special_function(op, order, v); });
+}
+
+} // namespace touchstone::quadrature

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/compiled.hpp"
+
+#include "touchstone/quadrature/endpoint_functions.hpp"
+
+#include <cmath>
+
+namespace touchstone::quadrature::compiled {
+namespace {
+
+template <class V>
+using N = EndpointNumber<V>;
+
+/// The i-th constant of the node, at the working precision.
+Ball kept(const Node& node, std::size_t i, const ExactSum& exact)
+{
+    const slong bits = WorkingPrecision::bits();
+    if (node.kept.size() <= i) node.kept.resize(i + 1);
+    Node::Kept& k = node.kept[i];
+    if (k.bits < bits) k = {exact.ball(), bits};
+    Ball r;
+    arb_set_round(r.get(), k.value.get(), bits);
+    return r;
+}
+
+Ball upper_ball(const Ball& x)
+{
+    Ball r;
+    mag_t m;
+    mag_init(m);
+    arb_get_mag(m, x.get());
+    arf_set_mag(arb_midref(r.get()), m);
+    mag_clear(m);
+    return r;
+}
+Ball upper_size(const ComplexBall& z) { return upper_ball(touchstone::abs(z)); }
+Ball upper_size(const Ball& x) { return upper_ball(x); }
+
+void widen(ComplexBall& z, const Ball& by)
+{
+    mag_t m;
+    mag_init(m);
+    arb_get_mag(m, by.get());
+    acb_add_error_mag(z.get(), m);
+    mag_clear(m);
+}
+void widen(Ball& x, const Ball& by)
+{
+    mag_t m;
+    mag_init(m);
+    arb_get_mag(m, by.get());
+    arb_add_error_mag(x.get(), m);
+    mag_clear(m);
+}
+
+double log2_size(const Ball& x)
+{
+    mag_t m;
+    mag_init(m);
+    arb_get_mag(m, x.get());
+    const double d = mag_is_zero(m) ? -1e15 : mag_is_inf(m) ? 1e15 : mag_get_d_log2_approx(m);
+    mag_clear(m);
+    return d;
+}
+
+template <class V>
+N<V> factored(const Node& node, const Point<V>& p)
+{
+    N<V> r = N<V>(kept(node, node.rest.size() - 1, node.rest.back()));
+    for (std::size_t i = node.rest.size() - 1; i-- > 0;) r = node.rest[i].is_zero() ? r * p.x : r * p.x + N<V>(kept(node, i, node.rest[i]));
+    if (node.order[0] > 0) r = r * to_power(p.left, Exponent(node.order[0]));
+    if (node.order[1] > 0) r = r * to_power(p.right, Exponent(node.order[1]));
+    return r;
+}
+
+template <class V>
+N<V> sum(const Node& node, const Point<V>& p, const Place& place)
+{
+    N<V> r = evaluate(*node.args[0], p, place);
+    for (std::size_t i = 1; i < node.args.size(); ++i) r = r + evaluate(*node.args[i], p, place);
+    return r;
+}
+
+template <class V>
+N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
+{
+    const auto arg = [&](std::size_t i) { return evaluate(*node.args[i], p, place); };
+    switch (node.kind) {
+    case Kind::constant: return N<V>(kept(node, 0, *node.exact));
+    case Kind::variable: return p.x;
+    case Kind::factored: return factored(node, p);
+    case Kind::add: return sum(node, p, place);
+    case Kind::multiply: return arg(0) * arg(1);
+    case Kind::divide: return arg(0) / arg(1);
+    case Kind::power: return to_power(arg(0), node.exponent);
+    case Kind::ball_power: {
+        const N<V> exponent = arg(1);
+        if constexpr (std::same_as<V, Ball>) return pow(arg(0), exponent.factor());
+        else return pow(arg(0), exponent.factor().real());
+    }
+    case Kind::general_power: return function_of(Op::exp, N<V>(arg(1) * log(arg(0))));
+    case Kind::function: return function_of(node.op, arg(0));
+    case Kind::ordered_function: {
+        const N<V> order = arg(0);
+        if constexpr (std::same_as<V, Ball>) return function_of(node.op, order.factor(), arg(1));
+        else return function_of(node.op, order.factor().real(), arg(1));
+    }
+    case Kind::exponential: return p.exp_x ? to_power(*p.exp_x, node.exponent) : function_of(Op::exp, N<V>(N<V>(node.exponent.ball()) * p.x));
+    }
+    return {};
+}
+
+/// T by its first coefficients and Cauchy's bound of the others.
+template <class V>
+V series(const Node& node, const Zero& zero, std::size_t first_kept, const V& s)
+{
+    V r(kept(node, first_kept + zero.c.size() - 1, zero.c.back()));
+    for (std::size_t i = zero.c.size() - 1; i-- > 0;) r = r * s + V(kept(node, first_kept + i, zero.c[i]));
+    const Ball q = upper_size(s) / Ball::exactly(zero.radius);
+    Ball tail;
+    arb_pow_ui(tail.get(), q.get(), static_cast<ulong>(zero.c.size()), 53);
+    widen(r, zero.bound * tail / (Ball(1) - q));
+    return r;
+}
+
+Ball middle_of(const Ball& s) { Ball m; arb_set_arf(m.get(), arb_midref(s.get())); return m; }
+ComplexBall middle_of(const ComplexBall& s) { return {middle_of(s.real()), middle_of(s.imag())}; }
+Ball radius_of(const Ball& s) { Ball r; arf_set_mag(arb_midref(r.get()), arb_radref(s.get())); return r; }
+Ball radius_of(const ComplexBall& s) { return radius_of(s.real()) + radius_of(s.imag()); }
+
+/// How many bits the ball knows of its number, at most those at work.
+template <class V>
+double bits_known(const V& s)
+{
+    return std::clamp(log2_size(upper_size(s)) - log2_size(radius_of(s)), 1.0, static_cast<double>(WorkingPrecision::bits()));
+}
+
+/// T where s is too far for the series and too near for a quotient at the working precision: at the exact midpoint of s with the bits that cancel
+/// added, then over the ball by |T'| <= sup|T|/(R - |s|) <= 2 sup|T|/R for |s| <= R/4 (Cauchy).
+template <class V>
+V at_midpoint(const Node& node, const Zero& zero, Side side, const V& s, const Place& place)
+{
+    const V middle = middle_of(s);
+    const slong bits = WorkingPrecision::bits();
+    V t;
+    {
+        const double lost = static_cast<double>(zero.order + 2) * std::max(1.0, -log2_size(upper_size(middle))); // what the terms of the sum have in common
+        const WorkingPrecision more(bits + static_cast<slong>(lost) + 20);
+        t = ordinary(node, place.at_distance(side, middle), place).value() / analytic::integer_power(middle, zero.order);
+    }
+    widen(t, Ball(2) * zero.bound / Ball::exactly(zero.radius) * radius_of(s));
+    return t;
+}
+
+/// Whether s is surely within the radius times 2^-halvings.
+bool within(const Ball& size, double radius, double halvings)
+{
+    Ball r = Ball::exactly(radius);
+    arb_mul_2exp_si(r.get(), r.get(), -static_cast<slong>(std::ceil(halvings)));
+    return arb_lt(size.get(), r.get()) != 0;
+}
+
+constexpr double least_known = 12;     // bits: a ball that knows less of its place is served by the series
+constexpr std::size_t other_end = 16; // where the kept coefficients of the right end begin
+
+template <class V>
+N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
+{
+    N<V> front(1);
+    for (const Side s : {Side::left, Side::right})
+        if (const auto& zero = node.zero[s == Side::left ? 0 : 1]; zero && zero->order != 0) front = front * to_power(p.distance(s), Exponent(zero->order));
+    for (const Side s : {Side::left, Side::right}) {
+        const auto& zero = node.zero[s == Side::left ? 0 : 1];
+        if (!zero) continue;
+        const V distance = p.distance(s).value();
+        const Ball size = upper_size(distance);
+        if (!within(size, zero->radius, 2)) continue;
+        const double halvings = (bits_known(distance) + 10) / static_cast<double>(zero->c.size());
+        V t = within(size, zero->radius, std::max(2.0, halvings)) || bits_known(distance) < least_known ? series(node, *zero, s == Side::left ? 0 : other_end, distance)
+                                                                                                    : at_midpoint(node, *zero, s, distance, place);
+        const auto& other = node.zero[s == Side::left ? 1 : 0];
+        if (other && other->order != 0) t = t / to_power(p.distance(s == Side::left ? Side::right : Side::left), Exponent(other->order)).value();
+        return front * N<V>(front.frame(), {}, {}, t);
+    }
+    const N<V> quotient = ordinary(node, p, place) / front;
+    // the orders that the sum shows at an end with a zero belong to the factor: T has none there
+    const Order left = node.zero[0] ? Order{} : quotient.left(), right = node.zero[1] ? Order{} : quotient.right();
+    const N<V> hidden(quotient.frame(), node.zero[0] ? quotient.left() : Order{}, node.zero[1] ? quotient.right() : Order{}, V(1));
+    return front * N<V>(quotient.frame(), left, right, quotient.factor() * hidden.value());
+}
+
+} // namespace
+
+template <class V>
+EndpointNumber<V> evaluate(const Node& node, const Point<V>& p, const Place& place)
+{
+    return node.zero[0] || node.zero[1] ? with_zeros(node, p, place) : ordinary(node, p, place);
+}
+
+template EndpointNumber<Ball> evaluate(const Node&, const Point<Ball>&, const Place&);
+template EndpointNumber<ComplexBall> evaluate(const Node&, const Point<ComplexBall>&, const Place&);
+
+template <class V>
+std::optional<EndpointNumber<V>> Place::exp_x(const EndpointNumber<V>& left, const EndpointNumber<V>& right) const
+{
+    if (!range) return std::nullopt;
+    switch (range->map) {
+    case Map::right_exponential: return EndpointNumber<V>(exp(range->from.ball())) / right;
+    case Map::left_exponential: return EndpointNumber<V>(exp(range->to.ball())) * left;
+    case Map::line_exponential: return left / right;
+    default: return std::nullopt;
+    }
+}
+template std::optional<EndpointNumber<Ball>> Place::exp_x(const EndpointNumber<Ball>&, const EndpointNumber<Ball>&) const;
+template std::optional<EndpointNumber<ComplexBall>> Place::exp_x(const EndpointNumber<ComplexBall>&, const EndpointNumber<ComplexBall>&) const;
+
+namespace {
+
+/// The point at distance s from an end, and the other distance, for numbers of either kind.
+template <class V, class Number>
+Point<V> about(const Range& range, Side side, const Number& s)
+{
+    Point<V> p;
+    const bool at_left = side == Side::left;
+    const EndpointNumber<V> end((at_left ? range.from : range.to).ball());
+    const EndpointNumber<V> far = [&]() -> EndpointNumber<V> {
+        const V plain = s.value();
+        switch (range.map) {
+        case Map::finite: return EndpointNumber<V>(range.to.ball() - range.from.ball()) - s;
+        case Map::right_exponential:
+        case Map::left_exponential: return EndpointNumber<V>(analytic::exp(-plain));
+        case Map::right_algebraic:
+        case Map::left_algebraic: return EndpointNumber<V>(V(1) / (V(1) + plain));
+        default: return EndpointNumber<V>(V::indeterminate());
+        }
+    }();
+    p.x = at_left ? end + s : end - s;
+    if (arb_is_zero((at_left ? range.from : range.to).ball().get())) p.x = at_left ? s : -s;
+    (at_left ? p.left : p.right) = s;
+    (at_left ? p.right : p.left) = EndpointNumber<V>(far.value());
+    return p;
+}
+
+} // namespace
+
+template <class V>
+Point<V> Place::at_distance(Side side, const V& s) const
+{
+    Point<V> p = about<V>(*range, side, EndpointNumber<V>(s));
+    p.exp_x = exp_x(p.left, p.right);
+    return p;
+}
+
+Point<ComplexBall> point_about(Side side, const Disc& disc, const ComplexBall&, const Place& place)
+{
+    const Order one{1, 0};
+    const EndpointNumber<ComplexBall> s(&disc, side == Side::left ? one : Order{}, side == Side::left ? Order{} : one, ComplexBall(1));
+    Point<ComplexBall> p = about<ComplexBall>(*place.range, side, s);
+    p.exp_x = place.exp_x(p.left, p.right);
+    return p;
+}
+
+template Point<Ball> Place::at_distance(Side, const Ball&) const;
+template Point<ComplexBall> Place::at_distance(Side, const ComplexBall&) const;
+
+} // namespace touchstone::quadrature::compiled

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/exact_series.hpp"
+
+#include <algorithm>
+
+namespace touchstone::quadrature {
+namespace {
+
+using Series = std::optional<ExactSeries>;
+using Coefficients = std::vector<ExactSum>; // of a power series with valuation 0: c_0 may be zero
+
+constexpr std::size_t terms = 12; // coefficients kept
+
+Series constant(const ExactSum& c)
+{
+    ExactSeries s;
+    if (c.is_zero()) {
+        s.is_exactly_zero = true;
+        return s;
+    }
+    s.c.assign(terms, ExactSum());
+    s.c[0] = c;
+    return s;
+}
+
+/// Leading zeros go into the valuation.
+Series normalised(ExactSeries s)
+{
+    const auto first = std::find_if(s.c.begin(), s.c.end(), [](const ExactSum& c) { return !c.is_zero(); });
+    s.valuation += static_cast<long>(first - s.c.begin());
+    s.c.erase(s.c.begin(), first);
+    return s;
+}
+
+Series sum(const Series& a, const Series& b)
+{
+    if (!a || !b) return std::nullopt;
+    if (a->is_exactly_zero) return b;
+    if (b->is_exactly_zero) return a;
+    const ExactSeries &low = a->valuation <= b->valuation ? *a : *b, &high = a->valuation <= b->valuation ? *b : *a;
+    const Rational shift = high.valuation - low.valuation;
+    if (shift.get_den() != 1) return std::nullopt;
+    if (shift >= static_cast<long>(low.c.size())) return low;
+    const auto k = static_cast<std::size_t>(shift.get_num().get_si());
+    ExactSeries r{low.valuation, {}, false};
+    const std::size_t known = std::min(low.c.size(), high.c.size() + k);
+    for (std::size_t i = 0; i < known; ++i) r.c.push_back(i >= k ? low.c[i] + high.c[i - k] : low.c[i]);
+    return normalised(std::move(r));
+}
+
+Coefficients product(const Coefficients& a, const Coefficients& b)
+{
+    Coefficients r(std::min(a.size(), b.size()));
+    for (std::size_t i = 0; i < r.size(); ++i)
+        for (std::size_t j = 0; i + j < r.size(); ++j)
+            if (!a[i].is_zero() && !b[j].is_zero()) r[i + j] = r[i + j] + a[i] * b[j];
+    return r;
+}
+
+Series product(const Series& a, const Series& b)
+{
+    if (!a || !b) return std::nullopt;
+    if (a->is_exactly_zero) return a;
+    if (b->is_exactly_zero) return b;
+    return ExactSeries{a->valuation + b->valuation, product(a->c, b->c), false};
+}
+
+Series negative(Series a)
+{
+    if (a)
+        for (ExactSum& c : a->c) c = -c;
+    return a;
+}
+
+Series inverse(const Series& a)
+{
+    if (!a || a->c.empty()) return std::nullopt;
+    const auto lead = a->c[0].inverse();
+    if (!lead) return std::nullopt;
+    ExactSeries r{-a->valuation, Coefficients(a->c.size()), false};
+    r.c[0] = *lead;
+    for (std::size_t k = 1; k < r.c.size(); ++k) {
+        ExactSum s;
+        for (std::size_t j = 1; j <= k; ++j) s = s + a->c[j] * r.c[k - j];
+        r.c[k] = -(s * *lead);
+    }
+    return r;
+}
+
+/// a^e: k c_0 b_k = sum over j of (e j - (k - j)) a_j b_(k-j), from a b' = e a' b.
+Series power(const Series& a, const Rational& e)
+{
+    if (e == 0) return constant(1);
+    if (!a) return std::nullopt;
+    if (a->is_exactly_zero) return e > 0 ? a : std::nullopt;
+    if (a->c.empty()) return std::nullopt;
+    std::optional<ExactSum> lead;
+    if (e.get_den() == 1 && e.get_num().fits_slong_p()) lead = a->c[0].power(e.get_num().get_si());
+    else if (e.get_den() == 2 && e.get_num().fits_slong_p()) {
+        if (const auto root = a->c[0].sqrt()) lead = root->power(e.get_num().get_si());
+    }
+    else if (a->c[0] == ExactSum(1)) lead = ExactSum(1);
+    const auto first = a->c[0].inverse();
+    if (!lead || !first) return std::nullopt;
+    ExactSeries r{a->valuation * e, Coefficients(a->c.size()), false};
+    r.c[0] = *lead;
+    for (std::size_t k = 1; k < r.c.size(); ++k) {
+        ExactSum s;
+        for (std::size_t j = 1; j <= k; ++j) {
+            const Rational w = e * static_cast<long>(j) - static_cast<long>(k - j);
+            s = s + ExactSum(w) * a->c[j] * r.c[k - j];
+        }
+        r.c[k] = s * *first * ExactSum(Rational(1, static_cast<long>(k)));
+    }
+    return r;
+}
+
+/// As a power series, if it is bounded: c_0 may be zero.
+std::optional<Coefficients> taylor(const Series& a)
+{
+    if (!a) return std::nullopt;
+    if (a->is_exactly_zero) return Coefficients(terms);
+    if (a->valuation < 0 || a->valuation.get_den() != 1 || a->valuation >= static_cast<long>(terms)) return std::nullopt;
+    Coefficients r(static_cast<std::size_t>(a->valuation.get_num().get_si()));
+    r.insert(r.end(), a->c.begin(), a->c.end());
+    if (r.size() > terms) r.resize(terms);
+    return r;
+}
+
+Series from_taylor(Coefficients c) { return normalised({0, std::move(c), false}); }
+
+Coefficients derivative(const Coefficients& a)
+{
+    Coefficients r;
+    for (std::size_t k = 1; k < a.size(); ++k) r.push_back(ExactSum(static_cast<long>(k)) * a[k]);
+    return r;
+}
+
+Coefficients integral(const Coefficients& d, const ExactSum& start)
+{
+    Coefficients r{start};
+    for (std::size_t k = 0; k < d.size(); ++k) r.push_back(d[k] * ExactSum(Rational(1, static_cast<long>(k + 1))));
+    return r;
+}
+
+/// exp of a series without constant term: k b_k = sum j a_j b_(k-j).
+Coefficients exponential(const Coefficients& a)
+{
+    Coefficients b(a.size());
+    b[0] = 1;
+    for (std::size_t k = 1; k < a.size(); ++k) {
+        ExactSum s;
+        for (std::size_t j = 1; j <= k; ++j) s = s + ExactSum(static_cast<long>(j)) * a[j] * b[k - j];
+        b[k] = s * ExactSum(Rational(1, static_cast<long>(k)));
+    }
+    return b;
+}
+
+/// sine and cosine of an angle that is a multiple of pi/2 plus a series without constant term (sign = -1), or their hyperbolic kin at 0 (sign = 1).
+std::optional<std::pair<Coefficients, Coefficients>> sine_cosine(const Coefficients& a, int sign)
+{
+    long quarter = 0;
+    if (sign < 0) {
+        const auto turns = a[0].times_pi();
+        if (!turns || Rational(2 * *turns).get_den() != 1) return std::nullopt;
+        const Integer q = Rational(2 * *turns).get_num() % 4;
+        quarter = (q.get_si() + 4) % 4;
+    }
+    else if (!a[0].is_zero()) return std::nullopt;
+    Coefficients s(a.size()), c(a.size());
+    s[0] = quarter % 2 == 0 ? 0 : quarter == 1 ? 1 : -1;
+    c[0] = quarter % 2 == 1 ? 0 : quarter == 0 ? 1 : -1;
+    for (std::size_t k = 1; k < a.size(); ++k) {
+        ExactSum ds, dc;
+        for (std::size_t j = 1; j <= k; ++j) {
+            const ExactSum w = ExactSum(static_cast<long>(j)) * a[j];
+            ds = ds + w * c[k - j];
+            dc = dc + w * s[k - j];
+        }
+        const ExactSum over(Rational(1, static_cast<long>(k)));
+        s[k] = ds * over;
+        c[k] = ExactSum(static_cast<long>(sign)) * dc * over;
+    }
+    return std::pair(s, c);
+}
+
+/// The integral of a' g from f(a_0).
+Series integrated(const Coefficients& a, const Series& g, const ExactSum& start)
+{
+    const auto t = taylor(g);
+    if (!t) return std::nullopt;
+    return from_taylor(integral(product(derivative(a), *t), start));
+}
+
+/// J_n (sign = -1) or I_n (sign = 1) of a series without constant term: sum of (sign)^k (a/2)^(2k+n) / (k! (k+n)!).
+Series bessel(const Series& argument, long n, int sign)
+{
+    if (!argument || argument->is_exactly_zero || argument->valuation <= 0 || n < 0 || n > 8) return std::nullopt;
+    const Series half = product(argument, constant(Rational(1, 2))), square = product(half, half);
+    Series term = power(half, n), total;
+    Rational factor = 1;
+    for (long k = 1; k <= n; ++k) factor /= k;
+    for (long k = 0; k < static_cast<long>(terms); ++k) {
+        if (k > 0) {
+            term = product(term, square);
+            factor *= Rational(sign) / (k * (k + n));
+        }
+        const Series part = product(term, constant(factor));
+        total = k == 0 ? part : sum(total, part);
+    }
+    return total;
+}
+
+class Expansion {
+public:
+    Expansion(const ExactSum& centre, int direction)
+    {
+        ExactSeries s{0, Coefficients(terms), false};
+        s.c[0] = centre;
+        s.c[1] = direction;
+        x_ = *normalised(std::move(s));
+    }
+    Series of(const Expression& e) const;
+
+private:
+    Series analytic(const Expression& e, const Series& argument) const;
+    Series x_;
+};
+
+Series reciprocal_of(const Series& a) { return inverse(a); }
+
+Series Expansion::analytic(const Expression& e, const Series& argument) const
+{
+    const auto t = taylor(argument);
+    if (!t || t->empty()) return std::nullopt;
+    const Coefficients& a = *t;
+    const bool at_zero = a[0].is_zero();
+    const Series one = constant(1), square = product(argument, argument);
+    const auto trigonometric = [&](int sign) -> std::pair<Series, Series> {
+        const auto both = sine_cosine(a, sign);
+        if (!both) return {};
+        return {from_taylor(both->first), from_taylor(both->second)};
+    };
+    const int sign = e.op == Op::sinh || e.op == Op::cosh || e.op == Op::tanh || e.op == Op::coth || e.op == Op::sech || e.op == Op::csch ? 1 : -1;
+    switch (e.op) {
+    case Op::exp:
+    case Op::expm1: {
+        if (!at_zero) return std::nullopt;
+        const Series r = from_taylor(exponential(a));
+        return e.op == Op::exp ? r : sum(r, constant(-1));
+    }
+    case Op::log: return a[0] == ExactSum(1) ? integrated(a, inverse(argument), 0) : std::nullopt;
+    case Op::log1p: return at_zero ? integrated(a, inverse(sum(one, argument)), 0) : std::nullopt;
+    case Op::sin:
+    case Op::sinh: return trigonometric(sign).first;
+    case Op::cos:
+    case Op::cosh: return trigonometric(sign).second;
+    case Op::tan:
+    case Op::tanh: {
+        const auto [s, c] = trigonometric(sign);
+        return product(s, inverse(c));
+    }
+    case Op::cot:
+    case Op::coth: {
+        const auto [s, c] = trigonometric(sign);
+        return product(c, inverse(s));
+    }
+    case Op::sec:
+    case Op::sech: return inverse(trigonometric(sign).second);
+    case Op::csc:
+    case Op::csch: return inverse(trigonometric(sign).first);
+    case Op::sinc: return at_zero ? product(trigonometric(-1).first, inverse(argument)) : std::nullopt;
+    case Op::atan: return at_zero ? integrated(a, inverse(sum(one, square)), 0) : std::nullopt;
+    case Op::atanh: return at_zero ? integrated(a, inverse(sum(one, negative(square))), 0) : std::nullopt;
+    case Op::asinh: return at_zero ? integrated(a, power(sum(one, square), Rational(-1, 2)), 0) : std::nullopt;
+    case Op::asin: return at_zero ? integrated(a, power(sum(one, negative(square)), Rational(-1, 2)), 0) : std::nullopt;
+    case Op::acos: {
+        if (!at_zero) return std::nullopt;
+        return sum(constant(ExactSum(Rational(1, 2)) * ExactSum::pi()), negative(integrated(a, power(sum(one, negative(square)), Rational(-1, 2)), 0)));
+    }
+    case Op::erf:
+    case Op::erfi: {
+        if (!at_zero) return std::nullopt;
+        const auto exponent = taylor(e.op == Op::erf ? negative(square) : square);
+        if (!exponent) return std::nullopt;
+        return integrated(a, product(constant(ExactSum(2) * ExactSum::pi(-1)), from_taylor(exponential(*exponent))), 0);
+    }
+    case Op::si: {
+        if (!at_zero) return std::nullopt;
+        return integrated(a, product(trigonometric(-1).first, inverse(argument)), 0);
+    }
+    case Op::lambert_w: { // W' = a'/(e^W (1 + W)): each sweep makes one more coefficient right
+        if (!at_zero) return std::nullopt;
+        Coefficients w(a.size());
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            const Series denominator = product(from_taylor(exponential(w)), sum(one, from_taylor(w)));
+            const auto inverse_of = taylor(reciprocal_of(denominator));
+            if (!inverse_of) return std::nullopt;
+            w = integral(product(derivative(a), *inverse_of), 0);
+            w.resize(a.size());
+        }
+        return from_taylor(w);
+    }
+    default: return std::nullopt;
+    }
+}
+
+Series Expansion::of(const Expression& e) const
+{
+    switch (e.op) {
+    case Op::number: return constant(e.number);
+    case Op::pi: return constant(ExactSum::pi());
+    case Op::variable: return x_;
+    case Op::add: return sum(of(*e.args[0]), of(*e.args[1]));
+    case Op::multiply: return product(of(*e.args[0]), of(*e.args[1]));
+    case Op::divide: return product(of(*e.args[0]), inverse(of(*e.args[1])));
+    case Op::negate: return negative(of(*e.args[0]));
+    case Op::sqrt: return power(of(*e.args[0]), Rational(1, 2));
+    case Op::cbrt: return power(of(*e.args[0]), Rational(1, 3));
+    case Op::power: {
+        const auto exponent = exact_value(*e.args[1]);
+        if (!exponent || !exponent->rational()) return std::nullopt;
+        return power(of(*e.args[0]), *exponent->rational());
+    }
+    case Op::bessel_j:
+    case Op::bessel_i: {
+        const auto order = exact_value(*e.args[0]);
+        const auto n = order ? order->rational() : std::nullopt;
+        if (!n || n->get_den() != 1 || !n->get_num().fits_slong_p()) return std::nullopt;
+        return bessel(of(*e.args[1]), n->get_num().get_si(), e.op == Op::bessel_j ? -1 : 1);
+    }
+    default: return e.args.size() == 1 ? analytic(e, of(*e.args[0])) : std::nullopt;
+    }
+}
+
+} // namespace
+
+std::optional<ExactSeries> expand(const Expression& e, const ExactSum& centre, int direction) { return Expansion(centre, direction).of(e); }
+
+std::optional<ExactSum> exact_value(const Expression& e)
+{
+    if (depends_on_x(e)) return std::nullopt;
+    const auto s = Expansion(ExactSum(), 1).of(e);
+    if (!s) return std::nullopt;
+    if (s->is_exactly_zero || s->c.empty()) return s->is_exactly_zero ? std::optional(ExactSum()) : std::nullopt;
+    if (s->valuation != 0) return std::nullopt;
+    for (std::size_t k = 1; k < s->c.size(); ++k)
+        if (!s->c[k].is_zero()) return std::nullopt;
+    return s->c[0];
+}
+
+} // namespace touchstone::quadrature

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/exact_sum.hpp"
+
+#include <numeric>
+
+namespace touchstone::quadrature {
+namespace {
+
+/// n = s^2 f with f squarefree, for n small enough to be tried out.
+std::optional<std::pair<Rational, long>> square_and_rest(const Rational& r)
+{
+    constexpr long largest = 1'000'000'000; // trial divisors go to the cube root of it squared: a few ten thousand
+    // sqrt(p/q) = sqrt(p q)/q
+    const Integer product = r.get_num() * r.get_den();
+    if (const auto root = exact_root(r, 2)) return std::pair(*root, 1L);
+    if (product > largest) return std::nullopt;
+    long rest = product.get_si(), square = 1;
+    for (long d = 2; d * d <= rest; ++d)
+        while (rest % (d * d) == 0) {
+            rest /= d * d;
+            square *= d;
+        }
+    return std::pair(Rational(square) / Rational(r.get_den()), rest);
+}
+
+} // namespace
+
+void ExactSum::add(const Key& key, const Rational& q)
+{
+    if (q == 0) return;
+    Rational& have = terms_[key];
+    have += q;
+    if (have == 0) terms_.erase(key);
+}
+
+std::optional<Rational> ExactSum::rational() const
+{
+    if (terms_.empty()) return Rational(0);
+    if (terms_.size() > 1 || terms_.begin()->first != Key{0, 1}) return std::nullopt;
+    return terms_.begin()->second;
+}
+
+std::optional<Rational> ExactSum::times_pi() const
+{
+    if (terms_.empty()) return Rational(0);
+    if (terms_.size() > 1 || terms_.begin()->first != Key{2, 1}) return std::nullopt;
+    return terms_.begin()->second;
+}
+
+Ball ExactSum::ball() const
+{
+    Ball sum(0);
+    for (const auto& [key, q] : terms_) {
+        Ball term(q);
+        if (key.first != 0) {
+            Ball root = touchstone::pi<Ball>();
+            if (key.first % 2 != 0) root = touchstone::sqrt(root);
+            const long n = key.first % 2 != 0 ? key.first : key.first / 2;
+            Ball power;
+            arb_pow_ui(power.get(), root.get(), static_cast<ulong>(n < 0 ? -n : n), WorkingPrecision::bits());
+            term = n < 0 ? term / power : term * power;
+        }
+        if (key.second != 1) term *= touchstone::sqrt(Ball(key.second));
+        sum += term;
+    }
+    return sum;
+}
+
+ExactSum ExactSum::operator-() const
+{
+    ExactSum r = *this;
+    for (auto& [key, q] : r.terms_) q = -q;
+    return r;
+}
+
+ExactSum operator+(const ExactSum& a, const ExactSum& b)
+{
+    ExactSum r = a;
+    for (const auto& [key, q] : b.terms_) r.add(key, q);
+    return r;
+}
+
+ExactSum operator*(const ExactSum& a, const ExactSum& b)
+{
+    ExactSum r;
+    for (const auto& [ka, qa] : a.terms_)
+        for (const auto& [kb, qb] : b.terms_) { // sqrt(m) sqrt(n) = g sqrt(m n/g^2)
+            const long g = std::gcd(ka.second, kb.second);
+            r.add({ka.first + kb.first, (ka.second / g) * (kb.second / g)}, Rational(qa * qb * g));
+        }
+    return r;
+}
+
+std::optional<ExactSum> ExactSum::inverse() const
+{
+    if (terms_.size() != 1) return std::nullopt;
+    const auto& [key, q] = *terms_.begin();
+    ExactSum r;
+    r.add({-key.first, key.second}, Rational(1 / (q * key.second)));
+    return r;
+}
+
+std::optional<ExactSum> ExactSum::power(long n) const
+{
+    constexpr long largest = 64;
+    if (n < -largest || n > largest) return std::nullopt;
+    if (n < 0) {
+        const auto i = inverse();
+        return i ? i->power(-n) : std::nullopt;
+    }
+    ExactSum r(1);
+    for (long k = 0; k < n; ++k) r = r * *this;
+    return r;
+}
+
+std::optional<ExactSum> ExactSum::sqrt() const
+{
+    if (terms_.empty()) return ExactSum();
+    if (terms_.size() != 1) return std::nullopt;
+    const auto& [key, q] = *terms_.begin();
+    if (key.second != 1 || q < 0 || key.first % 2 != 0) return std::nullopt;
+    const auto root = square_and_rest(q);
+    if (!root) return std::nullopt;
+    ExactSum r;
+    r.add({key.first / 2, root->second}, root->first);
+    return r;
+}
+
+} // namespace touchstone::quadrature

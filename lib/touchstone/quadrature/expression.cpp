@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/expression.hpp"
+
+#include <boost/spirit/home/x3.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace touchstone::quadrature {
+
+ExpressionError::ExpressionError(std::size_t column, const std::string& what)
+    : std::runtime_error("column " + std::to_string(column) + ": " + what), column_(column) {}
+
+namespace {
+
+struct Function {
+    Op op;
+    std::size_t least, most; // number of arguments
+};
+
+const std::map<std::string, Function, std::less<>>& functions()
+{
+    static const std::map<std::string, Function, std::less<>> table = {
+        {"exp", {Op::exp, 1, 1}}, {"log", {Op::log, 1, 1}}, {"ln", {Op::log, 1, 1}}, {"sqrt", {Op::sqrt, 1, 1}}, {"cbrt", {Op::cbrt, 1, 1}},
+        {"abs", {Op::abs, 1, 1}}, {"sign", {Op::sign, 1, 1}}, {"floor", {Op::floor, 1, 1}}, {"ceil", {Op::ceil, 1, 1}},
+        {"max", {Op::max, 2, 64}}, {"min", {Op::min, 2, 64}}, {"pow", {Op::power, 2, 2}},
+        {"sin", {Op::sin, 1, 1}}, {"cos", {Op::cos, 1, 1}}, {"tan", {Op::tan, 1, 1}}, {"cot", {Op::cot, 1, 1}}, {"sec", {Op::sec, 1, 1}}, {"csc", {Op::csc, 1, 1}},
+        {"sinh", {Op::sinh, 1, 1}}, {"cosh", {Op::cosh, 1, 1}}, {"tanh", {Op::tanh, 1, 1}}, {"coth", {Op::coth, 1, 1}}, {"sech", {Op::sech, 1, 1}}, {"csch", {Op::csch, 1, 1}},
+        {"asin", {Op::asin, 1, 1}}, {"acos", {Op::acos, 1, 1}}, {"atan", {Op::atan, 1, 1}}, {"arcsin", {Op::asin, 1, 1}}, {"arccos", {Op::acos, 1, 1}}, {"arctan", {Op::atan, 1, 1}},
+        {"asinh", {Op::asinh, 1, 1}}, {"acosh", {Op::acosh, 1, 1}}, {"atanh", {Op::atanh, 1, 1}}, {"expm1", {Op::expm1, 1, 1}}, {"log1p", {Op::log1p, 1, 1}}, {"sinc", {Op::sinc, 1, 1}},
+        {"gamma", {Op::gamma, 1, 1}}, {"rgamma", {Op::rgamma, 1, 1}}, {"lgamma", {Op::lgamma, 1, 1}}, {"loggamma", {Op::lgamma, 1, 1}}, {"digamma", {Op::digamma, 1, 1}}, {"psi", {Op::digamma, 1, 1}},
+        {"zeta", {Op::zeta, 1, 1}}, {"erf", {Op::erf, 1, 1}}, {"erfc", {Op::erfc, 1, 1}}, {"erfi", {Op::erfi, 1, 1}}, {"ei", {Op::ei, 1, 1}}, {"si", {Op::si, 1, 1}}, {"ci", {Op::ci, 1, 1}},
+        {"li", {Op::li, 1, 1}}, {"dilog", {Op::dilog, 1, 1}}, {"airyai", {Op::airy_ai, 1, 1}}, {"airybi", {Op::airy_bi, 1, 1}}, {"lambertw", {Op::lambert_w, 1, 1}},
+        {"ellipk", {Op::elliptic_k, 1, 1}}, {"ellipe", {Op::elliptic_e, 1, 1}},
+        {"besselj", {Op::bessel_j, 2, 2}}, {"bessely", {Op::bessel_y, 2, 2}}, {"besseli", {Op::bessel_i, 2, 2}}, {"besselk", {Op::bessel_k, 2, 2}}, {"polylog", {Op::polylog, 2, 2}},
+    };
+    return table;
+}
+
+ExpressionPtr at(ExpressionPtr e, std::size_t column)
+{
+    Expression copy = *e;
+    copy.column = column;
+    return std::make_shared<const Expression>(std::move(copy));
+}
+
+namespace x3 = boost::spirit::x3;
+using Text = std::string_view;
+using Where = Text::const_iterator;
+
+struct start_tag;
+
+/// The column where the word begins that a semantic action was given.
+template <class Context>
+std::size_t column(const Context& context)
+{
+    return static_cast<std::size_t>(x3::_attr(context).begin() - x3::get<start_tag>(context).get()) + 1;
+}
+
+const auto take = [](auto& c) { x3::_val(c) = x3::_attr(c); };
+const auto into = [](Op op) {
+    return [op](auto& c) { x3::_val(c) = at(make(op, {x3::_val(c), x3::_attr(c)}), x3::_val(c)->column); };
+};
+const auto subtract = [](auto& c) {
+    x3::_val(c) = at(make(Op::add, {x3::_val(c), make(Op::negate, {x3::_attr(c)})}), x3::_val(c)->column);
+};
+const auto negate = [](auto& c) { x3::_val(c) = make(Op::negate, {x3::_attr(c)}); };
+const auto number = [](auto& c) {
+    const auto& word = x3::_attr(c);
+    const auto value = parse_rational(std::string_view(&*word.begin(), static_cast<std::size_t>(word.size())));
+    if (!value) throw ExpressionError(column(c), "'" + std::string(word.begin(), word.end()) + "' is no number such as 12, 0.1 or 1e-4");
+    x3::_val(c) = at(make_number(*value), column(c));
+};
+const auto name = [](auto& c) {
+    const auto& word = x3::_attr(c);
+    const std::string n(word.begin(), word.end());
+    Expression e;
+    e.column = column(c);
+    if (n == "x") e.op = Op::variable;
+    else if (n == "pi") e.op = Op::pi;
+    else if (n == "e") e.op = Op::e;
+    else if (functions().contains(n)) throw ExpressionError(e.column, "the function '" + n + "' needs its argument in brackets: " + n + "(...)");
+    else throw ExpressionError(e.column, "'" + n + "' is not known: the variable is x, the constants are pi and e");
+    x3::_val(c) = std::make_shared<const Expression>(std::move(e));
+};
+using Call = std::pair<std::string, std::vector<ExpressionPtr>>;
+const auto call_name = [](auto& c) {
+    const auto& word = x3::_attr(c);
+    const std::string n(word.begin(), word.end());
+    const auto found = functions().find(n);
+    if (found == functions().end()) throw ExpressionError(column(c), "no function '" + n + "' (a product needs its *: x*(1+x))");
+    Expression e;
+    e.op = found->second.op;
+    e.column = column(c);
+    x3::_val(c) = std::make_shared<const Expression>(std::move(e));
+};
+const auto argument = [](auto& c) {
+    Expression e = *x3::_val(c);
+    e.args.push_back(x3::_attr(c));
+    x3::_val(c) = std::make_shared<const Expression>(std::move(e));
+};
+const auto finish_call = [](auto& c) {
+    const ExpressionPtr e = x3::_attr(c);
+    for (const auto& [n, f] : functions()) {
+        if (f.op != e->op || (e->args.size() >= f.least && e->args.size() <= f.most)) continue;
+        throw ExpressionError(e->column, n + " takes " + std::to_string(f.least) + (f.least == f.most ? "" : " or more") + " argument" + (f.least == 1 ? "" : "s") + ", not " + std::to_string(e->args.size()));
+    }
+    x3::_val(c) = e->op == Op::power ? at(make(Op::power, e->args), e->column) : e;
+};
+
+const x3::rule<struct sum_rule, ExpressionPtr> sum("a formula");
+const x3::rule<struct product_rule, ExpressionPtr> product("a formula");
+const x3::rule<struct unary_rule, ExpressionPtr> unary("a number, x, a function or '('");
+const x3::rule<struct power_rule, ExpressionPtr> power("a number, x, a function or '('");
+const x3::rule<struct primary_rule, ExpressionPtr> primary("a number, x, a function or '('");
+const x3::rule<struct call_rule, ExpressionPtr> call("a function");
+const x3::rule<struct callee_rule, ExpressionPtr> callee("a function");
+
+const auto digits = +x3::digit;
+const auto number_word = x3::raw[x3::lexeme[((digits >> -('.' >> *x3::digit)) | ('.' >> digits)) >> -(x3::char_("eE") >> -x3::char_("+-") >> digits)]];
+const auto name_word = x3::raw[x3::lexeme[x3::alpha >> *(x3::alnum | '_')]];
+
+const auto sum_def = product[take] >> *(('+' > product[into(Op::add)]) | ('-' > product[subtract]));
+const auto product_def = unary[take] >> *((x3::lit('*') > unary[into(Op::multiply)]) | ('/' > unary[into(Op::divide)]));
+const auto unary_def = ('-' > unary[negate]) | ('+' > unary[take]) | power[take];
+const auto power_def = primary[take] >> -((x3::lit("**") | '^') > unary[into(Op::power)]);
+const auto callee_def = (name_word >> &x3::lit('('))[([](auto& c) { call_name(c); })];
+const auto call_def = callee[take] >> ('(' > sum[argument] > *(',' > sum[argument]) > ')');
+const auto primary_def = number_word[number] | call[finish_call] | name_word[name] | ('(' > sum[take] > ')');
+
+BOOST_SPIRIT_DEFINE(sum, product, unary, power, primary, call, callee)
+
+} // namespace
+
+ExpressionPtr make_number(const Rational& r)
+{
+    Expression e;
+    e.number = r;
+    return std::make_shared<const Expression>(std::move(e));
+}
+
+ExpressionPtr make_variable()
+{
+    Expression e;
+    e.op = Op::variable;
+    return std::make_shared<const Expression>(std::move(e));
+}
+
+ExpressionPtr make(Op op, std::vector<ExpressionPtr> args)
+{
+    Expression e;
+    e.op = op;
+    if (!args.empty()) e.column = args.front()->column;
+    e.args = std::move(args);
+    return std::make_shared<const Expression>(std::move(e));
+}
+
+std::vector<std::string> function_names()
+{
+    std::vector<std::string> names;
+    for (const auto& [n, f] : functions()) names.push_back(n);
+    return names;
+}
+
+bool depends_on_x(const Expression& e)
+{
+    if (e.op == Op::variable) return true;
+    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return depends_on_x(*a); });
+}
+
+ExpressionPtr parse_expression(std::string_view text)
+{
+    constexpr std::size_t longest = 4000; // also bounds how deep brackets nest
+    if (text.size() > longest) throw ExpressionError(longest, "the formula is longer than " + std::to_string(longest) + " characters");
+    Where here = text.begin();
+    const Where start = text.begin();
+    ExpressionPtr result;
+    try {
+        if (!x3::phrase_parse(here, text.end(), x3::with<start_tag>(std::ref(start))[sum], x3::space, result))
+            throw ExpressionError(static_cast<std::size_t>(here - start) + 1, "a number, x, a function or '(' is expected");
+    }
+    catch (const x3::expectation_failure<Where>& failure) {
+        const auto position = static_cast<std::size_t>(failure.where() - start) + 1;
+        const std::string expected = failure.which();
+        throw ExpressionError(position, (expected.starts_with('\'') ? expected : std::string("a number, x, a function or '('")) + " is expected");
+    }
+    if (here != text.end()) throw ExpressionError(static_cast<std::size_t>(here - start) + 1, std::string("an operator is expected before '") + *here + "' (a product needs its *)");
+    return result;
+}
+
+} // namespace touchstone::quadrature

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/integrand.hpp"
+
+#include "touchstone/quadrature/compiled.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::quadrature {
+
+using compiled::Place;
+using compiled::Point;
+
+Ball Limit::ball() const
+{
+    if (exact) return exact->ball();
+    return evaluate_at(*formula, Ball(0));
+}
+
+Endpoint Limit::endpoint() const
+{
+    if (exact)
+        if (const auto q = exact->rational()) return Endpoint(*q);
+    return Endpoint([copy = *this] { return copy.ball(); });
+}
+
+Limit limit_at(const ExactSum& value, std::string text)
+{
+    Limit l;
+    l.exact = value;
+    l.text = std::move(text);
+    return l;
+}
+
+Limit parse_limit(std::string_view text)
+{
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    Limit l;
+    l.text = text;
+    const auto sign = text.empty() ? '+' : text.front();
+    const std::string_view word = sign == '-' || sign == '+' ? text.substr(1) : text;
+    if (word == "inf" || word == "infinity" || word == "oo") {
+        l.infinite = sign == '-' ? -1 : 1;
+        return l;
+    }
+    l.formula = parse_expression(text);
+    if (depends_on_x(*l.formula)) throw ExpressionError(1, "an end of the interval must not depend on x");
+    l.exact = exact_value(*l.formula);
+    if (!l.ball().is_finite()) throw ExpressionError(l.formula->column, "'" + l.text + "' is no real number");
+    return l;
+}
+
+Interval Range::interval() const
+{
+    switch (map) {
+    case Map::finite: return Interval::finite(from.endpoint(), to.endpoint());
+    case Map::right_algebraic: return Interval::right_half_line(from.endpoint(), Decay::algebraic);
+    case Map::right_exponential: return Interval::right_half_line(from.endpoint(), Decay::exponential);
+    case Map::left_algebraic: return Interval::left_half_line(to.endpoint(), Decay::algebraic);
+    case Map::left_exponential: return Interval::left_half_line(to.endpoint(), Decay::exponential);
+    case Map::line_algebraic: return Interval::whole_line(Decay::algebraic);
+    case Map::line_exponential: break;
+    }
+    return Interval::whole_line(Decay::exponential);
+}
+
+Ball evaluate_at(const Expression& e, const Ball& x)
+{
+    const Place nowhere;
+    const auto shared = std::make_shared<const Expression>(e);
+    const Point<Ball> p{x, Ball::indeterminate(), Ball::indeterminate(), std::nullopt};
+    return compiled::evaluate(*compiled::compile(shared, nowhere), p, nowhere).value();
+}
+
+struct Integrand::Body {
+    Range range;
+    Place place;
+    compiled::NodePtr root;
+    double width = 1;
+};
+
+Integrand::Integrand(const ExpressionPtr& e, Range range) : body_(std::make_unique<Body>())
+{
+    const WorkingPrecision precision(64);
+    body_->range = std::move(range);
+    body_->place.range = &body_->range;
+    body_->root = compiled::compile(e, body_->place);
+    if (body_->range.map == Map::finite) body_->width = arf_get_d(arb_midref((body_->range.to.ball() - body_->range.from.ball()).get()), ARF_RND_NEAR);
+}
+Integrand::~Integrand() = default;
+Integrand::Integrand(Integrand&&) noexcept = default;
+
+const Range& Integrand::range() const { return body_->range; }
+
+EndpointNumber<Ball> Integrand::at(const EndpointNumber<Ball>& x, const EndpointNumber<Ball>& left, const EndpointNumber<Ball>& right) const
+{
+    return compiled::evaluate(*body_->root, Point<Ball>{x, left, right, body_->place.exp_x(left, right)}, body_->place);
+}
+
+EndpointNumber<ComplexBall> Integrand::at(const EndpointNumber<ComplexBall>& x, const EndpointNumber<ComplexBall>& left, const EndpointNumber<ComplexBall>& right) const
+{
+    return compiled::evaluate(*body_->root, Point<ComplexBall>{x, left, right, body_->place.exp_x(left, right)}, body_->place);
+}
+
+ComplexBall Integrand::in_plane(const ComplexBall& z) const
+{
+    const ComplexBall from_left = z - ComplexBall(body_->range.from.ball()), from_right = ComplexBall(body_->range.to.ball()) - z;
+    const double l = mag_get_d(arb_radref(acb_realref(from_left.get()))) + std::fabs(arf_get_d(arb_midref(acb_realref(from_left.get())), ARF_RND_NEAR));
+    const Side side = l < body_->width / 2 ? Side::left : Side::right;
+    const compiled::Disc disc(side, side == Side::left ? from_left : from_right);
+    const Point<ComplexBall> p = compiled::point_about(side, disc, side == Side::left ? from_left : from_right, body_->place);
+    return compiled::evaluate(*body_->root, p, body_->place).value();
+}
+
+bool Integrand::is_regular_at_ends() const
+{
+    const WorkingPrecision precision(64);
+    if (body_->range.map != Map::finite) return false;
+    for (const Limit* end : {&body_->range.from, &body_->range.to}) {
+        ComplexBall z(end->ball());
+        mag_t m;
+        mag_init(m);
+        mag_set_d(m, body_->width * 1e-4);
+        acb_add_error_mag(z.get(), m);
+        mag_clear(m);
+        if (!in_plane(z).is_finite()) return false;
+    }
+    return true;
+}
+
+namespace {
+
+constexpr std::size_t most_branches = 400;
+
+class Branches {
+public:
+    Branches(const Limit& from, const Limit& to) : from_(from), to_(to) {}
+    void collect(const Expression& e)
+    {
+        for (const ExpressionPtr& a : e.args) collect(*a);
+        switch (e.op) {
+        case Op::abs:
+        case Op::sign: zeros(*e.args[0]); break;
+        case Op::max:
+        case Op::min:
+            for (std::size_t i = 0; i < e.args.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j) zeros(*make(Op::add, {e.args[j], make(Op::negate, {e.args[i]})}));
+            break;
+        case Op::floor:
+        case Op::ceil: steps(*e.args[0]); break;
+        default: break;
+        }
+    }
+    std::vector<ExactSum> sorted()
+    {
+        std::sort(points_.begin(), points_.end(), [](const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
+        points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+        return points_;
+    }
+
+private:
+    /// Where a linear argument takes each of the values base + k step.
+    void multiples(const Expression& argument, const ExactSum& base, const ExactSum& step)
+    {
+        const auto p = polynomial(argument);
+        if (!p || p->size() != 2 || from_.infinite || to_.infinite) return;
+        const auto slope = (*p)[1].inverse(), over = step.inverse();
+        if (!slope || !over) return;
+        const auto index = [&](const Limit& end) {
+            const Ball v = ((*p)[1].ball() * end.ball() + (*p)[0].ball() - base.ball()) / step.ball();
+            return arf_get_d(arb_midref(v.get()), ARF_RND_NEAR);
+        };
+        const double a = index(from_), b = index(to_);
+        const double first = std::floor(std::min(a, b)), last = std::ceil(std::max(a, b));
+        if (!(last - first <= static_cast<double>(most_branches)) || std::fabs(first) > 1e15)
+            throw DomainError("the formula has more than " + std::to_string(most_branches) + " branches on the interval: integrate it in parts");
+        for (long k = static_cast<long>(first); k <= static_cast<long>(last); ++k) add((base + ExactSum(k) * step - (*p)[0]) * *slope);
+    }
+    void steps(const Expression& argument) { multiples(argument, ExactSum(0), ExactSum(1)); }
+    void zeros(const Expression& e)
+    {
+        if (e.op == Op::multiply || e.op == Op::divide) {
+            for (const ExpressionPtr& a : e.args) zeros(*a);
+            return;
+        }
+        if (e.op == Op::power || e.op == Op::sqrt || e.op == Op::negate) return zeros(*e.args[0]);
+        if (e.op == Op::sin || e.op == Op::tan) return multiples(*e.args[0], ExactSum(0), ExactSum::pi());
+        if (e.op == Op::cos) return multiples(*e.args[0], ExactSum(Rational(1, 2)) * ExactSum::pi(), ExactSum::pi());
+        if (e.op == Op::log) return zeros(*make(Op::add, {e.args[0], make_number(Rational(-1))}));
+        const auto p = polynomial(e);
+        if (!p) return;
+        if (p->size() == 2) {
+            if (const auto slope = (*p)[1].inverse()) add(-(*p)[0] * *slope);
+        }
+        else if (p->size() == 3) {
+            const auto twice = (ExactSum(2) * (*p)[2]).inverse();
+            const ExactSum discriminant = (*p)[1] * (*p)[1] - ExactSum(4) * (*p)[2] * (*p)[0];
+            const auto root = discriminant.sqrt();
+            if (!twice || !root) return;
+            add((*root - (*p)[1]) * *twice);
+            add((-*root - (*p)[1]) * *twice);
+        }
+    }
+    void add(const ExactSum& x)
+    {
+        const Ball v = x.ball();
+        const auto beyond = [&](const Limit& end, bool right) {
+            if (end.infinite) return true;
+            if (end.exact && *end.exact == x) return false;
+            const Ball e = end.ball();
+            return (right ? arb_lt(v.get(), e.get()) : arb_gt(v.get(), e.get())) != 0;
+        };
+        if (!beyond(from_, false) || !beyond(to_, true)) return;
+        points_.push_back(x);
+        if (points_.size() > 2 * most_branches) throw DomainError("the formula has too many branches on the interval: integrate it in parts");
+    }
+
+    const Limit &from_, &to_;
+    std::vector<ExactSum> points_;
+};
+
+} // namespace
+
+std::vector<ExactSum> branch_points(const Expression& e, const Limit& from, const Limit& to)
+{
+    const WorkingPrecision precision(256);
+    Branches b(from, to);
+    b.collect(e);
+    return b.sorted();
+}
+
+} // namespace touchstone::quadrature

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// A typed formula as an integrand: compiled for one interval, evaluated on endpoint numbers.
+///
+/// What is typed seldom says how it behaves at the ends: 1 - x, sin(pi x), log(x) or (1 - cos x)/x^2 vanish there, and in balls the
+/// difference loses what matters. So the formula is compiled for its interval:
+///
+/// - a polynomial in x with exact coefficients is divided by its zeros at the ends, exactly: on [0, 1], 1 - x^2 becomes right (1 + x);
+/// - any other sum or function whose exact expansion (exact_series.hpp) begins with s^m at an end, m > 0 or more than its terms show, is s^m T with T
+///   analytic on a disc |s| < R about the end: near the end T is its first exact coefficients and a Cauchy bound of the rest, sup|T| (|s|/R)^n/(1 - |s|/R),
+///   farther away the quotient of balls;
+/// - exp(k x + c) on a range where x is a logarithm is a power of the distances;
+/// - asin, acos, acosh, atanh of what reaches +-1 are written by roots and logarithms of 1 -+ it;
+/// - abs, sign, max, min of what has no zero inside the range lose their branch.
+///
+/// Contract: at() on Ball and on ComplexBall encloses one and the same function, that of the text.
+#pragma once
+
+#include "touchstone/quadrature/exact_series.hpp"
+#include "touchstone/quadrature/interval.hpp"
+
+namespace touchstone::quadrature {
+
+/// An end of the range: a constant formula, or -oo or oo.
+struct Limit {
+    int infinite = 0; ///< -1, 0, 1
+    ExpressionPtr formula;
+    std::optional<ExactSum> exact;
+    std::string text;
+
+    Ball ball() const; ///< at the working precision
+    Endpoint endpoint() const;
+};
+
+/// `1/3`, `pi/2`, `log(2)`, `inf`, `-inf`. \throws ExpressionError
+Limit parse_limit(std::string_view text);
+Limit limit_at(const ExactSum& value, std::string text);
+
+/// Where x is what function of the fractions u and r: see interval.hpp.
+enum class Map { finite, right_algebraic, right_exponential, left_algebraic, left_exponential, line_algebraic, line_exponential };
+
+struct Range {
+    Limit from, to;
+    Map map = Map::finite;
+    Interval interval() const;
+};
+
+/// \throws DomainError if the value is no number (log(-1))
+Ball evaluate_at(const Expression&, const Ball& x);
+
+class Integrand {
+public:
+    Integrand(const ExpressionPtr&, Range);
+    ~Integrand();
+    Integrand(Integrand&&) noexcept;
+
+    EndpointNumber<Ball> at(const EndpointNumber<Ball>& x, const EndpointNumber<Ball>& left, const EndpointNumber<Ball>& right) const;
+    EndpointNumber<ComplexBall> at(const EndpointNumber<ComplexBall>& x, const EndpointNumber<ComplexBall>& left, const EndpointNumber<ComplexBall>& right) const;
+    /// At a point of the plane: non-finite unless analytic on the whole ball. For finite ranges.
+    ComplexBall in_plane(const ComplexBall& z) const;
+    /// Whether it is analytic and bounded on a neighbourhood of each end of the finite range.
+    bool is_regular_at_ends() const;
+    const Range& range() const;
+
+private:
+    struct Body;
+    std::unique_ptr<Body> body_;
+};
+
+/// Points strictly inside the range where the formula has a branch of its own: zeros of what abs, sign, max, min are taken of, steps of floor and ceil,
+/// as far as they can be named exactly. \throws DomainError where there are too many.
+std::vector<ExactSum> branch_points(const Expression&, const Limit& from, const Limit& to);
+
+} // namespace touchstone::quadrature

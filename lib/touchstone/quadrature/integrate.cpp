@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/integrate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace touchstone::quadrature {
+namespace {
+
+constexpr double bits_per_digit = 3.3219281;
+
+std::string short_number(double x)
+{
+    std::ostringstream out;
+    out.precision(10);
+    out << x;
+    return out.str();
+}
+
+double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+/// What became of one part.
+struct Attempt {
+    Ball value = Ball::indeterminate();
+    std::string reason;
+    std::optional<double> at; ///< where the proof stopped, in x
+    Part part;
+};
+
+/// Arb's adaptive Gauss-Legendre quadrature: each panel by a rule with a bound from an ellipse on which the formula is proved analytic.
+std::optional<Attempt> by_gauss_legendre(const Integrand& f, long digits)
+{
+    struct Call {
+        const Integrand* f;
+        long evaluations = 0;
+    } call{&f};
+    const slong bits = bits_for_digits(digits) + 10;
+    const WorkingPrecision precision(bits);
+    const auto evaluate = [](acb_ptr out, const acb_t z, void* data, slong, slong working) -> int {
+        auto& c = *static_cast<Call*>(data);
+        ++c.evaluations;
+        const WorkingPrecision here(working);
+        ComplexBall argument;
+        acb_set(argument.get(), z);
+        acb_set(out, c.f->in_plane(argument).get());
+        return 0;
+    };
+    acb_calc_integrate_opt_t options;
+    acb_calc_integrate_opt_init(options);
+    options->eval_limit = 4000 + 200 * digits; // beyond it tanh-sinh, with a proof of its own, may still do better
+    options->depth_limit = 200;
+    mag_t tolerance;
+    mag_init(tolerance);
+    mag_set_ui_2exp_si(tolerance, 1, -bits);
+    ComplexBall value;
+    const int status = acb_calc_integrate(value.get(), evaluate, &call, ComplexBall(f.range().from.ball()).get(), ComplexBall(f.range().to.ball()).get(), bits, tolerance, options, bits);
+    mag_clear(tolerance);
+    if (status != ARB_CALC_SUCCESS || !value.is_finite()) return std::nullopt;
+    Attempt a;
+    a.value = value.real();
+    a.part.rule = "gauss-legendre";
+    a.part.evaluations = call.evaluations;
+    return a;
+}
+
+Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, long digits)
+{
+    Options options;
+    options.digits = digits;
+    const Enclosure e = tanh_sinh([f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); }, f->range().interval(), options);
+    Attempt a;
+    a.value = e.value;
+    a.reason = e.reason;
+    a.part.rule = "tanh-sinh";
+    a.part.certificate = e.certificate;
+    a.part.evaluations = e.certificate.points();
+    if (e.status == Status::indeterminate && e.fraction) {
+        const double u = *e.fraction;
+        const Range& r = f->range();
+        switch (r.map) {
+        case Map::finite: a.at = to_double(r.from.ball()) + u * to_double(r.to.ball() - r.from.ball()); break;
+        case Map::right_algebraic: a.at = to_double(r.from.ball()) + u / (1 - u); break;
+        case Map::right_exponential: a.at = to_double(r.from.ball()) - std::log1p(-u); break;
+        case Map::left_algebraic: a.at = to_double(r.to.ball()) - (1 - u) / u; break;
+        case Map::left_exponential: a.at = to_double(r.to.ball()) + std::log(u); break;
+        case Map::line_algebraic: a.at = (u / (1 - u) - (1 - u) / u) / 2; break;
+        case Map::line_exponential: a.at = std::log(u / (1 - u)); break;
+        }
+    }
+    return a;
+}
+
+/// Whether a function that decays (or grows) exponentially is named: which map is tried first.
+bool names_exponential(const Expression& e)
+{
+    switch (e.op) {
+    case Op::exp: case Op::expm1: case Op::sinh: case Op::cosh: case Op::tanh: case Op::coth: case Op::sech: case Op::csch:
+    case Op::erf: case Op::erfc: case Op::airy_ai: case Op::bessel_k:
+        return depends_on_x(e);
+    case Op::power:
+        if (depends_on_x(*e.args[1])) return true;
+        break;
+    default: break;
+    }
+    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return names_exponential(*a); });
+}
+
+class Integration {
+public:
+    Integration(const ExpressionPtr& e, const IntegralOptions& o) : e_(e), options_(o) {}
+    Integral run(const Limit& from, const Limit& to);
+
+private:
+    /// Parts between neighbouring cuts; false with a reason if one fails.
+    bool add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
+    bool add_cut(const Limit& from, const Limit& to, const ExactSum& at, long digits, int depth, Integral& out);
+    Attempt attempt(const Limit& from, const Limit& to, long digits) const;
+    std::optional<ExactSum> named_point(double x, const Limit& from, const Limit& to) const;
+    bool diverges(const Limit& end, int direction, Integral& out) const;
+
+    ExpressionPtr e_;
+    const IntegralOptions& options_;
+};
+
+/// Whether an exact expansion at the end shows an exponent of -1 or less.
+bool Integration::diverges(const Limit& end, int direction, Integral& out) const
+{
+    if (!end.exact) return false;
+    const auto s = expand(*e_, *end.exact, direction);
+    if (!s || s->c.empty() || s->valuation > -1) return false;
+    out.divergent = true;
+    out.reason = "the integral diverges at x = " + end.text + ": the formula behaves there like |x - " + end.text + "|^" + (s->valuation.get_den() == 1 ? s->valuation.get_str() : "(" + s->valuation.get_str() + ")");
+    return true;
+}
+
+Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) const
+{
+    std::vector<Map> maps;
+    const bool exponential = names_exponential(*e_);
+    const auto either = [&](Map algebraic_map, Map exponential_map) {
+        if (exponential) maps = {exponential_map, algebraic_map};
+        else maps = {algebraic_map, exponential_map};
+    };
+    if (from.infinite && to.infinite) either(Map::line_algebraic, Map::line_exponential);
+    else if (to.infinite) either(Map::right_algebraic, Map::right_exponential);
+    else if (from.infinite) either(Map::left_algebraic, Map::left_exponential);
+    else maps = {Map::finite};
+    Attempt first;
+    for (const Map map : maps) {
+        const auto f = std::make_shared<const Integrand>(e_, Range{from, to, map});
+        if (options_.gauss_legendre && f->is_regular_at_ends())
+            if (auto a = by_gauss_legendre(*f, digits)) return *a;
+        Attempt a = by_tanh_sinh(f, digits);
+        if (a.value.is_finite()) return a;
+        if (map == maps.front()) first = std::move(a);
+    }
+    return first;
+}
+
+/// A rational number or multiple of pi close to where a proof stopped: a candidate for a cut.
+std::optional<ExactSum> Integration::named_point(double x, const Limit& from, const Limit& to) const
+{
+    const double scale = from.infinite || to.infinite ? std::max(1.0, std::fabs(x)) : to_double(to.ball() - from.ball());
+    const auto inside = [&](const ExactSum& p) {
+        const Ball v = p.ball();
+        return (from.infinite || arb_gt(v.get(), from.ball().get())) && (to.infinite || arb_lt(v.get(), to.ball().get()));
+    };
+    for (const bool with_pi : {false, true})
+        for (long den = 1; den <= 12; ++den) {
+            const double unit = (with_pi ? M_PI : 1.0) / static_cast<double>(den);
+            const double n = std::round(x / unit);
+            if (std::fabs(n) > 1e6 || std::fabs(n * unit - x) > 2e-2 * scale / static_cast<double>(den)) continue;
+            ExactSum p(Rational(static_cast<long>(n), den));
+            Rational q(static_cast<long>(n), den);
+            q.canonicalize();
+            p = ExactSum(q);
+            if (with_pi) p = p * ExactSum::pi();
+            if (!inside(p)) continue;
+            const auto right = expand(*e_, p, 1);
+            const auto plain = evaluate_at(*e_, p.ball());
+            if (!plain.is_finite() || (right && right->valuation < 0)) return p; // the formula itself is singular there
+        }
+    return std::nullopt;
+}
+
+std::string text_of(const ExactSum& x)
+{
+    if (const auto q = x.rational()) return q->get_str();
+    if (const auto q = x.times_pi()) return (*q == 1 ? "" : q->get_str() + "*") + std::string("pi");
+    return x.ball().to_string(10);
+}
+
+bool Integration::add_cut(const Limit& from, const Limit& to, const ExactSum& at, long digits, int depth, Integral& out)
+{
+    const Limit middle = limit_at(at, text_of(at));
+    return add_part(from, middle, digits, depth + 1, out) && add_part(middle, to, digits, depth + 1, out);
+}
+
+bool Integration::add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
+{
+    if (diverges(from, 1, out) || diverges(to, -1, out)) return false;
+    Attempt a = attempt(from, to, digits);
+    if (a.value.is_finite()) {
+        a.part.from = from.text;
+        a.part.to = to.text;
+        a.part.value = a.value;
+        out.parts.push_back(std::move(a.part));
+        return true;
+    }
+    constexpr int deepest = 4;
+    if (depth < deepest) {
+        if (a.at)
+            if (const auto cut = named_point(*a.at, from, to)) return add_cut(from, to, *cut, digits, depth, out);
+        if (from.infinite && to.infinite) return add_cut(from, to, ExactSum(0), digits, depth, out);
+        // the two ends may ask for different maps
+        if (to.infinite && from.exact && depth < 2) {
+            Integral other = out;
+            if (add_cut(from, to, *from.exact + ExactSum(1), digits, deepest - 1, other)) {
+                out = std::move(other);
+                return true;
+            }
+        }
+    }
+    out.reason = "not proved on [" + from.text + ", " + to.text + "]" + (a.at ? " near x = " + short_number(*a.at) : "") + ": " + a.reason;
+    return false;
+}
+
+Integral Integration::run(const Limit& from, const Limit& to)
+{
+    Integral out;
+    out.value = Ball::indeterminate();
+    if (from.infinite > 0 || to.infinite < 0) {
+        out.reason = "the lower end must be below the upper one";
+        return out;
+    }
+    std::vector<Limit> cuts;
+    {
+        const WorkingPrecision precision(256);
+        const auto ordered = [](const Limit& a, const Limit& b) { return a.infinite < 0 || b.infinite > 0 || arb_lt(a.ball().get(), b.ball().get()) != 0; };
+        if (!ordered(from, to)) {
+            out.reason = "the ends " + from.text + " and " + to.text + " are not surely in order: the lower one first";
+            return out;
+        }
+        cuts = options_.at;
+        for (const Limit& c : cuts)
+            if (c.infinite || !ordered(from, c) || !ordered(c, to)) {
+                out.reason = "the break point " + c.text + " is not inside the range";
+                return out;
+            }
+        for (const ExactSum& x : branch_points(*e_, from, to)) cuts.push_back(limit_at(x, text_of(x)));
+        std::sort(cuts.begin(), cuts.end(), [](const Limit& a, const Limit& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
+        const auto same = [&](const Limit& a, const Limit& b) { return !ordered(a, b); };
+        cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
+        cuts.insert(cuts.begin(), from);
+        cuts.push_back(to);
+    }
+    const double wanted = static_cast<double>(options_.digits) * bits_per_digit + 1;
+    long digits = options_.digits + 2;
+    for (int round = 0; round < 4; ++round) {
+        out.parts.clear();
+        bool all = true;
+        for (std::size_t i = 0; all && i + 1 < cuts.size(); ++i) all = add_part(cuts[i], cuts[i + 1], digits, 0, out);
+        if (!all) return out;
+        const WorkingPrecision precision(bits_for_digits(digits) + 64);
+        out.value = Ball(0);
+        for (const Part& p : out.parts) out.value += p.value;
+        if (options_.tolerance) {
+            Ball radius;
+            arf_set_mag(arb_midref(radius.get()), arb_radref(out.value.get()));
+            if (arb_le(radius.get(), Ball(*options_.tolerance).get())) break;
+        }
+        const double shortfall = wanted - static_cast<double>(out.value.relative_bits());
+        if (shortfall <= 0) break;
+        digits += std::min<long>(static_cast<long>(shortfall / bits_per_digit) + 3, 2 * options_.digits + 20);
+    }
+    const double have = static_cast<double>(out.value.relative_bits());
+    out.digits = out.value.is_exact() ? options_.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options_.digits);
+    bool enough = out.digits == options_.digits;
+    if (options_.tolerance && !enough) {
+        Ball radius;
+        arf_set_mag(arb_midref(radius.get()), arb_radref(out.value.get()));
+        enough = arb_le(radius.get(), Ball(*options_.tolerance).get()) != 0;
+    }
+    out.status = enough ? Status::certified : Status::undecided;
+    if (!enough)
+        out.reason = (out.digits == 0 ? std::string("none") : "only " + std::to_string(out.digits)) + " of " + std::to_string(options_.digits) + " digits proven: the integral lies in " +
+                     out.value.to_string(3) + (out.value.contains_zero() ? ", which may be 0: ask for an absolute error with --tolerance" : "");
+    return out;
+}
+
+} // namespace
+
+Integral integrate(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options) { return Integration(e, options).run(from, to); }
+
+} // namespace touchstone::quadrature

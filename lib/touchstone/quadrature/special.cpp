@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/special.hpp"
+
+#include "touchstone/quadrature/endpoint_number.hpp"
+
+#if __has_include(<flint/acb_hypgeom.h>)
+#include <flint/acb_elliptic.h>
+#include <flint/acb_hypgeom.h>
+#else
+#include <acb_elliptic.h>
+#include <acb_hypgeom.h>
+#endif
+
+namespace touchstone::quadrature {
+namespace {
+
+slong bits() { return WorkingPrecision::bits(); }
+
+template <class F>
+ComplexBall by(F&& f, const ComplexBall& z)
+{
+    ComplexBall w;
+    f(w.get(), z.get(), bits());
+    return w;
+}
+
+/// Whether z may meet the real numbers up to (from) the bound.
+bool meets_up_to(const ComplexBall& z, const Ball& bound) { return arb_contains_zero(acb_imagref(z.get())) && !arb_gt(acb_realref(z.get()), bound.get()); }
+bool meets_from(const ComplexBall& z, const Ball& bound) { return arb_contains_zero(acb_imagref(z.get())) && !arb_lt(acb_realref(z.get()), bound.get()); }
+
+ComplexBall lambert_w(const ComplexBall& z)
+{
+    if (meets_up_to(z, -exp(Ball(-1)))) return ComplexBall::indeterminate();
+    ComplexBall w;
+    fmpz_t branch;
+    fmpz_init(branch);
+    acb_lambertw(w.get(), z.get(), branch, 0, bits());
+    fmpz_clear(branch);
+    return w;
+}
+
+/// -E1(-z) left of the imaginary axis, Ei right of it.
+ComplexBall exponential_integral(const ComplexBall& z)
+{
+    if (arb_is_negative(acb_realref(z.get()))) {
+        ComplexBall w;
+        const ComplexBall minus = -z;
+        acb_hypgeom_expint(w.get(), ComplexBall(1).get(), minus.get(), bits());
+        return -w;
+    }
+    return arb_is_positive(acb_realref(z.get())) ? by(acb_hypgeom_ei, z) : ComplexBall::indeterminate();
+}
+
+ComplexBall airy(Op op, const ComplexBall& z)
+{
+    ComplexBall w;
+    acb_hypgeom_airy(op == Op::airy_ai ? w.get() : nullptr, nullptr, op == Op::airy_bi ? w.get() : nullptr, nullptr, z.get(), bits());
+    return w;
+}
+
+bool is_integer(const Ball& order) { return arb_is_int(order.get()) != 0; }
+
+} // namespace
+
+ComplexBall special_function(Op op, const ComplexBall& z)
+{
+    const auto off = [&](bool meets, auto&& f) { return meets ? ComplexBall::indeterminate() : by(f, z); };
+    const auto off_imaginary = [&](auto&& f) {
+        if (!arb_contains_zero(acb_realref(z.get()))) return by(f, z);
+        const Ball y = touchstone::abs(z.imag());
+        return arb_lt(y.get(), Ball(1).get()) ? by(f, z) : ComplexBall::indeterminate();
+    };
+    switch (op) {
+    case Op::exp: return analytic::exp(z);
+    case Op::log: return analytic::log(z);
+    case Op::sin: return touchstone::sin(z);
+    case Op::cos: return touchstone::cos(z);
+    case Op::tan: return by(acb_tan, z);
+    case Op::sinh: return by(acb_sinh, z);
+    case Op::cosh: return by(acb_cosh, z);
+    case Op::tanh: return by(acb_tanh, z);
+    case Op::sech: return by(acb_sech, z);
+    case Op::asin: return analytic::asin(z);
+    case Op::acos: return off(meets_up_to(z, Ball(-1)) || meets_from(z, Ball(1)), acb_acos);
+    case Op::atan: return analytic::atan(z);
+    case Op::asinh: return off_imaginary(acb_asinh);
+    case Op::acosh: return off(meets_up_to(z, Ball(1)), acb_acosh);
+    case Op::atanh: return off(meets_up_to(z, Ball(-1)) || meets_from(z, Ball(1)), acb_atanh);
+    case Op::expm1: return by(acb_expm1, z);
+    case Op::log1p: return off(meets_up_to(z, Ball(-1)), acb_log1p);
+    case Op::sinc: return analytic::sinc(z);
+    case Op::gamma: return by(acb_gamma, z);
+    case Op::rgamma: return by(acb_rgamma, z);
+    case Op::lgamma: return off(meets_up_to(z, Ball(0)), acb_lgamma);
+    case Op::digamma: return by(acb_digamma, z);
+    case Op::zeta: return by(acb_zeta, z);
+    case Op::erf: return by(acb_hypgeom_erf, z);
+    case Op::erfc: return by(acb_hypgeom_erfc, z);
+    case Op::erfi: return by(acb_hypgeom_erfi, z);
+    case Op::ei: return exponential_integral(z);
+    case Op::si: return by(acb_hypgeom_si, z);
+    case Op::ci: return off(meets_up_to(z, Ball(0)), acb_hypgeom_ci);
+    case Op::li: {
+        if (meets_up_to(z, Ball(1))) return ComplexBall::indeterminate();
+        ComplexBall w;
+        acb_hypgeom_li(w.get(), z.get(), 0, bits());
+        return w;
+    }
+    case Op::dilog: return off(meets_from(z, Ball(1)), acb_hypgeom_dilog);
+    case Op::airy_ai:
+    case Op::airy_bi: return airy(op, z);
+    case Op::lambert_w: return lambert_w(z);
+    case Op::elliptic_k: return off(meets_from(z, Ball(1)), acb_elliptic_k);
+    case Op::elliptic_e: return off(meets_from(z, Ball(1)), acb_elliptic_e);
+    case Op::floor: {
+        ComplexBall w;
+        acb_real_floor(w.get(), z.get(), 1, bits());
+        return w;
+    }
+    case Op::ceil: {
+        ComplexBall w;
+        acb_real_ceil(w.get(), z.get(), 1, bits());
+        return w;
+    }
+    default: return ComplexBall::indeterminate();
+    }
+}
+
+Ball special_function(Op op, const Ball& x)
+{
+    const auto real = [&](auto&& f) { return touchstone::detail::ball_of(f, x); };
+    switch (op) {
+    case Op::exp: return exp(x);
+    case Op::log: return log(x);
+    case Op::sin: return sin(x);
+    case Op::cos: return cos(x);
+    case Op::tan: return real(arb_tan);
+    case Op::sinh: return real(arb_sinh);
+    case Op::cosh: return real(arb_cosh);
+    case Op::tanh: return real(arb_tanh);
+    case Op::sech: return real(arb_sech);
+    case Op::asin: return asin(x);
+    case Op::acos: return acos(x);
+    case Op::atan: return real(arb_atan);
+    case Op::asinh: return real(arb_asinh);
+    case Op::acosh: return real(arb_acosh);
+    case Op::atanh: return real(arb_atanh);
+    case Op::expm1: return real(arb_expm1);
+    case Op::log1p: return real(arb_log1p);
+    case Op::sinc: return analytic::sinc(x);
+    case Op::gamma: return real(arb_gamma);
+    default: return special_function(op, ComplexBall(x)).real();
+    }
+}
+
+ComplexBall special_function(Op op, const Ball& order, const ComplexBall& z)
+{
+    ComplexBall w;
+    const ComplexBall nu(order);
+    const bool cut = op == Op::bessel_y || op == Op::bessel_k || (op != Op::polylog && !is_integer(order));
+    if (cut && meets_up_to(z, Ball(0))) return ComplexBall::indeterminate();
+    switch (op) {
+    case Op::bessel_j: acb_hypgeom_bessel_j(w.get(), nu.get(), z.get(), bits()); break;
+    case Op::bessel_y: acb_hypgeom_bessel_y(w.get(), nu.get(), z.get(), bits()); break;
+    case Op::bessel_i: acb_hypgeom_bessel_i(w.get(), nu.get(), z.get(), bits()); break;
+    case Op::bessel_k: acb_hypgeom_bessel_k(w.get(), nu.get(), z.get(), bits()); break;
+    case Op::polylog:
+        if (meets_from(z, Ball(1))) return ComplexBall::indeterminate();
+        acb_polylog(w.get(), nu.get(), z.get(), bits());
+        break;
+    default: return ComplexBall::indeterminate();
+    }
+    return w;
+}
+
+Ball special_function(Op op, const Ball& order, const Ball& x) { return special_function(op, order, ComplexBall(x)).real(); }
+
+} // namespace touchstone::quadrature
