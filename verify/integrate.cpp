@@ -32,6 +32,17 @@ Shown shown(const Ball& value, long digits)
     return {};
 }
 
+/// As many digits as an absolute error asks for; 0 if the enclosure has 0 in it and is that small.
+Shown shown_within(const Ball& value, const Rational& tolerance, const std::string& text)
+{
+    const Ball size = abs(value);
+    if (value.contains_zero()) return arb_le(size.get(), Ball(tolerance).get()) ? Shown{"0", text, 0} : Shown{};
+    const long most = static_cast<long>(static_cast<double>(std::max<slong>(0, std::min<slong>(value.relative_bits(), 40000))) * 0.30103) + 1;
+    for (long d = 1; d <= most; ++d)
+        if (const auto decimal = round_to_digits(value, d); decimal && *parse_rational(decimal->half_unit()) <= tolerance) return {decimal->text(), decimal->half_unit(), d};
+    return {};
+}
+
 quadrature::Limit limit_of(const std::string& text, const char* what)
 {
     try {
@@ -74,7 +85,7 @@ void explain(const quadrature::Part& p)
                p.certificate.rounding().to_string(3));
 }
 
-quadrature::Integral computed(const IntegrateOptions& o, quadrature::IntegralOptions options, Shown& s)
+quadrature::Integral computed(const IntegrateOptions& o, quadrature::IntegralOptions options, const std::optional<Rational>& asked, Shown& s)
 {
     const auto formula = [&] {
         try {
@@ -95,14 +106,23 @@ quadrature::Integral computed(const IntegrateOptions& o, quadrature::IntegralOpt
         catch (const quadrature::ExpressionError& e) {
             throw Failure(bad_input, fmt::format("formula '{:.60}', {}", o.formula, e.what()));
         }
-        s = shown(result.value, o.digits);
-        if (s.digits == o.digits || result.status != quadrature::Status::certified || options.tolerance) break;
+        if (!result.value.is_finite()) break;
+        s = asked ? shown_within(result.value, *asked, o.tolerance) : shown(result.value, o.digits);
+        if (s.digits == o.digits || result.status != quadrature::Status::certified || !s.value.empty()) break;
     }
     return result;
 }
 
-int integrate_and_print(const IntegrateOptions& o)
+/// Without the blank that keeps a minus from being read as an option (main.cpp), and any other around it.
+std::string bare(const std::string& text)
 {
+    const auto first = text.find_first_not_of(' ');
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+int integrate_and_print(IntegrateOptions o)
+{
+    for (std::string* text : {&o.formula, &o.from, &o.to, &o.at, &o.tolerance}) *text = bare(*text);
     if (o.digits < 1 || o.digits > 10000) throw Failure(bad_input, fmt::format("--digits {}: between 1 and 10000", o.digits));
     quadrature::IntegralOptions options;
     options.digits = o.digits;
@@ -112,19 +132,20 @@ int integrate_and_print(const IntegrateOptions& o)
         if (!options.tolerance) throw Failure(bad_input, fmt::format("--tolerance '{:.40}' {}", o.tolerance, why_not_rational(o.tolerance)));
         if (*options.tolerance <= 0) throw Failure(bad_input, fmt::format("--tolerance {} is not positive", o.tolerance));
     }
+    const std::optional<Rational> tolerance = options.tolerance;
+    if (tolerance) *options.tolerance /= 100; // so that a decimal within it exists
     Shown s;
-    quadrature::Integral result = computed(o, options, s);
+    const quadrature::Integral result = computed(o, options, tolerance, s);
     if (result.divergent) throw Failure(bad_input, result.reason);
     const bool proven = result.value.is_finite();
-    const bool certified = result.status == quadrature::Status::certified && (s.digits == o.digits || options.tolerance);
-    const std::string error = !proven ? "" : !s.error.empty() && !options.tolerance ? s.error : result.value.to_string(1);
+    const bool certified = result.status == quadrature::Status::certified && (tolerance ? !s.value.empty() : s.digits == o.digits);
     const std::string reason = certified ? "" : result.reason.empty() ? fmt::format("only {} of {} digits proven", s.digits, o.digits) : result.reason;
     if (o.json) {
         nlohmann::ordered_json j{{"formula", o.formula}, {"from", o.from}, {"to", o.to}};
-        j["value"] = s.digits > 0 ? nlohmann::ordered_json(s.value) : nlohmann::ordered_json(nullptr);
+        j["value"] = !s.value.empty() ? nlohmann::ordered_json(s.value) : nlohmann::ordered_json(nullptr);
         j["digits"] = s.digits;
         j["status"] = certified ? "certified" : "undecided";
-        j["error"] = s.digits > 0 ? nlohmann::ordered_json(s.error) : nlohmann::ordered_json(nullptr);
+        j["error"] = !s.value.empty() ? nlohmann::ordered_json(s.error) : nlohmann::ordered_json(nullptr);
         if (!reason.empty()) j["reason"] = reason;
         if (proven) j["enclosure"] = result.value.to_string(o.digits + 5);
         if (const auto d = proven ? nearest_double(result.value) : std::nullopt) j["binary64"] = hexfloat(*d);
@@ -134,9 +155,9 @@ int integrate_and_print(const IntegrateOptions& o)
     }
     else if (!proven) throw Failure(undecided, reason);
     else {
-        fmt::print("{}\n", s.digits > 0 ? s.value : result.value.to_string(o.digits));
-        if (s.digits > 0) fmt::print("  integral of {} from {} to {}: {}, {} digits, |error| <= {}\n", o.formula, o.from, o.to, certified ? "certified" : "undecided", s.digits, s.error);
-        else fmt::print("  integral of {} from {} to {}: {}, no digit of its own, it lies in {}\n", o.formula, o.from, o.to, certified ? "certified" : "undecided", result.value.to_string(3));
+        fmt::print("{}\n", !s.value.empty() ? s.value : result.value.to_string(o.digits));
+        const std::string accuracy = s.value.empty() ? "no digit proven" : s.digits > 0 ? fmt::format("{} digits, |error| <= {}", s.digits, s.error) : fmt::format("|error| <= {}", s.error);
+        fmt::print("  integral of {} from {} to {}: {}, {}\n", o.formula, o.from, o.to, certified ? "certified" : "undecided", accuracy);
         if (!reason.empty()) fmt::print("  {}\n", reason);
         if (o.explain)
             for (const auto& p : result.parts) explain(p);

@@ -7,6 +7,7 @@ usage: test_documents.py PROGRAM SOURCE_FOLDER
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -35,7 +36,7 @@ class Documents(unittest.TestCase):
                 if not text.startswith("$ touchstone "):
                     continue
                 command, _, expected = text.partition("\n")
-                printed = touchstone(*command.split()[2:]).stdout
+                printed = touchstone(*shlex.split(command)[2:]).stdout
                 pattern = re.escape(expected).replace(re.escape("...\n"), "(?:.*\n)*")
                 self.assertRegex(printed, "^" + pattern + r"\Z", f"{page.name}: {command}")
                 shown += 1

@@ -10,6 +10,7 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix -DCMAKE_CXX_COMPILER=${CXX} -G ${GENERATOR})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
+run(${WORK_DIR}/build/consumer_quadrature)
 # C, by pkg-config alone, where the C interface was built
 file(GLOB_RECURSE pc ${WORK_DIR}/prefix/touchstone.pc)
 find_program(PKG_CONFIG pkg-config)

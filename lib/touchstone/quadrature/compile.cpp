@@ -38,6 +38,8 @@ private:
     bool has_range() const { return place_.range != nullptr; }
     bool is_infinite() const { return has_range() && place_.range->map != Map::finite; }
     bool reaches_one(const Expression& e) const;
+    int sign_of_linear(const Expression& e) const;
+    ExpressionPtr settled(const ExpressionPtr& e) const;
 
     Place place_;
 };
@@ -166,11 +168,37 @@ NodePtr Compiler::power(const ExpressionPtr& base, const ExpressionPtr& exponent
     return node(Kind::general_power, {base, exponent});
 }
 
+/// The sign that a linear function keeps on the finite range (zero at an end at most): 1, -1; 0 if it keeps none or is not linear.
+int Compiler::sign_of_linear(const Expression& e) const
+{
+    const auto p = polynomial(e);
+    if (!p || p->size() > 2 || !has_range() || place_.range->map != Map::finite || !place_.range->from.exact || !place_.range->to.exact) return 0;
+    const auto sign_of = [](const ExactSum& v) { return v.is_zero() ? 0 : arb_is_positive(v.ball().get()) ? 1 : arb_is_negative(v.ball().get()) ? -1 : 2; };
+    const int s = sign_of(value(*p, *place_.range->from.exact)), t = sign_of(value(*p, *place_.range->to.exact));
+    const int sign = s == 0 ? t : t == 0 || t == s ? s : 0;
+    return sign == 1 || sign == -1 ? sign : 0;
+}
+
+/// max and min of what is surely ordered on the range: the one that it is.
+ExpressionPtr Compiler::settled(const ExpressionPtr& e) const
+{
+    if (e->op != Op::max && e->op != Op::min) return e;
+    ExpressionPtr r = settled(e->args[0]);
+    for (std::size_t i = 1; i < e->args.size(); ++i) {
+        const ExpressionPtr other = settled(e->args[i]);
+        const int sign = sign_of_linear(*difference(r, other));
+        if (sign == 0) return e;
+        if ((sign > 0) == (e->op == Op::min)) r = other;
+    }
+    return r;
+}
+
 /// abs and sign of what is known not to vanish inside the range; max, min by abs; floor, ceil of what stays between integers.
 NodePtr Compiler::without_branch(const ExpressionPtr& e) const
 {
-    const ExpressionPtr& a = e->args[0];
+    const ExpressionPtr a = settled(e->args[0]);
     if (e->op == Op::max || e->op == Op::min) {
+        if (const ExpressionPtr one = settled(e); one != e) return compile(one);
         ExpressionPtr r = a;
         for (std::size_t i = 1; i < e->args.size(); ++i) {
             const ExpressionPtr spread = of(Op::abs, difference(r, e->args[i])), total = sum(r, e->args[i]);
@@ -180,6 +208,12 @@ NodePtr Compiler::without_branch(const ExpressionPtr& e) const
     }
     const auto p = polynomial(*a);
     const bool is_step = e->op == Op::floor || e->op == Op::ceil;
+    if (is_step && !depends_on_x(*a) && p && p->size() == 1)
+        if (const auto q = (*p)[0].rational()) {
+            Integer n;
+            (e->op == Op::floor ? mpz_fdiv_q : mpz_cdiv_q)(n.get_mpz_t(), q->get_num_mpz_t(), q->get_den_mpz_t());
+            return constant(ExactSum(Rational(n)));
+        }
     if (!p || p->size() != 2 || !has_range() || place_.range->map != Map::finite || !place_.range->from.exact || !place_.range->to.exact) return node(Kind::function, {a}, e->op);
     // linear: the values at the two ends bound it
     const ExactSum at_from = value(*p, *place_.range->from.exact), at_to = value(*p, *place_.range->to.exact);
@@ -197,10 +231,8 @@ NodePtr Compiler::without_branch(const ExpressionPtr& e) const
         }
         return constant(ExactSum(step));
     }
-    const auto sign_of = [](const ExactSum& v) { return v.is_zero() ? 0 : arb_is_positive(v.ball().get()) ? 1 : arb_is_negative(v.ball().get()) ? -1 : 2; };
-    const int s = sign_of(at_from), t = sign_of(at_to);
-    const int sign = s == 0 ? t : t == 0 || t == s ? s : 0;
-    if (sign != 1 && sign != -1) return node(Kind::function, {a}, e->op);
+    const int sign = sign_of_linear(*a);
+    if (sign == 0) return node(Kind::function, {a}, e->op);
     if (e->op == Op::sign) return constant(ExactSum(sign));
     return compile(sign > 0 ? a : of(Op::negate, a));
 }

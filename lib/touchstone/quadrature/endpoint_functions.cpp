@@ -88,9 +88,22 @@ Complex trigonometric(Op op, const Complex& x)
     return growing(x, *side, upper(touchstone::abs(factor_at(x, *side).imag())));
 }
 
+/// Whether x is unbounded as a power of a distance: so it winds around infinity with the strip.
+template <class V>
+bool has_pole_at_an_end(const EndpointNumber<V>& x) { return x.left().power < Exponent(0) || x.right().power < Exponent(0); }
+
+/// atan x = 2 atan(x/(1 + sqrt(1 + x^2))): the argument stays bounded, its root keeps the power of the distance.
+template <class V>
+EndpointNumber<V> arc_tangent_of_pole(const EndpointNumber<V>& x)
+{
+    const EndpointNumber<V> one(1);
+    return EndpointNumber<V>(2) * atan(EndpointNumber<V>(x / (one + sqrt(EndpointNumber<V>(one + x * x)))));
+}
+
 /// +-pi/2 - atan(1/x) where x goes to infinity inside a half plane that the strip does not leave.
 Complex arc_tangent(const Complex& x)
 {
+    if (has_pole_at_an_end(x)) return arc_tangent_of_pole(x);
     const auto side = side_of_growth(x);
     if (!side) return atan(x);
     const Ball c = factor_at(x, *side).real();
@@ -121,6 +134,38 @@ Complex bessel_k(const Ball& order, const Complex& x, Side side)
     arb_get_lbound_arf(arb_midref(low.get()), (c * least_rho(x, side)).get(), 53);
     const Ball at = touchstone::abs(special_function(Op::bessel_k, order, low)) * exp(low);
     return exponential(-x) * Complex(disc(at));
+}
+
+/// log(u^p rho^k c) = p log u + k log rho + log c, and 0 <= log rho <= (4/e) rho^(1/4) for rho >= 1.
+Complex logarithm(const Complex& x)
+{
+    Order bare[2];
+    Complex grown(0);
+    for (const Side s : {Side::left, Side::right}) {
+        const Order own = x.order(s);
+        bare[s == Side::left ? 0 : 1] = {own.power, 0};
+        if (own.logs.is_zero()) continue;
+        if (!x.frame()->reaches(s) || !arb_ge(least_rho(x, s).get(), Ball(1).get())) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+        const Ball most = hull(Ball(0), Ball(4) * exp(Ball(-1))) * own.logs.ball();
+        const Order quarter{0, Exponent(1, 4)};
+        grown = grown + Complex(x.frame(), s == Side::left ? quarter : Order{}, s == Side::left ? Order{} : quarter, ComplexBall(most));
+    }
+    return grown + log(Complex(x.frame(), bare[0], bare[1], x.factor()));
+}
+
+/// |Ai(z)| <= |exp(-zeta)|/(2 sqrt(pi Re sqrt z)), zeta = (2/3) z^(3/2), for |arg z| < pi: from Ai(z) = exp(-zeta)/pi times the integral of
+/// exp(-sqrt(z) t^2) cos(t^3/3) over t > 0 (DLMF 9.5.7).
+Complex airy(const Complex& x)
+{
+    const auto side = side_of_growth(x);
+    if (!side) return x.map([](const ComplexBall& v) { return special_function(Op::airy_ai, v); });
+    const Ball c = factor_at(x, *side).real();
+    if (!arb_is_positive(c.get())) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    const ComplexBall root = analytic::sqrt(factor_at(x, *side));
+    const Ball least = root.real() * exp(x.order(*side).logs.ball() * log(least_rho(x, *side)) / Ball(2));
+    if (!arb_is_positive(least.get())) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    const Complex zeta = to_power(x, Exponent(3, 2)) * Complex(Rational(2, 3));
+    return exponential(-zeta) * Complex(disc(Ball(1) / (Ball(2) * sqrt(touchstone::pi<Ball>() * least))));
 }
 
 template <class V>
@@ -162,7 +207,7 @@ EndpointNumber<V> general(Op op, const EndpointNumber<V>& x)
     case Op::asin: return asin(x);
     case Op::sin: return sin(x);
     case Op::cos: return cos(x);
-    case Op::atan: return atan(x);
+    case Op::atan: return has_pole_at_an_end(x) ? arc_tangent_of_pole(x) : atan(x);
     // the powers of the distances are positive on the interval
     case Op::abs: return {x.frame(), x.left(), x.right(), analytic::abs(x.factor())};
     case Op::sign: return {x.frame(), {}, {}, analytic::sgn(x.factor())};
@@ -178,6 +223,8 @@ Complex function_of(Op op, const Complex& x)
 {
     switch (op) {
     case Op::exp: return exponential(x);
+    case Op::log: return logarithm(x);
+    case Op::airy_ai: return airy(x);
     case Op::sin:
     case Op::cos: return trigonometric(op, x);
     case Op::atan: return arc_tangent(x);

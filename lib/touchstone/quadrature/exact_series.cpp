@@ -156,20 +156,43 @@ Coefficients exponential(const Coefficients& a)
     return b;
 }
 
-/// sine and cosine of an angle that is a multiple of pi/2 plus a series without constant term (sign = -1), or their hyperbolic kin at 0 (sign = 1).
+/// sin(n pi/12), if it is one square root.
+std::optional<ExactSum> sine_of_twelfths(long n)
+{
+    n = (n % 24 + 24) % 24;
+    if (n >= 12) {
+        const auto s = sine_of_twelfths(n - 12);
+        return s ? std::optional(-*s) : std::nullopt;
+    }
+    if (n > 6) n = 12 - n;
+    const ExactSum half(Rational(1, 2));
+    switch (n) {
+    case 0: return ExactSum(0);
+    case 2: return half;
+    case 3: return half * *ExactSum(2).sqrt();
+    case 4: return half * *ExactSum(3).sqrt();
+    case 6: return ExactSum(1);
+    default: return std::nullopt;
+    }
+}
+
+/// sine and cosine of an angle that is a multiple of pi/4 or pi/6 plus a series without constant term (sign = -1), or their hyperbolic kin at 0 (sign = 1).
 std::optional<std::pair<Coefficients, Coefficients>> sine_cosine(const Coefficients& a, int sign)
 {
-    long quarter = 0;
+    Coefficients s(a.size()), c(a.size());
     if (sign < 0) {
         const auto turns = a[0].times_pi();
-        if (!turns || Rational(2 * *turns).get_den() != 1) return std::nullopt;
-        const Integer q = Rational(2 * *turns).get_num() % 4;
-        quarter = (q.get_si() + 4) % 4;
+        if (!turns || Rational(12 * *turns).get_den() != 1) return std::nullopt;
+        const long twelfths = Integer(Rational(12 * *turns).get_num() % 24).get_si();
+        const auto sine = sine_of_twelfths(twelfths), cosine = sine_of_twelfths(twelfths + 6);
+        if (!sine || !cosine) return std::nullopt;
+        s[0] = *sine;
+        c[0] = *cosine;
     }
-    else if (!a[0].is_zero()) return std::nullopt;
-    Coefficients s(a.size()), c(a.size());
-    s[0] = quarter % 2 == 0 ? 0 : quarter == 1 ? 1 : -1;
-    c[0] = quarter % 2 == 1 ? 0 : quarter == 0 ? 1 : -1;
+    else {
+        if (!a[0].is_zero()) return std::nullopt;
+        c[0] = 1;
+    }
     for (std::size_t k = 1; k < a.size(); ++k) {
         ExactSum ds, dc;
         for (std::size_t j = 1; j <= k; ++j) {

@@ -177,7 +177,12 @@ private:
             throw DomainError("the formula has more than " + std::to_string(most_branches) + " branches on the interval: integrate it in parts");
         for (long k = static_cast<long>(first); k <= static_cast<long>(last); ++k) add((base + ExactSum(k) * step - (*p)[0]) * *slope);
     }
-    void steps(const Expression& argument) { multiples(argument, ExactSum(0), ExactSum(1)); }
+    void steps(const Expression& argument)
+    {
+        if (argument.op == Op::max || argument.op == Op::min)
+            for (const ExpressionPtr& a : argument.args) steps(*a);
+        else multiples(argument, ExactSum(0), ExactSum(1));
+    }
     void zeros(const Expression& e)
     {
         if (e.op == Op::multiply || e.op == Op::divide) {

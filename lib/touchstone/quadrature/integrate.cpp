@@ -106,6 +106,21 @@ bool names_exponential(const Expression& e)
     return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return names_exponential(*a); });
 }
 
+/// Whether something that abs, sign, max, min, a root or a logarithm is taken of vanishes there, exactly.
+bool changes_branch(const Expression& e, const ExactSum& at)
+{
+    const auto vanishes = [&](const Expression& a) {
+        const auto s = expand(a, at, 1);
+        return s && !s->c.empty() && s->valuation > 0;
+    };
+    const bool is_root = e.op == Op::sqrt || e.op == Op::cbrt || (e.op == Op::power && !depends_on_x(*e.args[1]));
+    if ((e.op == Op::abs || e.op == Op::sign || e.op == Op::log || is_root) && vanishes(*e.args[0])) return true;
+    if (e.op == Op::max || e.op == Op::min)
+        for (std::size_t i = 1; i < e.args.size(); ++i)
+            if (vanishes(*make(Op::add, {e.args[0], make(Op::negate, {e.args[i]})}))) return true;
+    return std::any_of(e.args.begin(), e.args.end(), [&](const ExpressionPtr& a) { return changes_branch(*a, at); });
+}
+
 class Integration {
 public:
     Integration(const ExpressionPtr& e, const IntegralOptions& o) : e_(e), options_(o) {}
@@ -180,6 +195,7 @@ std::optional<ExactSum> Integration::named_point(double x, const Limit& from, co
             const auto right = expand(*e_, p, 1);
             const auto plain = evaluate_at(*e_, p.ball());
             if (!plain.is_finite() || (right && right->valuation < 0)) return p; // the formula itself is singular there
+            if (changes_branch(*e_, p)) return p;
         }
     return std::nullopt;
 }
@@ -222,6 +238,8 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
             }
         }
     }
+    if (a.reason.find(" end ") != std::string::npos) // what can be done about an end
+        a.reason += from.infinite || to.infinite ? " (a tail that oscillates or decays like exp(-x^p), p < 1, is not taken: substitute, or damp it)" : " (if it oscillates or is like exp(-1/x) there, substitute x = 1/t)";
     out.reason = "not proved on [" + from.text + ", " + to.text + "]" + (a.at ? " near x = " + short_number(*a.at) : "") + ": " + a.reason;
     return false;
 }
@@ -230,24 +248,31 @@ Integral Integration::run(const Limit& from, const Limit& to)
 {
     Integral out;
     out.value = Ball::indeterminate();
-    if (from.infinite > 0 || to.infinite < 0) {
-        out.reason = "the lower end must be below the upper one";
-        return out;
+    {
+        const WorkingPrecision precision(256);
+        const bool same = (from.exact && to.exact && *from.exact == *to.exact) || (from.infinite != 0 && from.infinite == to.infinite);
+        const bool reversed = !same && (from.infinite > 0 || to.infinite < 0 || (!from.infinite && !to.infinite && arb_gt(from.ball().get(), to.ball().get())));
+        if (same && !from.infinite) { // nothing to integrate over
+            out.value = Ball(0);
+            out.status = Status::certified;
+            out.digits = options_.digits;
+            return out;
+        }
+        if (reversed) {
+            out = run(to, from);
+            out.value = -out.value;
+            return out;
+        }
     }
     std::vector<Limit> cuts;
     {
         const WorkingPrecision precision(256);
         const auto ordered = [](const Limit& a, const Limit& b) { return a.infinite < 0 || b.infinite > 0 || arb_lt(a.ball().get(), b.ball().get()) != 0; };
-        if (!ordered(from, to)) {
-            out.reason = "the ends " + from.text + " and " + to.text + " are not surely in order: the lower one first";
-            return out;
-        }
+        if (!ordered(from, to))
+            throw DomainError("the ends " + from.text + " and " + to.text + " cannot be told apart");
         cuts = options_.at;
         for (const Limit& c : cuts)
-            if (c.infinite || !ordered(from, c) || !ordered(c, to)) {
-                out.reason = "the break point " + c.text + " is not inside the range";
-                return out;
-            }
+            if (c.infinite || !ordered(from, c) || !ordered(c, to)) throw DomainError("the break point " + c.text + " is not inside the range from " + from.text + " to " + to.text);
         for (const ExactSum& x : branch_points(*e_, from, to)) cuts.push_back(limit_at(x, text_of(x)));
         std::sort(cuts.begin(), cuts.end(), [](const Limit& a, const Limit& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
         const auto same = [&](const Limit& a, const Limit& b) { return !ordered(a, b); };

@@ -537,7 +537,11 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
             std::move(parts.begin(), parts.end(), std::back_inserter(out));
             return true;
         }
-        if (!proved) { reason = std::move(why); return false; }
+        if (!proved) { // the place where the whole stopped says more than where a part did
+            reason = std::move(why);
+            stopped = from.get_d() + (to.get_d() - from.get_d()) * at;
+            return false;
+        }
     }
     if (!proved) {
         reason = described();

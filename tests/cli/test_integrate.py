@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`touchstone integrate` as a stranger uses it: digits, JSON, exit codes, refusals in one line that says where.
+
+usage: test_integrate.py TOUCHSTONE
+"""
+import json
+import subprocess
+import sys
+import unittest
+
+PROGRAM = sys.argv.pop(1)
+# beta(1/2): the integral of x^(-1/2) log(1/x)/(1+x^2) over (0, 1) is 8 times ... : by mpmath, nsum of 4 (-1)^k/(4k+1)^2
+LOG_OVER_ROOT = sum((-1) ** k * 4.0 / (4 * k + 1) ** 2 for k in range(20000))
+
+
+def integrate(*words):
+    return subprocess.run([PROGRAM, "integrate", *words], capture_output=True, text=True, timeout=60)
+
+
+def as_json(*words):
+    answer = integrate(*words, "--json")
+    return answer.returncode, json.loads(answer.stdout)
+
+
+class Integrate(unittest.TestCase):
+    def refused(self, code, *words):
+        answer = integrate(*words)
+        self.assertEqual(answer.returncode, code, answer.stdout + answer.stderr)
+        self.assertEqual(answer.stdout, "")
+        self.assertEqual(answer.stderr.count("\n"), 1, answer.stderr)
+        return answer.stderr
+
+    def test_the_integral_of_the_documentation(self):
+        code, j = as_json("x^(-1/2)*log(1/x)/(1+x^2)", "0", "1", "--digits", "50")
+        self.assertEqual((code, j["status"], j["digits"], len(j["value"].replace(".", ""))), (0, "certified", 50, 50))
+        self.assertAlmostEqual(float(j["value"]), LOG_OVER_ROOT, 8)
+        self.assertEqual(float.fromhex(j["binary64"]), float(j["value"]))
+        self.assertEqual(j["parts"][0]["rule"], "tanh-sinh")
+        self.assertIn("discretisation", j["parts"][0]["certificate"])
+
+    def test_digits_are_the_same_at_every_precision(self):
+        values = [as_json("acos(x)", "-1", "1", "--digits", str(d))[1]["value"] for d in (10, 40, 90)]
+        self.assertTrue(all(abs(float(v) - 3.141592653589793) < 1e-9 for v in values), values)
+        self.assertEqual(values[2][:35], "3.141592653589793238462643383279502")
+
+    def test_ends(self):
+        for words, value in ((("exp(-x^2)", "-inf", "inf"), 1.7724538509055160), (("sin(x)", "0", "pi/2"), 1.0), (("1/x", "1", "e"), 1.0), (("x", "1", "0"), -0.5), (("x", "1/3", "1/3"), 0.0),
+                             (("-x", "-1", "-1/2"), 0.375), (("1/sqrt(2-x^2)", "0", "sqrt(2)"), 1.5707963267948966)):
+            code, j = as_json(*words)
+            self.assertEqual((code, j["status"]), (0, "certified"), words)
+            self.assertAlmostEqual(float(j["value"]), value, 14, words)
+
+    def test_break_points_lose_no_digits(self):
+        code, j = as_json("exp(x)*abs(x-1/3)", "0", "1", "--at", "1/3,1/2", "--digits", "100")
+        self.assertEqual((code, j["status"], j["digits"], len(j["parts"])), (0, "certified", 100, 3))
+
+    def test_zero_needs_an_absolute_error(self):
+        code, j = as_json("sin(x)", "-1", "1")
+        self.assertEqual((code, j["status"], j["value"], j["digits"]), (2, "undecided", None, 0))
+        self.assertIn("--tolerance", j["reason"])
+        self.assertEqual(as_json("sin(x)", "-1", "1", "--tolerance", "1e-20")[1]["status"], "certified")
+
+    def test_what_is_no_formula_is_refused_with_its_column(self):
+        for text, where in (("x*(1+", "column 6"), ("2x", "column 2"), ("foo(x)", "column 1"), ("x+y", "column 3"), ("sin x", "column 1"), ("", "column 1"), ("max(x)", "column 1"), ("besselj(x,1)", "column 1")):
+            self.assertIn(where, self.refused(65, text, "0", "1"), text)
+
+    def test_what_diverges_is_refused_with_its_place(self):
+        for text, ends, place in (("1/(x-1/3)", ("0", "1"), "x = 1/3"), ("1/x", ("0", "1"), "x = 0"), ("x^-1.5", ("0", "1"), "x = 0"), ("tan(x)", ("0", "2"), "pi"), ("1/(1-x)", ("0", "1"), "x = 1")):
+            message = self.refused(65, text, *ends)
+            self.assertIn("diverges", message)
+            self.assertIn(place, message)
+
+    def test_what_is_not_proved_is_undecided_with_its_place(self):
+        self.assertIn("0.707", self.refused(2, "1/(x^2-1/2)", "0", "1"))
+        self.assertIn("inf", self.refused(2, "exp(x)", "0", "inf"))
+        self.assertIn("inf", self.refused(2, "sin(x)/x", "0", "inf"))
+        self.refused(2, "1/(x*log(x))", "0", "1/2")
+
+    def test_options_out_of_domain(self):
+        self.refused(65, "x", "0", "1", "--digits", "0")
+        self.refused(65, "x", "0", "y")
+        self.refused(65, "x", "0", "1", "--at", "2")
+        self.refused(65, "x", "0", "1", "--tolerance", "-1")
+        self.refused(65, "x", "0", "log(-1)")
+        self.refused(64, "x", "0")
+
+
+if __name__ == "__main__":
+    unittest.main()

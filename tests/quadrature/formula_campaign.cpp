@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Random formulas with integrals known in closed form: no enclosure may miss its value. TOUCHSTONE_COUNT=n sets how many (default 10000),
+// TOUCHSTONE_SEED=n which. ctest -R formula_campaign -V
+#include "touchstone/quadrature/integrate.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <string>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+struct Case {
+    std::string family, formula, from, to, value;
+};
+
+class Draw {
+public:
+    explicit Draw(unsigned long seed) : random_(seed) {}
+    long between(long low, long high) { return low + static_cast<long>(random_() % static_cast<unsigned long>(high - low + 1)); }
+    static std::string text(const Rational& r) { return "(" + r.get_str() + ")"; }
+    static Rational quotient(long n, long d) { Rational r(n, d); r.canonicalize(); return r; }
+    /// Above -1, often near it.
+    Rational exponent() { return between(0, 2) ? quotient(between(-95, 300), 100) : -1 + quotient(1, between(20, 5000)); }
+    Rational positive() { return quotient(between(1, 400), between(20, 100)); }
+    /// 10^-6 to 10
+    Rational distance() { return between(1, 99) * power(Rational(10), between(-7, -1)); }
+    Rational fraction() { return quotient(between(1, 999), 1000); }
+    Case next();
+
+private:
+    Case at_the_ends(long family);
+    Case beside(long family);
+    Case infinite(long family);
+    std::mt19937_64 random_;
+};
+
+Case Draw::at_the_ends(long family)
+{
+    const Rational p = exponent(), q = exponent(), c = fraction();
+    const std::string P = text(p), Q = text(q), C = text(c), P1 = text(Rational(p + 1)), Q1 = text(Rational(q + 1));
+    switch (family) {
+    case 0: return {"beta", "x^" + P + "*(1-x)^" + Q, "0", "1", "gamma" + P1 + "*gamma" + Q1 + "*rgamma" + text(Rational(p + q + 2))};
+    case 1: {
+        const long k = between(1, 3);
+        return {"power and logarithm", "x^" + P + "*log(1/x)^" + std::to_string(k), "0", "1", "gamma(" + std::to_string(k + 1) + ")/" + P1 + "^" + std::to_string(k + 1)};
+    }
+    case 2: return {"kink", "abs(x-" + C + ")^" + P, "0", "1", "(" + C + "^" + P1 + "+" + text(Rational(1 - c)) + "^" + P1 + ")/" + P1};
+    case 3: return {"sine", "sin(pi*x)^" + P, "0", "1", "gamma" + text(Rational((p + 1) / 2)) + "/(sqrt(pi)*gamma" + text(Rational(p / 2 + 1)) + ")"};
+    case 4: {
+        const Rational t = quotient(between(-98, 98), 100);
+        return {"tangent", "tan(x)^" + text(t), "0", "pi/2", "pi/(2*cos(pi*" + text(Rational(t / 2)) + "))"};
+    }
+    case 5: return {"circle", "(1-x^2)^" + P, "-1", "1", "sqrt(pi)*gamma" + P1 + "/gamma" + text(Rational(p + Rational(3, 2)))};
+    default: return {"logarithm", "log(1/x)^" + P, "0", "1", "gamma" + P1};
+    }
+}
+
+Case Draw::beside(long family)
+{
+    const Rational d = distance(), m = fraction(), a = positive();
+    const std::string D = text(d), M = text(m), A = text(a);
+    switch (family) {
+    case 0: return {"poles beside", "1/((x-" + M + ")^2+" + D + "^2)", "0", "1", "(atan(" + M + "/" + D + ")+atan(" + text(Rational(1 - m)) + "/" + D + "))/" + D};
+    case 1: return {"essential singularity beside", "exp(-1/(x+" + D + "))/(x+" + D + ")^2", "0", "1", "exp(-1/(1+" + D + "))-exp(-1/" + D + ")"};
+    case 2: {
+        const std::string W = std::to_string(between(1, 3000));
+        return {"oscillation", "cos(" + W + "*x)", "0", "1", "sin(" + W + ")/" + W};
+    }
+    case 3: return {"composition", A + "*exp(" + A + "*x)*cos(exp(" + A + "*x))", "0", "1", "sin(exp(" + A + "))-sin(1)"};
+    case 4: {
+        const long k = between(2, 12);
+        return {"steps", "floor(" + std::to_string(k) + "*x)", "0", "1", text(quotient(k - 1, 2))};
+    }
+    case 5: return {"logarithm beside", "log(x+" + D + ")", "0", "1", "(1+" + D + ")*log(1+" + D + ")-" + D + "*log(" + D + ")-1"};
+    default: return {"branch point beside", "sqrt(x+" + D + ")", "0", "1", "2/3*((1+" + D + ")^(3/2)-" + D + "^(3/2))"};
+    }
+}
+
+Case Draw::infinite(long family)
+{
+    const Rational s = exponent(), a = positive(), b = positive();
+    const std::string S = text(s), S1 = text(Rational(s + 1)), A = text(a), B = text(b);
+    switch (family) {
+    case 0: return {"gamma", "x^" + S + "*exp(-" + A + "*x)", "0", "inf", "gamma" + S1 + "/" + A + "^" + S1};
+    case 1: return {"damped cosine", "exp(-" + A + "*x)*cos(" + B + "*x)", "0", "inf", A + "/(" + A + "^2+" + B + "^2)"};
+    case 2: {
+        const std::string C = text(Rational(quotient(between(-30, 30), 10)));
+        return {"gaussian", "exp(-" + A + "*x^2+" + C + "*x)", "-inf", "inf", "sqrt(pi/" + A + ")*exp(" + C + "^2/(4*" + A + "))"};
+    }
+    case 3: return {"removable zero", "(1-exp(-" + A + "*x))/x*exp(-" + B + "*x)", "0", "inf", "log((" + A + "+" + B + ")/" + B + ")"};
+    case 4: return {"algebraic tail", "x^" + S + "/(1+x)^" + text(Rational(s + 1 + b)), "0", "inf", "gamma" + S1 + "*gamma" + B + "/gamma" + text(Rational(s + 1 + b))};
+    case 5: return {"sech", "sech(" + A + "*x)", "-inf", "inf", "pi/" + A};
+    default: return {"lorentzian", "1/(x^2+" + A + "^2)", "-inf", "inf", "pi/" + A};
+    }
+}
+
+Case Draw::next()
+{
+    const long kind = between(0, 2), family = between(0, 6);
+    return kind == 0 ? at_the_ends(family) : kind == 1 ? beside(family) : infinite(family);
+}
+
+} // namespace
+
+TEST_CASE("random formulas: no enclosure misses the closed form")
+{
+    const char* given = std::getenv("TOUCHSTONE_SEED");
+    const char* asked = std::getenv("TOUCHSTONE_COUNT");
+    const unsigned long seed = given ? std::strtoul(given, nullptr, 10) : 20261122;
+    const long count = asked ? std::strtol(asked, nullptr, 10) : 10000;
+    MESSAGE("seed " << seed << ", " << count << " integrals");
+    Draw draw(seed);
+    std::map<std::string, std::pair<long, long>> families; // certified, not
+    for (long i = 0; i < count; ++i) {
+        const Case c = draw.next();
+        CAPTURE(seed);
+        CAPTURE(i);
+        CAPTURE(c.formula);
+        IntegralOptions options;
+        options.digits = draw.between(0, 9) ? draw.between(3, 40) : draw.between(41, 100);
+        CAPTURE(options.digits);
+        const Integral result = integrate(parse_expression(c.formula), parse_limit(c.from), parse_limit(c.to), options);
+        auto& [certified, refused] = families[c.family];
+        (result.status == Status::certified ? certified : refused) += 1;
+        if (!result.value.is_finite()) {
+            MESSAGE(result.reason);
+            continue;
+        }
+        const WorkingPrecision precision(bits_for_digits(options.digits) + 400);
+        const Ball exact = parse_limit(c.value).ball();
+        REQUIRE(exact.is_finite());
+        REQUIRE_MESSAGE(result.value.overlaps(exact), result.value.to_string(20), " is not ", exact.to_string(20));
+        if (result.status == Status::certified) REQUIRE(result.value.relative_bits() >= static_cast<slong>(3.32 * static_cast<double>(options.digits)));
+    }
+    long all = 0, missing = 0;
+    for (const auto& [name, n] : families) {
+        std::printf("%-30s %6ld certified %5ld refused\n", name.c_str(), n.first, n.second);
+        all += n.first + n.second;
+        missing += n.second;
+    }
+    CHECK(missing * 20 <= all);
+}
