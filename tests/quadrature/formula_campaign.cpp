@@ -24,7 +24,7 @@ class Draw {
 public:
     explicit Draw(unsigned long seed) : random_(seed) {}
     long between(long low, long high) { return low + static_cast<long>(random_() % static_cast<unsigned long>(high - low + 1)); }
-    static std::string text(const Rational& r) { return "(" + r.get_str() + ")"; }
+    static std::string text(const Rational& r) { return std::string("(").append(r.get_str()).append(")"); }
     static Rational quotient(long n, long d) { Rational r(n, d); r.canonicalize(); return r; }
     /// Above -1, often near it.
     Rational exponent() { return between(0, 2) ? quotient(between(-95, 300), 100) : -1 + quotient(1, between(20, 5000)); }
