@@ -35,7 +35,7 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, long digits)
         const Integrand* f;
         long evaluations = 0;
     } call{&f};
-    const slong bits = bits_for_digits(digits) + 10;
+    const slong bits = bits_for_digits(digits);
     const WorkingPrecision precision(bits);
     const auto evaluate = [](acb_ptr out, const acb_t z, void* data, slong, slong working) -> int {
         auto& c = *static_cast<Call*>(data);
@@ -281,7 +281,7 @@ Integral Integration::run(const Limit& from, const Limit& to)
         cuts.push_back(to);
     }
     const double wanted = static_cast<double>(options_.digits) * bits_per_digit + 1;
-    long digits = options_.digits + 2;
+    long digits = options_.digits;
     for (int round = 0; round < 4; ++round) {
         out.parts.clear();
         bool all = true;

@@ -207,6 +207,7 @@ End StripProof::end(Side side, double d)
 {
     End e;
     for (const double depth : {4.0, 10.0, 24.0, 60.0}) {
+        e.proved = false;
         e.edge = edge(depth, d);
         const StripPiece piece = StripPiece::at(side, e.edge, std::numeric_limits<double>::infinity(), 0, d);
         const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
@@ -223,7 +224,7 @@ End StripProof::end(Side side, double d)
         }
         if (!e.bound.is_finite()) continue;
         e.proved = true;
-        break;
+        if (Exponent(0) < e.here) break; // else farther out the exponent may be better: where a growing factor bounds it
     }
     return e;
 }
@@ -350,7 +351,8 @@ bool StripProof::run(Panel& panel, double bits)
         }
     };
     descend(1, 1.0 / 64, 150 + static_cast<long>(nodes_cost / 4));
-    if (proved.empty() && failure_u >= 0) descend(0.125, 1e-4, total);
+    // lower: a singularity may be close; or a factor such as cos x, which grows with the height of the strip, needs a low one
+    if (proved.empty()) descend(failure_u >= 0 ? 0.125 : 1.0 / 128, failure_u >= 0 ? 1e-4 : 1e-3, total);
     if (proved.empty()) return false;
     while (proved.size() < 6) {
         const double d0 = proved.back().d, d = (d0 + failed) / 2;
