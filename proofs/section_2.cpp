@@ -271,7 +271,7 @@ Finding nothing_above_peak(const Print& p)
     return Argument("normal form; positive coefficients")
         .add("dimensions", units(p))
         .add("the square of the peak less that of (2.4) is 4 p*^2 s^2 (1 + S - s^2), s = sin(pi x/lambda), S = pbar/p*", identity(pow(peak, 2) - pow(pressure_partial(), 2), 4 * pow(pstar(), 2) * s * s * (1 + load() - s * s), partial_points, ring))
-        .add("which is not negative as s^2 = 1/(1 + u) <= 1: no point has a pressure above the peak", positive((1 + load() - s * s).subs(s == 1 / sqrt(1 + u)), Points{"u=1 pbar=1 pstar=2"}))
+        .add("which is not negative as s^2 = 1/(1 + u) <= 1: no point has a pressure above the peak", identity((1 + load() - s * s).subs(s == 1 / sqrt(1 + u)), load() + u / (1 + u), Points{"u=1 pbar=1 pstar=2"}))
         .add("the condition says: above the peak", condition_says(p, "condition", sym("p"), ">", peak, partial_points))
         .add("a share of no points is 0, and so is its derivative", identity(p("rhs"), 0, Points{"p=1"}))
         .conclude();

@@ -62,7 +62,8 @@ Finding no_partial_above(const Print& p)
     return Argument("normal form; positive coefficients")
         .add("dimensions", units(p))
         .add("the highest pressure in partial contact, 2 sqrt(p*_n p_{n-1}), is below 2 p*_n: the difference of the squares is 4 p*_n u at p*_n = p_{n-1} + u",
-             positive((pow(2 * sym("pstar_n"), 2) - pow(highest, 2)).subs(sym("pstar_n") == sym("p_nm1") + sym("u")), Points{"p_nm1=1 u=1"}))
+             identity((pow(2 * sym("pstar_n"), 2) - pow(highest, 2)).subs(sym("pstar_n") == sym("p_nm1") + sym("u")), 4 * (sym("p_nm1") + sym("u")) * sym("u"),
+                      Points{"p_nm1=1 u=1"}))
         .add("the condition says: above 2 p*_n", condition_says(p, "condition", sym("p_n"), ">", 2 * sym("pstar_n"), any))
         .add("so the conditional density (2.20) is 0 throughout the range of I_1, and there is nothing to sum", identity(p("rhs"), prints().at("2.20")("rhs"), any))
         .conclude();

@@ -94,7 +94,7 @@ Finding figure_1(const Print& p)
 Finding figure_2(const Print&)
 {
     return Argument("ranges of the load ratio")
-        .add("a wave in full contact with load ratio x reaches (x + 1)/G >= 2/G > 1 at the next scale: (2A) exists for G < 2", positive((2 / G() - 1).subs(G() == 2 / (1 + 1 / (1 + sym("u")))), Points{"u=1"}))
+        .add("a wave in full contact with load ratio x reaches (x + 1)/G >= 2/G > 1 at the next scale: (2A) exists for G < 2", identity((2 / G() - 1).subs(G() == 2 / (1 + 1 / (1 + sym("u")))), 1 / (1 + sym("u")), Points{"u=1"}))
         .note("it reaches down to (x - 1)/G, below 1 exactly for x < 1 + G: (2B) exists next to the edge of the region, where x is near 1")
         .note("a separated contact with load ratio x has peak 2 sqrt(x)/G at the next scale, above 1 for x > G^2/4: for G < 2 some of (2B) evolve into full contact again, which the figure does not show")
         .conclude("a schematic; right except that (2B) with load ratio above G^2/4 feed full contact too, which is why its share does not vanish (text.full-contact-vanishes)", Verdict::qualitative);
