@@ -3,6 +3,7 @@
 #include "touchstone/catalogue/formula.hpp"
 #include "touchstone/limit/area_constant.hpp"
 #include "touchstone/limit/area_series.hpp"
+#include "touchstone/limit/poisson.hpp"
 #include "touchstone/limit/scale.hpp"
 #include "touchstone/paper/archard_constants.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 
 using transfer::Scheme;
 
+const Rational lowest_G(102, 100);               ///< ratios up to 1/(G - 1) are met: the mesh grows with that
 const Rational nearest_G(2'000'001, 1'000'000); ///< above 2, where the grids of transfer::area would grow without end
 const Rational large_G(5000);                    ///< where few terms of the series carry 30 digits
 const char* const shared = "the rate of approach; grid, form, rule and arithmetic are others";
@@ -71,18 +73,41 @@ Plan by_series(Asked asked, const Inputs& in)
     return result;
 }
 
+/// Where full contact occurs in the limit.
+Plan by_poisson(Asked asked, const Inputs& in)
+{
+    Plan result;
+    result.most_digits = limit::most_digits_by_poisson;
+    result.refusal = "the residual of Poisson's equation is proven in 106 bits";
+    result.dear = true;
+    result.proofs.push_back({"poisson", [=](Accuracy a) {
+                                 const Ball C = limit::area_constant_by_poisson(G_of(in), a);
+                                 const WorkingPrecision bits(working_bits(a) + 64);
+                                 return asked == Asked::constant ? C : C / by_the_paper(in);
+                             }});
+    result.own_witness = Look{"areas-extrapolated", [=](Accuracy) {
+                                  const WorkingPrecision bits(256);
+                                  const Witness C = limit::area_constant_extrapolated(in.G_ball());
+                                  return asked == Asked::constant ? C : Witness{C.value / by_the_paper(in), C.error / by_the_paper(in)};
+                              }};
+    result.shares = "the wave (2.2), (2.4) and nothing else: grid, interpolation, quadrature and arithmetic are others; its error is an estimate";
+    return result;
+}
+
 Plan plan(Asked asked, const Inputs& in)
 {
     if (in.compare_G(large_G) >= 0) return by_series(asked, in);
     if (in.compare_G(nearest_G) >= 0) return by_approach(asked, in);
+    if (in.compare_G(lowest_G) >= 0) return by_poisson(asked, in);
     Plan result;
-    result.refusal = "the constant of the limit is certified for G = gamma^(D-1) >= 2.000001 only";
+    result.refusal = "the constant of the limit is certified for G = gamma^(D-1) >= 1.02 only";
     return result;
 }
 
 std::string explain(const Inputs& in, long digits)
 {
-    if (in.compare_G(nearest_G) < 0) return {};
+    if (in.compare_G(lowest_G) < 0) return {};
+    if (in.compare_G(nearest_G) < 0) return limit::area_constant_by_poisson_certificate(G_of(in), {digits});
     if (in.compare_G(large_G) >= 0) return "C(G)/(K_inf G) = sum R_N (4/G^2)^N, |R_N| <= 2 (docs/limit.md, theorem 3)\n";
     return limit::area_constant_certificate(Scheme::force_weighted, G_of(in), {digits});
 }
@@ -93,7 +118,8 @@ Quantity of_limit(Quantity q, Asked asked)
     q.plan = [asked](const Inputs& in, Accuracy) { return plan(asked, in); };
     q.explain = explain;
     q.costly = true;
-    q.certified = {{"2.000001 <= G < 5000", "what 4000 nodes carry", "approach-force-weighted", "proof approach-area", shared},
+    q.certified = {{"1.02 <= G < 2.000001", fmt::format("{}", limit::most_digits_by_poisson), "poisson", "witness areas-extrapolated", "the wave, nothing else"},
+                   {"2.000001 <= G < 5000", "what 4000 nodes carry", "approach-force-weighted", "proof approach-area", shared},
                    {"G >= 5000", "what 8 terms carry, 56 and more", "moments-series", "witness first-order", "the recursion of moments"}};
     return q;
 }
@@ -144,7 +170,7 @@ void add_limit(std::vector<Quantity>& all)
     all.push_back(of_limit({.name = "limit.area_constant",
                             .equation = "7.21",
                             .unit = "1",
-                            .domain = "G > 1; certified for G >= 2.000001",
+                            .domain = "G > 1; certified for G >= 1.02",
                             .inputs = {"G"},
                             .description = "C(G) = lim A_n G^n/(lambda0 load) of the recursion (6.7), for any load; (7.21) takes K_inf G for it",
                             .check = {},
@@ -155,7 +181,7 @@ void add_limit(std::vector<Quantity>& all)
     all.push_back(of_limit({.name = "limit.area_ratio",
                             .equation = "7.21",
                             .unit = "1",
-                            .domain = "G > 1; certified for G >= 2.000001",
+                            .domain = "G > 1; certified for G >= 1.02",
                             .inputs = {"G"},
                             .description = "C(G)/(K_inf G): by what (7.21) and (8.3) are to be multiplied at large n",
                             .check = {},

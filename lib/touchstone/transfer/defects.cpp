@@ -342,9 +342,9 @@ double Defects::effect(int m, double reach) const
     return margin * (best + below * largest_share(double(V.G), y));
 }
 
-double Defects::second_effect(double reach) const
+double Defects::second_effect(int m, double reach) const
 {
-    return margin * least_sum(parts(0, reach), [&](const Part& p) { return largest_second_share(margin * double(V.G), p.width); });
+    return margin * least_sum(parts(m, reach), [&](const Part& p) { return largest_second_share(margin * double(V.G), p.width); });
 }
 
 /// At least mu_x([y0, y1]) for low <= x <= high, on one side of 1.

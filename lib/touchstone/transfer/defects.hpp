@@ -60,8 +60,8 @@ public:
 
     /// Bounds T D_m on all x from which no ratio above `reach` is met.
     double effect(int m, double reach) const;
-    /// Bounds T^2 D_0, where no ratio above `reach` is met.
-    double second_effect(double reach) const;
+    /// Bounds T^2 D_m, where no ratio above `reach` is met and none below the first panel matters.
+    double second_effect(int m, double reach) const;
     /// Bounds T D_0 at the x between low and high.
     double effect_at(const Real& low, const Real& high) const;
     /// Bounds what T V_m changes by between x (1 - 4 u) and x (1 + 4 u).

@@ -119,7 +119,7 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
             if (share || m > 0) effect = s.D.effect(m, reach[scale - m]);
             else if (scale == 1) effect = exact ? s.D.effect_at(x, x) : s.D.effect_at(low, high);
             else {
-                effect = s.D.second_effect(reach[scale]);
+                effect = s.D.second_effect(0, reach[scale]);
                 weight = at_most[scale - 2];
             }
             lost += margin * effect * weight;
