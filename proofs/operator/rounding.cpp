@@ -111,6 +111,56 @@ Finding positions(const Constants& k)
     return Argument("the code's formulas in an arithmetic that counts").add("z is known within constant u z in every variable used", all.result()).conclude("what rounding moves a place in a panel by");
 }
 
+/// c where rounding puts an edge: its distance from the nearer end of the kernel, then the sine or cosine of theta/2 that integration ends at.
+Finding edges(const Constants& k)
+{
+    const WorkingPrecision wide(256);
+    Worst all;
+    const auto judge = [&](const Counted& distance, const Ball& x, const std::string& where) {
+        const Counted t = sqrt(distance / Counted(2)); // 1 -+ c = 2 t^2
+        all.below(4 * t.value * t.error / 2, k.ball(0) * (1 + x), where);
+    };
+    const Counted one(1);
+    for (const Rational& ratio : {Rational(1), Rational(1001, 1000), Rational(3, 2), Rational(37), Rational(400)})
+        for (const long p : powers)
+            for (const bool upper : {true, false}) {
+                const Ball gap = ScalarTraits<Ball>::power_of_two(-p), x(ratio), G(Rational(5, 4)), y = (x + (upper ? 1 - gap : gap - 1)) / G;
+                if (!certainly(less(Ball(0), y))) continue;
+                const Counted X = exact(x), place = known_to_u(G) * sqrt(exact(y * y));
+                judge(upper ? one + X - place : place - X + one, x, fmt::format("x = {}, 2^-{} from an end", ratio.get_str(), p));
+            }
+    for (const Rational& ratio : {Rational(1, 1'000'000), Rational(1, 10), Rational(1, 2), Rational(2, 3), Rational(999, 1000)})
+        for (const long p : powers) {
+            const Ball gap = 2 * Ball(ratio) * ScalarTraits<Ball>::power_of_two(-p - 1), x(ratio), c = 1 - gap, G(3);
+            const Ball z = (1 + c) * (2 * x - 1 + c) / (G * G);
+            const Counted X = exact(x), g = known_to_u(G), G2z = g * g * exact(z), rest = one - X, R = wave::radius<Counted>(rest, G2z);
+            const std::string where = fmt::format("x = {}, {} 2^-{} from the upper end", ratio.get_str(), ratio.get_str(), p);
+            judge(wave::one_minus_c_partial<Counted>(X, R, G2z), x, where);
+            judge(wave::one_plus_c_partial<Counted>(rest, R), x, where);
+        }
+    return Argument("the code's formulas in an arithmetic that counts").add("an edge moves by less than constant u (1 + x) in c, the rounding of G included", all.result()).conclude("what rounding moves an edge by");
+}
+
+/// T_(k+1) = 2 t T_k - T_(k-1): what a step is off by reaches T_k through U of what is left of the way.
+Finding recurrence(const Constants& k)
+{
+    const WorkingPrecision wide(128);
+    constexpr int highest = 60;
+    Worst all;
+    for (long i = 0; i <= 64; ++i) {
+        const Ball t(Rational(i, 64));
+        std::vector<Ball> T{Ball(1), t}, U{Ball(1), 2 * t};
+        for (int n = 2; n <= highest; ++n) {
+            T.push_back(2 * t * T.back() - T[T.size() - 2]);
+            U.push_back(2 * t * U.back() - U[U.size() - 2]);
+            Ball lost(0); // in halves of u: a product, a difference
+            for (std::size_t j = 1; j < static_cast<std::size_t>(n); ++j) lost += (abs(2 * t * T[j]) + abs(T[j + 1])) * abs(U[static_cast<std::size_t>(n) - 1 - j]);
+            all.below(lost / 2, k.ball(0) * n * n, fmt::format("T_{} at {}/64", n, i));
+        }
+    }
+    return Argument("every step's rounding times what the recurrence makes of it").add("T_k is off by less than constant k^2 u, k <= 60", all.result()).conclude("polynomials by their recurrence");
+}
+
 Finding sums(const Constants& k)
 {
     const Rational n(k.number(0));
@@ -146,6 +196,8 @@ std::vector<OwnClaim> rounding_claims()
     return {
         {"rounding.kernel", "dtheta/dz loses less than {0} u for each unit of cancellation", "transfer/layer.cpp, wave_kernel.cpp", {{"constant", 48}}, kernel, {{0, 1}}},
         {"rounding.positions", "z = y^2 is known within {0} u z, the rounding of G included", "transfer/layer.cpp, proven_levels.cpp", {{"constant", 40}}, positions, {{0, 3}}},
+        {"rounding.edges", "an edge between two pieces moves by at most {0} u (1 + x) in c", "transfer/layer.cpp", {{"constant", 16}}, edges, {{0, 2}}},
+        {"rounding.recurrence", "T_k by its recurrence is off by at most {0} k^2 u", "transfer/layer.cpp", {{"constant", 2}}, recurrence, {{0, 0.5}}},
         {"rounding.sums", "a sum of up to {0} products is off by at most 2 n u", "transfer/wave_kernel.cpp", {{"n", 117}}, sums, {{0, 118}}},
         {"rounding.quotient_of_discs", "the centre of 1/b is {0} conj(c)/(|c|^2 - r^2)", "transfer/disc.hpp", {{"factor", 1}}, quotient_of_discs, {{0, 0.99}}},
         {"rounding.two_waves", "an integral of two_waves.cpp is off by at most {0} u of itself", "transfer/two_waves.cpp", {{"constant", 2000}}, two_waves, {{0, 1800}}},

@@ -117,6 +117,26 @@ TEST_CASE("fewer digits than asked for are no success: how many there are is sai
     const Rational thousandth(1, 1000);
     const auto wild = [thousandth](auto x, auto, auto) { return sin(to_power(thousandth + (1 - x) * (1 - x), Rational(-3, 2))); };
     CHECK(mentions(check_refused(wild, Interval::finite(0, 3)), "bits"));
+    // 1000!, a peak 10^2567 high: the digits asked for, or how many there are, or none and why
+    const auto peak = [](const auto& f, long digits) {
+        Options options;
+        options.digits = digits;
+        const Enclosure e = tanh_sinh(f, Interval::right_half_line(0, Decay::exponential), options);
+        INFO(to_string(e.status), " ", e.reason, " ", e.value.to_string());
+        const WorkingPrecision precision(400);
+        if (e.value.is_finite()) CHECK(e.value.overlaps(ScalarTraits<Ball>::gamma(Ball(1001))));
+        if (e.status == Status::certified) {
+            CHECK(e.digits == digits);
+            CHECK(e.value.relative_bits() > bits_for_digits(digits) - 4);
+        }
+        else CHECK_FALSE(e.reason.empty());
+        if (e.status == Status::undecided) CHECK(mentions(e, "digit"));
+    };
+    for (const long digits : {10L, 30L}) {
+        peak([](auto, auto l, auto) { return to_power(l, Rational(1000)) * exp(-l); }, digits);
+        peak([](auto x, auto l, auto) { return to_power(l, Rational(1000)) * exp(-x); }, digits);
+    }
+    peak([](auto x, auto, auto) { return to_power(x, Rational(1000)) * exp(-x); }, 10);
     // 10^-200 beside a sum that cancels: none of its digits, but where it is
     const Rational small = 1 / power(Rational(10), 200);
     CHECK(cases([small](auto x, auto, auto) { return sin(x) + small; }, Interval::finite(-1, 1), 10, 0).value.contains(2 * small));
