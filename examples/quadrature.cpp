@@ -26,5 +26,8 @@ int main()
     const Integral pole = integrate(parse_expression("1/(x-1/3)"), parse_limit("0"), parse_limit("1"));
     std::cout << to_string(pole.status) << ": " << pole.reason << "\n";
 
-    return typed.status == Status::certified && compiled.status == Status::certified && typed.value.overlaps(compiled.value) && pole.divergent ? 0 : 1;
+    return typed.status == Status::certified && compiled.status == Status::certified && typed.value.overlaps(compiled.value) &&
+                   pole.divergent
+               ? 0
+               : 1;
 }

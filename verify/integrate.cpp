@@ -37,9 +37,11 @@ Shown shown_within(const Ball& value, const Rational& tolerance, const std::stri
 {
     const Ball size = abs(value);
     if (value.contains_zero()) return arb_le(size.get(), Ball(tolerance).get()) ? Shown{"0", text, 0} : Shown{};
-    const long most = static_cast<long>(static_cast<double>(std::max<slong>(0, std::min<slong>(value.relative_bits(), 40000))) * 0.30103) + 1;
+    const long most =
+        static_cast<long>(static_cast<double>(std::max<slong>(0, std::min<slong>(value.relative_bits(), 40000))) * 0.30103) + 1;
     for (long d = 1; d <= most; ++d)
-        if (const auto decimal = round_to_digits(value, d); decimal && *parse_rational(decimal->half_unit()) <= tolerance) return {decimal->text(), decimal->half_unit(), d};
+        if (const auto decimal = round_to_digits(value, d); decimal && *parse_rational(decimal->half_unit()) <= tolerance)
+            return {decimal->text(), decimal->half_unit(), d};
     return {};
 }
 
@@ -49,7 +51,8 @@ quadrature::Limit limit_of(const std::string& text, const char* what)
         return quadrature::parse_limit(text);
     }
     catch (const quadrature::ExpressionError& e) {
-        throw Failure(bad_input, fmt::format("{} '{:.60}': {} (an end is a number such as 0, 1/3, pi/2, log(2), inf, -inf)", what, text, e.what()));
+        throw Failure(bad_input,
+                      fmt::format("{} '{:.60}': {} (an end is a number such as 0, 1/3, pi/2, log(2), inf, -inf)", what, text, e.what()));
     }
 }
 
@@ -66,7 +69,8 @@ std::vector<quadrature::Limit> points_of(const std::string& text)
 
 nlohmann::ordered_json as_json(const quadrature::Part& p)
 {
-    nlohmann::ordered_json j{{"from", p.from}, {"to", p.to}, {"rule", p.rule}, {"evaluations", p.evaluations}, {"enclosure", p.value.to_string(40)}};
+    nlohmann::ordered_json j{
+        {"from", p.from}, {"to", p.to}, {"rule", p.rule}, {"evaluations", p.evaluations}, {"enclosure", p.value.to_string(40)}};
     if (p.rule == "tanh-sinh") j["certificate"] = nlohmann::ordered_json::parse(p.certificate.to_json());
     return j;
 }
@@ -79,13 +83,16 @@ void explain(const quadrature::Part& p)
         return;
     }
     for (const auto& panel : p.certificate.panels)
-        fmt::print("    fractions {} to {}: |f dx/du| <= K u^({}-1) (1-u)^({}-1), strip |Im t| <= {:.4g}, {} pieces, step log(2)/{}, {} points\n", panel.from.get_str(), panel.to.get_str(),
-                   panel.alpha.to_string(), panel.beta.to_string(), panel.strip, panel.pieces, panel.m, panel.left_nodes + panel.right_nodes + 1);
-    fmt::print("    |discretisation| <= {}, |truncation| <= {}, |rounding| <= {}\n", p.certificate.discretisation().to_string(3), p.certificate.truncation().to_string(3),
-               p.certificate.rounding().to_string(3));
+        fmt::print(
+            "    fractions {} to {}: |f dx/du| <= K u^({}-1) (1-u)^({}-1), strip |Im t| <= {:.4g}, {} pieces, step log(2)/{}, {} points\n",
+            panel.from.get_str(), panel.to.get_str(), panel.alpha.to_string(), panel.beta.to_string(), panel.strip, panel.pieces, panel.m,
+            panel.left_nodes + panel.right_nodes + 1);
+    fmt::print("    |discretisation| <= {}, |truncation| <= {}, |rounding| <= {}\n", p.certificate.discretisation().to_string(3),
+               p.certificate.truncation().to_string(3), p.certificate.rounding().to_string(3));
 }
 
-quadrature::Integral computed(const IntegrateOptions& o, quadrature::IntegralOptions options, const std::optional<Rational>& asked, Shown& s)
+quadrature::Integral computed(const IntegrateOptions& o, quadrature::IntegralOptions options, const std::optional<Rational>& asked,
+                              Shown& s)
 {
     const auto formula = [&] {
         try {
@@ -129,7 +136,8 @@ int integrate_and_print(IntegrateOptions o)
     options.at = points_of(o.at);
     if (!o.tolerance.empty()) {
         options.tolerance = parse_rational(o.tolerance);
-        if (!options.tolerance) throw Failure(bad_input, fmt::format("--tolerance '{:.40}' {}", o.tolerance, why_not_rational(o.tolerance)));
+        if (!options.tolerance)
+            throw Failure(bad_input, fmt::format("--tolerance '{:.40}' {}", o.tolerance, why_not_rational(o.tolerance)));
         if (*options.tolerance <= 0) throw Failure(bad_input, fmt::format("--tolerance {} is not positive", o.tolerance));
     }
     const std::optional<Rational> tolerance = options.tolerance;
@@ -139,7 +147,9 @@ int integrate_and_print(IntegrateOptions o)
     if (result.divergent) throw Failure(bad_input, result.reason);
     const bool proven = result.value.is_finite();
     const bool certified = result.status == quadrature::Status::certified && (tolerance ? !s.value.empty() : s.digits == o.digits);
-    const std::string reason = certified ? "" : result.reason.empty() ? fmt::format("only {} of {} digits proven", s.digits, o.digits) : result.reason;
+    const std::string reason = certified               ? ""
+                               : result.reason.empty() ? fmt::format("only {} of {} digits proven", s.digits, o.digits)
+                                                       : result.reason;
     if (o.json) {
         nlohmann::ordered_json j{{"formula", o.formula}, {"from", o.from}, {"to", o.to}};
         j["value"] = !s.value.empty() ? nlohmann::ordered_json(s.value) : nlohmann::ordered_json(nullptr);
@@ -153,10 +163,13 @@ int integrate_and_print(IntegrateOptions o)
         for (const auto& p : result.parts) j["parts"].push_back(as_json(p));
         fmt::print("{}\n", j.dump());
     }
-    else if (!proven) throw Failure(undecided, reason);
+    else if (!proven)
+        throw Failure(undecided, reason);
     else {
         fmt::print("{}\n", !s.value.empty() ? s.value : result.value.to_string(o.digits));
-        const std::string accuracy = s.value.empty() ? "no digit proven" : s.digits > 0 ? fmt::format("{} digits, |error| <= {}", s.digits, s.error) : fmt::format("|error| <= {}", s.error);
+        const std::string accuracy = s.value.empty() ? "no digit proven"
+                                     : s.digits > 0  ? fmt::format("{} digits, |error| <= {}", s.digits, s.error)
+                                                     : fmt::format("|error| <= {}", s.error);
         fmt::print("  integral of {} from {} to {}: {}, {}\n", o.formula, o.from, o.to, certified ? "certified" : "undecided", accuracy);
         if (!reason.empty()) fmt::print("  {}\n", reason);
         if (o.explain)
@@ -169,9 +182,13 @@ int integrate_and_print(IntegrateOptions o)
 
 void add_integrate(CLI::App& app, Run& run)
 {
-    auto* command = app.add_subcommand("integrate", "The integral of a formula in x, proven: touchstone integrate \"x^(-1/2)*log(1/x)/(1+x^2)\" 0 1 --digits 50");
+    auto* command = app.add_subcommand(
+        "integrate", "The integral of a formula in x, proven: touchstone integrate \"x^(-1/2)*log(1/x)/(1+x^2)\" 0 1 --digits 50");
     auto o = std::make_shared<IntegrateOptions>();
-    command->add_option("formula", o->formula, "In x: + - * / ^, pi, e, exp, log, sqrt, sin, ..., gamma, erf, besselj(n, x), ... (docs/quadrature.md)")->required();
+    command
+        ->add_option("formula", o->formula,
+                     "In x: + - * / ^, pi, e, exp, log, sqrt, sin, ..., gamma, erf, besselj(n, x), ... (docs/quadrature.md)")
+        ->required();
     command->add_option("from", o->from, "Lower end: 0, 1/3, pi/2, log(2), -inf")->required();
     command->add_option("to", o->to, "Upper end, inf too")->required();
     command->add_option("--at", o->at, "Points where the formula changes, separated by commas");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bench_typed_integrals DIGITS: the finite ranges of public_integrals.txt by `integrate` and by acb_calc_integrate alone, the same compiled formula in both.
-// Prints the ratio of the times where both certify, its median, and how many each certifies.
+// bench_typed_integrals DIGITS: the finite ranges of public_integrals.txt by `integrate` and by acb_calc_integrate alone, the same compiled
+// formula in both. Prints the ratio of the times where both certify, its median, and how many each certifies.
 #include "touchstone/quadrature/integrate.hpp"
 
 #include <algorithm>
@@ -46,7 +46,8 @@ bool by_arb(const Integrand& f, long digits)
     mag_init(tolerance);
     mag_set_ui_2exp_si(tolerance, 1, -bits);
     ComplexBall value;
-    acb_calc_integrate(value.get(), call, const_cast<Integrand*>(&f), ComplexBall(f.range().from.ball()).get(), ComplexBall(f.range().to.ball()).get(), bits, tolerance, nullptr, bits);
+    acb_calc_integrate(value.get(), call, const_cast<Integrand*>(&f), ComplexBall(f.range().from.ball()).get(),
+                       ComplexBall(f.range().to.ball()).get(), bits, tolerance, nullptr, bits);
     mag_clear(tolerance);
     return value.is_finite() && static_cast<double>(value.real().relative_bits()) > 3.3219 * static_cast<double>(digits);
 }
@@ -83,11 +84,13 @@ int main(int count, char** words)
         const double a = milliseconds([&] { arb = by_arb(Integrand(e, {from, to, Map::finite}), digits); });
         (ours && arb ? both : ours ? ours_alone : arb ? arb_alone : neither) += 1;
         if (ours && arb) ratios.push_back(t / a);
-        std::printf("%-14s ours %9.2f ms%s  acb_calc_integrate %9.2f ms%s\n", f[0].c_str(), t, ours ? "" : " (refused)", a, arb ? "" : " (fails)");
+        std::printf("%-14s ours %9.2f ms%s  acb_calc_integrate %9.2f ms%s\n", f[0].c_str(), t, ours ? "" : " (refused)", a,
+                    arb ? "" : " (fails)");
     }
     std::sort(ratios.begin(), ratios.end());
     if (!ratios.empty())
-        std::printf("%ld digits: both %ld, ours alone %ld, acb_calc_integrate alone %ld, neither %ld; ratio of times: median %.2f, largest %.2f\n", digits, both, ours_alone, arb_alone, neither,
-                    ratios[ratios.size() / 2], ratios.back());
+        std::printf(
+            "%ld digits: both %ld, ours alone %ld, acb_calc_integrate alone %ld, neither %ld; ratio of times: median %.2f, largest %.2f\n",
+            digits, both, ours_alone, arb_alone, neither, ratios[ratios.size() / 2], ratios.back());
     return 0;
 }

@@ -10,7 +10,7 @@ import sys
 import unittest
 
 PROGRAM = sys.argv.pop(1)
-# beta(1/2): the integral of x^(-1/2) log(1/x)/(1+x^2) over (0, 1) is 8 times ... : by mpmath, nsum of 4 (-1)^k/(4k+1)^2
+# 1/(1+x^2) as its power series, integrated term by term; the terms alternate, so the sum is within the first one left out
 LOG_OVER_ROOT = sum((-1) ** k * 4.0 / (4 * k + 1) ** 2 for k in range(20000))
 
 

@@ -22,10 +22,18 @@ struct Case {
 
 class Draw {
 public:
-    explicit Draw(unsigned long seed) : random_(seed) {}
+    explicit Draw(unsigned long seed)
+        : random_(seed)
+    {
+    }
     long between(long low, long high) { return low + static_cast<long>(random_() % static_cast<unsigned long>(high - low + 1)); }
     static std::string text(const Rational& r) { return std::string("(").append(r.get_str()).append(")"); }
-    static Rational quotient(long n, long d) { Rational r(n, d); r.canonicalize(); return r; }
+    static Rational quotient(long n, long d)
+    {
+        Rational r(n, d);
+        r.canonicalize();
+        return r;
+    }
     /// Above -1, often near it.
     Rational exponent() { return between(0, 2) ? quotient(between(-95, 300), 100) : -1 + quotient(1, between(20, 5000)); }
     Rational positive() { return quotient(between(1, 400), between(20, 100)); }
@@ -49,10 +57,13 @@ Case Draw::at_the_ends(long family)
     case 0: return {"beta", "x^" + P + "*(1-x)^" + Q, "0", "1", "gamma" + P1 + "*gamma" + Q1 + "*rgamma" + text(Rational(p + q + 2))};
     case 1: {
         const long k = between(1, 3);
-        return {"power and logarithm", "x^" + P + "*log(1/x)^" + std::to_string(k), "0", "1", "gamma(" + std::to_string(k + 1) + ")/" + P1 + "^" + std::to_string(k + 1)};
+        return {"power and logarithm", "x^" + P + "*log(1/x)^" + std::to_string(k), "0", "1",
+                "gamma(" + std::to_string(k + 1) + ")/" + P1 + "^" + std::to_string(k + 1)};
     }
     case 2: return {"kink", "abs(x-" + C + ")^" + P, "0", "1", "(" + C + "^" + P1 + "+" + text(Rational(1 - c)) + "^" + P1 + ")/" + P1};
-    case 3: return {"sine", "sin(pi*x)^" + P, "0", "1", "gamma" + text(Rational((p + 1) / 2)) + "/(sqrt(pi)*gamma" + text(Rational(p / 2 + 1)) + ")"};
+    case 3:
+        return {"sine", "sin(pi*x)^" + P, "0", "1",
+                "gamma" + text(Rational((p + 1) / 2)) + "/(sqrt(pi)*gamma" + text(Rational(p / 2 + 1)) + ")"};
     case 4: {
         const Rational t = quotient(between(-98, 98), 100);
         return {"tangent", "tan(x)^" + text(t), "0", "pi/2", "pi/(2*cos(pi*" + text(Rational(t / 2)) + "))"};
@@ -67,8 +78,12 @@ Case Draw::beside(long family)
     const Rational d = distance(), m = fraction(), a = positive();
     const std::string D = text(d), M = text(m), A = text(a);
     switch (family) {
-    case 0: return {"poles beside", "1/((x-" + M + ")^2+" + D + "^2)", "0", "1", "(atan(" + M + "/" + D + ")+atan(" + text(Rational(1 - m)) + "/" + D + "))/" + D};
-    case 1: return {"essential singularity beside", "exp(-1/(x+" + D + "))/(x+" + D + ")^2", "0", "1", "exp(-1/(1+" + D + "))-exp(-1/" + D + ")"};
+    case 0:
+        return {"poles beside", "1/((x-" + M + ")^2+" + D + "^2)", "0", "1",
+                "(atan(" + M + "/" + D + ")+atan(" + text(Rational(1 - m)) + "/" + D + "))/" + D};
+    case 1:
+        return {"essential singularity beside", "exp(-1/(x+" + D + "))/(x+" + D + ")^2", "0", "1",
+                "exp(-1/(1+" + D + "))-exp(-1/" + D + ")"};
     case 2: {
         const std::string W = std::to_string(between(1, 3000));
         return {"oscillation", "cos(" + W + "*x)", "0", "1", "sin(" + W + ")/" + W};
@@ -95,7 +110,9 @@ Case Draw::infinite(long family)
         return {"gaussian", "exp(-" + A + "*x^2+" + C + "*x)", "-inf", "inf", "sqrt(pi/" + A + ")*exp(" + C + "^2/(4*" + A + "))"};
     }
     case 3: return {"removable zero", "(1-exp(-" + A + "*x))/x*exp(-" + B + "*x)", "0", "inf", "log((" + A + "+" + B + ")/" + B + ")"};
-    case 4: return {"algebraic tail", "x^" + S + "/(1+x)^" + text(Rational(s + 1 + b)), "0", "inf", "gamma" + S1 + "*gamma" + B + "/gamma" + text(Rational(s + 1 + b))};
+    case 4:
+        return {"algebraic tail", "x^" + S + "/(1+x)^" + text(Rational(s + 1 + b)), "0", "inf",
+                "gamma" + S1 + "*gamma" + B + "/gamma" + text(Rational(s + 1 + b))};
     case 5: return {"sech", "sech(" + A + "*x)", "-inf", "inf", "pi/" + A};
     default: return {"lorentzian", "1/(x^2+" + A + "^2)", "-inf", "inf", "pi/" + A};
     }
@@ -137,7 +154,8 @@ TEST_CASE("random formulas: no enclosure misses the closed form")
         const Ball exact = parse_limit(c.value).ball();
         REQUIRE(exact.is_finite());
         REQUIRE_MESSAGE(result.value.overlaps(exact), result.value.to_string(20), " is not ", exact.to_string(20));
-        if (result.status == Status::certified) REQUIRE(result.value.relative_bits() >= static_cast<slong>(3.32 * static_cast<double>(options.digits)));
+        if (result.status == Status::certified)
+            REQUIRE(result.value.relative_bits() >= static_cast<slong>(3.32 * static_cast<double>(options.digits)));
     }
     long all = 0, missing = 0;
     for (const auto& [name, n] : families) {

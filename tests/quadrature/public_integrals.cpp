@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integrals of public_integrals.txt, as their authors type them: which are taken, which refused, how long each takes. No ball may be wrong.
-// `ctest -R public_integrals -V` prints the table.
+// The integrals of public_integrals.txt, as their authors type them: which are taken, which refused, how long each takes. No ball may be
+// wrong. `ctest -R public_integrals -V` prints the table.
 #include "touchstone/quadrature/integrate.hpp"
 
 #include <doctest/doctest.h>
@@ -86,9 +86,12 @@ TEST_CASE("public test integrals as typed: taken or refused as the table says, n
         CHECK_MESSAGE(as_typed == row.expected.empty(), why);
         (as_typed ? literal : result.status == Status::certified ? rewritten : refused) += 1;
         const WorkingPrecision precision(300);
-        if (result.value.is_finite()) CHECK_MESSAGE(result.value.overlaps(reference(row.value)), result.value.to_string(25), " is not ", reference(row.value).to_string(25));
+        if (result.value.is_finite())
+            CHECK_MESSAGE(result.value.overlaps(reference(row.value)), result.value.to_string(25), " is not ",
+                          reference(row.value).to_string(25));
         if (result.status == Status::certified) CHECK(result.value.relative_bits() >= 83);
-        std::printf("%-14s %-9s %8.1f ms  %s%s\n", row.name.c_str(), verdict, ms, row.formula.c_str(), as_typed ? "" : ("   -- " + why).c_str());
+        std::printf("%-14s %-9s %8.1f ms  %s%s\n", row.name.c_str(), verdict, ms, row.formula.c_str(),
+                    as_typed ? "" : ("   -- " + why).c_str());
     }
     std::printf("%ld literal, %ld rewritten, %ld refused, %.1f s\n", literal, rewritten, refused, total / 1000);
     CHECK(literal >= 145);

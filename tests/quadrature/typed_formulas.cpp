@@ -24,9 +24,15 @@ std::size_t column_of_error(const char* text)
 
 Ball at(const char* formula, const Rational& x) { return evaluate_at(*parse_expression(formula), Ball(x)); }
 
-std::optional<ExactSeries> series(const char* formula, const ExactSum& centre, int direction = 1) { return expand(*parse_expression(formula), centre, direction); }
+std::optional<ExactSeries> series(const char* formula, const ExactSum& centre, int direction = 1)
+{
+    return expand(*parse_expression(formula), centre, direction);
+}
 
-Integral integral(const char* formula, const char* from, const char* to, long digits = 30) { return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), {.digits = digits}); }
+Integral integral(const char* formula, const char* from, const char* to, long digits = 30)
+{
+    return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), {.digits = digits});
+}
 
 } // namespace
 
@@ -106,7 +112,8 @@ TEST_CASE("the coefficients of an expansion are those of the function")
 {
     const WorkingPrecision precision(400);
     const Rational small(1, 1000);
-    for (const char* formula : {"exp(x)-1", "log(1+x)", "tan(x)", "x/sinh(x)", "asin(x)", "atan(x)", "asinh(x)", "atanh(x)", "lambertw(x)", "erf(x)", "sec(x)", "(1+x)^(1/3)", "besselj(1,x)", "tanh(x)", "1/(2-x)^2", "si(x)"}) {
+    for (const char* formula : {"exp(x)-1", "log(1+x)", "tan(x)", "x/sinh(x)", "asin(x)", "atan(x)", "asinh(x)", "atanh(x)", "lambertw(x)",
+                                "erf(x)", "sec(x)", "(1+x)^(1/3)", "besselj(1,x)", "tanh(x)", "1/(2-x)^2", "si(x)"}) {
         CAPTURE(formula);
         const auto s = series(formula, 0);
         REQUIRE(s);
@@ -120,7 +127,9 @@ TEST_CASE("the coefficients of an expansion are those of the function")
 
 TEST_CASE("the range is cut at kinks and steps, where they are exact")
 {
-    const auto cuts = [](const char* formula, const char* from, const char* to) { return branch_points(*parse_expression(formula), parse_limit(from), parse_limit(to)); };
+    const auto cuts = [](const char* formula, const char* from, const char* to) {
+        return branch_points(*parse_expression(formula), parse_limit(from), parse_limit(to));
+    };
     CHECK(cuts("abs(x-1/3)", "0", "1") == std::vector{ExactSum(Rational(1, 3))});
     CHECK(cuts("abs(x)", "0", "1").empty());
     CHECK(cuts("floor(2*x)", "0", "2").size() == 3);
@@ -164,7 +173,8 @@ TEST_CASE("both rules agree where both serve")
     for (const char* formula : {"exp(x)", "cos(10*x)", "1/(1+x^2)", "x/(exp(x)-1)", "(1-cos(x))/x^2", "gamma(1+x)", "besselj(0,5*x)"}) {
         CAPTURE(formula);
         const Integral one = integral(formula, "0", "1", 40);
-        const Integral other = integrate(parse_expression(formula), parse_limit("0"), parse_limit("1"), {.digits = 40, .at = {}, .tolerance = {}, .gauss_legendre = false});
+        const Integral other = integrate(parse_expression(formula), parse_limit("0"), parse_limit("1"),
+                                         {.digits = 40, .at = {}, .tolerance = {}, .gauss_legendre = false});
         CHECK(one.parts.at(0).rule == "gauss-legendre");
         CHECK(other.parts.at(0).rule == "tanh-sinh");
         CHECK(other.status == Status::certified);

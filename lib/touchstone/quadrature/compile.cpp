@@ -18,7 +18,10 @@ double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_
 
 class Compiler {
 public:
-    explicit Compiler(const Place& place) : place_(place) {}
+    explicit Compiler(const Place& place)
+        : place_(place)
+    {
+    }
     NodePtr compile(const ExpressionPtr& e) const;
 
 private:
@@ -84,7 +87,8 @@ bool Compiler::reaches_one(const Expression& e) const
     for (const Side s : {Side::left, Side::right}) {
         if (!has_range() || !end(s)) continue;
         const auto series = expand(e, *end(s), s == Side::left ? 1 : -1);
-        if (series && !series->c.empty() && series->valuation == 0 && (series->c[0] == ExactSum(1) || series->c[0] == ExactSum(-1))) return true;
+        if (series && !series->c.empty() && series->valuation == 0 && (series->c[0] == ExactSum(1) || series->c[0] == ExactSum(-1)))
+            return true;
     }
     return false;
 }
@@ -133,7 +137,8 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
 /// exp(k x + c), k rational, is a power of exp(x).
 NodePtr Compiler::exponential(const ExpressionPtr& argument) const
 {
-    const bool logarithmic = has_range() && (place_.range->map == Map::right_exponential || place_.range->map == Map::left_exponential || place_.range->map == Map::line_exponential);
+    const bool logarithmic = has_range() && (place_.range->map == Map::right_exponential || place_.range->map == Map::left_exponential ||
+                                             place_.range->map == Map::line_exponential);
     const auto p = logarithmic ? polynomial(*argument) : std::nullopt;
     const auto slope = p && p->size() == 2 ? (*p)[1].rational() : std::nullopt;
     if (!slope) return node(Kind::function, {argument}, Op::exp);
@@ -172,8 +177,11 @@ NodePtr Compiler::power(const ExpressionPtr& base, const ExpressionPtr& exponent
 int Compiler::sign_of_linear(const Expression& e) const
 {
     const auto p = polynomial(e);
-    if (!p || p->size() > 2 || !has_range() || place_.range->map != Map::finite || !place_.range->from.exact || !place_.range->to.exact) return 0;
-    const auto sign_of = [](const ExactSum& v) { return v.is_zero() ? 0 : arb_is_positive(v.ball().get()) ? 1 : arb_is_negative(v.ball().get()) ? -1 : 2; };
+    if (!p || p->size() > 2 || !has_range() || place_.range->map != Map::finite || !place_.range->from.exact || !place_.range->to.exact)
+        return 0;
+    const auto sign_of = [](const ExactSum& v) {
+        return v.is_zero() ? 0 : arb_is_positive(v.ball().get()) ? 1 : arb_is_negative(v.ball().get()) ? -1 : 2;
+    };
     const int s = sign_of(value(*p, *place_.range->from.exact)), t = sign_of(value(*p, *place_.range->to.exact));
     const int sign = s == 0 ? t : t == 0 || t == s ? s : 0;
     return sign == 1 || sign == -1 ? sign : 0;
@@ -214,7 +222,8 @@ NodePtr Compiler::without_branch(const ExpressionPtr& e) const
             (e->op == Op::floor ? mpz_fdiv_q : mpz_cdiv_q)(n.get_mpz_t(), q->get_num_mpz_t(), q->get_den_mpz_t());
             return constant(ExactSum(Rational(n)));
         }
-    if (!p || p->size() != 2 || !has_range() || place_.range->map != Map::finite || !place_.range->from.exact || !place_.range->to.exact) return node(Kind::function, {a}, e->op);
+    if (!p || p->size() != 2 || !has_range() || place_.range->map != Map::finite || !place_.range->from.exact || !place_.range->to.exact)
+        return node(Kind::function, {a}, e->op);
     // linear: the values at the two ends bound it
     const ExactSum at_from = value(*p, *place_.range->from.exact), at_to = value(*p, *place_.range->to.exact);
     const Ball low = at_from.ball(), high = at_to.ball(), middle = (low + high) / Ball(2);
@@ -226,7 +235,8 @@ NodePtr Compiler::without_branch(const ExpressionPtr& e) const
         const ExactSum from(e->op == Op::floor ? step : step - 1), to = from + ExactSum(1);
         for (const ExactSum& end_value : {at_from, at_to}) {
             const Ball below = (end_value - from).ball(), beyond = (to - end_value).ball();
-            const bool inside = ((end_value - from).is_zero() || arb_is_positive(below.get())) && ((to - end_value).is_zero() || arb_is_positive(beyond.get()));
+            const bool inside = ((end_value - from).is_zero() || arb_is_positive(below.get())) &&
+                                ((to - end_value).is_zero() || arb_is_positive(beyond.get()));
             if (!inside) return node(Kind::function, {a}, e->op);
         }
         return constant(ExactSum(step));
@@ -267,7 +277,8 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     case Op::bessel_i:
     case Op::bessel_k:
     case Op::polylog:
-        if (depends_on_x(*e->args[0])) throw ExpressionError(e->column, "the order of a Bessel function or polylogarithm must not depend on x");
+        if (depends_on_x(*e->args[0]))
+            throw ExpressionError(e->column, "the order of a Bessel function or polylogarithm must not depend on x");
         return node(Kind::ordered_function, e->args, e->op);
     default: return node(Kind::function, e->args, e->op);
     }
@@ -285,7 +296,8 @@ NodePtr Compiler::compile(const ExpressionPtr& e) const
     }
     if (const auto better = rewritten(*e)) return compile(*better);
     NodePtr n = by_operation(e);
-    if (has_range() && depends_on_x(*e) && (n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function)) find_zeros(*n, *e);
+    if (has_range() && depends_on_x(*e) && (n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function))
+        find_zeros(*n, *e);
     return n;
 }
 
@@ -324,7 +336,9 @@ std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, 
 std::optional<Zero> Compiler::zero_at(const Node& n, const Expression& e, Side side) const
 {
     const auto series = expand(e, *end(side), side == Side::left ? 1 : -1);
-    if (!series || series->c.empty() || series->valuation.get_den() != 1 || series->valuation < 0 || !series->valuation.get_num().fits_slong_p()) return std::nullopt;
+    if (!series || series->c.empty() || series->valuation.get_den() != 1 || series->valuation < 0 ||
+        !series->valuation.get_num().fits_slong_p())
+        return std::nullopt;
     Zero zero;
     zero.order = series->valuation.get_num().get_si();
     zero.c = series->c;

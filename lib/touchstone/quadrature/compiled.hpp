@@ -10,7 +10,20 @@
 
 namespace touchstone::quadrature::compiled {
 
-enum class Kind { constant, variable, factored, add, multiply, divide, power, ball_power, general_power, function, ordered_function, exponential };
+enum class Kind {
+    constant,
+    variable,
+    factored,
+    add,
+    multiply,
+    divide,
+    power,
+    ball_power,
+    general_power,
+    function,
+    ordered_function,
+    exponential
+};
 
 /// s^order T at one end, s the distance to it.
 struct Zero {
@@ -27,13 +40,13 @@ struct Node {
     Kind kind = Kind::constant;
     Op op = Op::number;
     std::vector<NodePtr> args;
-    std::optional<ExactSum> exact;          // constant
-    Exponent exponent;                      // power; exponential: the k of exp(k x) exp(...)
-    std::array<long, 2> order{};            // factored: exact multiplicities at the two ends
-    Polynomial rest;                        // factored: what remains
+    std::optional<ExactSum> exact; // constant
+    Exponent exponent;             // power; exponential: the k of exp(k x) exp(...)
+    std::array<long, 2> order{};   // factored: exact multiplicities at the two ends
+    Polynomial rest;               // factored: what remains
     std::array<std::optional<Zero>, 2> zero;
 
-    /// A constant, a coefficient: computed once at each precision that is asked for.
+    /// A constant, a coefficient: computed once at the highest precision asked for so far. So a compiled formula belongs to one thread at a time.
     struct Kept {
         Ball value;
         slong bits = 0;
@@ -65,7 +78,11 @@ EndpointNumber<V> evaluate(const Node&, const Point<V>&, const Place&);
 /// The disc about one end, where only that end's distance keeps its powers.
 class Disc : public Frame<ComplexBall> {
 public:
-    Disc(Side side, ComplexBall s) : side_(side), s_(std::move(s)) {}
+    Disc(Side side, ComplexBall s)
+        : side_(side)
+        , s_(std::move(s))
+    {
+    }
     ComplexBall distance(Side s) const override { return s == side_ ? s_ : ComplexBall::indeterminate(); }
     ComplexBall logarithm(Side) const override { return ComplexBall::indeterminate(); }
 

@@ -75,7 +75,9 @@ Complex exponential(const Complex& x)
     if (Exponent(1) < logs || logs < Exponent(1)) {
         // rho^k c <= -|c| A^(k-1) rho for k > 1, c < 0; for k < 1 it grows or falls too slowly to be told from a constant by powers
         if (logs < Exponent(1) || !(kappa < 0)) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
-        kappa = std::max(kappa * arf_get_d(arb_midref(exp((logs - Exponent(1)).ball() * log(least_rho(x, *side))).get()), ARF_RND_DOWN) * (1 - 1e-9), -1e6);
+        kappa = std::max(kappa * arf_get_d(arb_midref(exp((logs - Exponent(1)).ball() * log(least_rho(x, *side))).get()), ARF_RND_DOWN) *
+                             (1 - 1e-9),
+                         -1e6);
     }
     return growing(x, *side, kappa);
 }
@@ -90,7 +92,10 @@ Complex trigonometric(Op op, const Complex& x)
 
 /// Whether x is unbounded as a power of a distance: so it winds around infinity with the strip.
 template <class V>
-bool has_pole_at_an_end(const EndpointNumber<V>& x) { return x.left().power < Exponent(0) || x.right().power < Exponent(0); }
+bool has_pole_at_an_end(const EndpointNumber<V>& x)
+{
+    return x.left().power < Exponent(0) || x.right().power < Exponent(0);
+}
 
 /// atan x = 2 atan(x/(1 + sqrt(1 + x^2))): the argument stays bounded, its root keeps the power of the distance.
 template <class V>
@@ -125,7 +130,8 @@ Complex error_function(Op op, const Complex& x)
     return rightwards ? Complex(1) - rest : rest - Complex(1);
 }
 
-/// |K_nu(z)| <= K_nu(Re z) <= K_nu(a) exp(a - Re z) for real nu and Re z >= a > 0, from K_nu(z) = integral of exp(-z cosh t) cosh(nu t) (DLMF 10.32.9).
+/// |K_nu(z)| <= K_nu(Re z) <= K_nu(a) exp(a - Re z) for real nu and Re z >= a > 0, from K_nu(z) = integral of exp(-z cosh t) cosh(nu t)
+/// (DLMF 10.32.9).
 Complex bessel_k(const Ball& order, const Complex& x, Side side)
 {
     const Ball c = factor_at(x, side).real();
@@ -145,7 +151,8 @@ Complex logarithm(const Complex& x)
         const Order own = x.order(s);
         bare[s == Side::left ? 0 : 1] = {own.power, 0};
         if (own.logs.is_zero()) continue;
-        if (!x.frame()->reaches(s) || !arb_ge(least_rho(x, s).get(), Ball(1).get())) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+        if (!x.frame()->reaches(s) || !arb_ge(least_rho(x, s).get(), Ball(1).get()))
+            return {x.frame(), {}, {}, ComplexBall::indeterminate()};
         const Ball most = hull(Ball(0), Ball(4) * exp(Ball(-1))) * own.logs.ball();
         const Order quarter{0, Exponent(1, 4)};
         grown = grown + Complex(x.frame(), s == Side::left ? quarter : Order{}, s == Side::left ? Order{} : quarter, ComplexBall(most));
@@ -181,7 +188,8 @@ EndpointNumber<V> odd(Op op, const EndpointNumber<V>& x)
     const V z = x.value();
     const auto f = [op](const V& v) { return special_function(op, v); };
     V ratio;
-    if (op == Op::asinh || op == Op::atanh) ratio = analytic::odd_over_argument(z, f);
+    if (op == Op::asinh || op == Op::atanh)
+        ratio = analytic::odd_over_argument(z, f);
     else {
         // sinh z = z sinc(i z), tanh z = sinh z/cosh z
         if constexpr (std::same_as<V, ComplexBall>) {
@@ -189,7 +197,8 @@ EndpointNumber<V> odd(Op op, const EndpointNumber<V>& x)
             acb_mul_onei(turned.get(), z.get());
             ratio = analytic::sinc(turned);
         }
-        else ratio = arb_contains_zero(z.get()) ? V::indeterminate() : f(z) / z;
+        else
+            ratio = arb_contains_zero(z.get()) ? V::indeterminate() : f(z) / z;
         if (op == Op::tanh) {
             if constexpr (std::same_as<V, ComplexBall>) ratio = ratio / special_function(Op::cosh, z);
         }

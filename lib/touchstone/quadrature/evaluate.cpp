@@ -95,17 +95,22 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
     case Kind::power: return to_power(arg(0), node.exponent);
     case Kind::ball_power: {
         const N<V> exponent = arg(1);
-        if constexpr (std::same_as<V, Ball>) return pow(arg(0), exponent.factor());
-        else return pow(arg(0), exponent.factor().real());
+        if constexpr (std::same_as<V, Ball>)
+            return pow(arg(0), exponent.factor());
+        else
+            return pow(arg(0), exponent.factor().real());
     }
     case Kind::general_power: return function_of(Op::exp, N<V>(arg(1) * log(arg(0))));
     case Kind::function: return function_of(node.op, arg(0));
     case Kind::ordered_function: {
         const N<V> order = arg(0);
-        if constexpr (std::same_as<V, Ball>) return function_of(node.op, order.factor(), arg(1));
-        else return function_of(node.op, order.factor().real(), arg(1));
+        if constexpr (std::same_as<V, Ball>)
+            return function_of(node.op, order.factor(), arg(1));
+        else
+            return function_of(node.op, order.factor().real(), arg(1));
     }
-    case Kind::exponential: return p.exp_x ? to_power(*p.exp_x, node.exponent) : function_of(Op::exp, N<V>(N<V>(node.exponent.ball()) * p.x));
+    case Kind::exponential:
+        return p.exp_x ? to_power(*p.exp_x, node.exponent) : function_of(Op::exp, N<V>(N<V>(node.exponent.ball()) * p.x));
     }
     return {};
 }
@@ -123,9 +128,19 @@ V series(const Node& node, const Zero& zero, std::size_t first_kept, const V& s)
     return r;
 }
 
-Ball middle_of(const Ball& s) { Ball m; arb_set_arf(m.get(), arb_midref(s.get())); return m; }
+Ball middle_of(const Ball& s)
+{
+    Ball m;
+    arb_set_arf(m.get(), arb_midref(s.get()));
+    return m;
+}
 ComplexBall middle_of(const ComplexBall& s) { return {middle_of(s.real()), middle_of(s.imag())}; }
-Ball radius_of(const Ball& s) { Ball r; arf_set_mag(arb_midref(r.get()), arb_radref(s.get())); return r; }
+Ball radius_of(const Ball& s)
+{
+    Ball r;
+    arf_set_mag(arb_midref(r.get()), arb_radref(s.get()));
+    return r;
+}
 Ball radius_of(const ComplexBall& s) { return radius_of(s.real()) + radius_of(s.imag()); }
 
 /// How many bits the ball knows of its number, at most those at work.
@@ -135,8 +150,8 @@ double bits_known(const V& s)
     return std::clamp(log2_size(upper_size(s)) - log2_size(radius_of(s)), 1.0, static_cast<double>(WorkingPrecision::bits()));
 }
 
-/// T where s is too far for the series and too near for a quotient at the working precision: at the exact midpoint of s with the bits that cancel
-/// added, then over the ball by |T'| <= sup|T|/(R - |s|) <= 2 sup|T|/R for |s| <= R/4 (Cauchy).
+/// T where s is too far for the series and too near for a quotient at the working precision: at the exact midpoint of s with the bits that
+/// cancel added, then over the ball by |T'| <= sup|T|/(R - |s|) <= 2 sup|T|/R for |s| <= R/4 (Cauchy).
 template <class V>
 V at_midpoint(const Node& node, const Zero& zero, Side side, const V& s, const Place& place)
 {
@@ -144,7 +159,8 @@ V at_midpoint(const Node& node, const Zero& zero, Side side, const V& s, const P
     const slong bits = WorkingPrecision::bits();
     V t;
     {
-        const double lost = static_cast<double>(zero.order + 2) * std::max(1.0, -log2_size(upper_size(middle))); // what the terms of the sum have in common
+        const double lost =
+            static_cast<double>(zero.order + 2) * std::max(1.0, -log2_size(upper_size(middle))); // what the terms of the sum have in common
         const WorkingPrecision more(bits + static_cast<slong>(lost) + 20);
         t = ordinary(node, place.at_distance(side, middle), place).value() / analytic::integer_power(middle, zero.order);
     }
@@ -160,7 +176,7 @@ bool within(const Ball& size, double radius, double halvings)
     return arb_lt(size.get(), r.get()) != 0;
 }
 
-constexpr double least_known = 12;     // bits: a ball that knows less of its place is served by the series
+constexpr double least_known = 12;    // bits: a ball that knows less of its place is served by the series
 constexpr std::size_t other_end = 16; // where the kept coefficients of the right end begin
 
 template <class V>
@@ -168,7 +184,8 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
 {
     N<V> front(1);
     for (const Side s : {Side::left, Side::right})
-        if (const auto& zero = node.zero[s == Side::left ? 0 : 1]; zero && zero->order != 0) front = front * to_power(p.distance(s), Exponent(zero->order));
+        if (const auto& zero = node.zero[s == Side::left ? 0 : 1]; zero && zero->order != 0)
+            front = front * to_power(p.distance(s), Exponent(zero->order));
     for (const Side s : {Side::left, Side::right}) {
         const auto& zero = node.zero[s == Side::left ? 0 : 1];
         if (!zero) continue;
@@ -176,10 +193,12 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
         const Ball size = upper_size(distance);
         if (!within(size, zero->radius, 2)) continue;
         const double halvings = (bits_known(distance) + 10) / static_cast<double>(zero->c.size());
-        V t = within(size, zero->radius, std::max(2.0, halvings)) || bits_known(distance) < least_known ? series(node, *zero, s == Side::left ? 0 : other_end, distance)
-                                                                                                    : at_midpoint(node, *zero, s, distance, place);
+        V t = within(size, zero->radius, std::max(2.0, halvings)) || bits_known(distance) < least_known
+                  ? series(node, *zero, s == Side::left ? 0 : other_end, distance)
+                  : at_midpoint(node, *zero, s, distance, place);
         const auto& other = node.zero[s == Side::left ? 1 : 0];
-        if (other && other->order != 0) t = t / to_power(p.distance(s == Side::left ? Side::right : Side::left), Exponent(other->order)).value();
+        if (other && other->order != 0)
+            t = t / to_power(p.distance(s == Side::left ? Side::right : Side::left), Exponent(other->order)).value();
         return front * N<V>(front.frame(), {}, {}, t);
     }
     const N<V> quotient = ordinary(node, p, place) / front;
@@ -212,7 +231,8 @@ std::optional<EndpointNumber<V>> Place::exp_x(const EndpointNumber<V>& left, con
     }
 }
 template std::optional<EndpointNumber<Ball>> Place::exp_x(const EndpointNumber<Ball>&, const EndpointNumber<Ball>&) const;
-template std::optional<EndpointNumber<ComplexBall>> Place::exp_x(const EndpointNumber<ComplexBall>&, const EndpointNumber<ComplexBall>&) const;
+template std::optional<EndpointNumber<ComplexBall>> Place::exp_x(const EndpointNumber<ComplexBall>&,
+                                                                 const EndpointNumber<ComplexBall>&) const;
 
 namespace {
 

@@ -95,11 +95,13 @@ Series power(const Series& a, const Rational& e)
     if (a->is_exactly_zero) return e > 0 ? a : std::nullopt;
     if (a->c.empty()) return std::nullopt;
     std::optional<ExactSum> lead;
-    if (e.get_den() == 1 && e.get_num().fits_slong_p()) lead = a->c[0].power(e.get_num().get_si());
+    if (e.get_den() == 1 && e.get_num().fits_slong_p())
+        lead = a->c[0].power(e.get_num().get_si());
     else if (e.get_den() == 2 && e.get_num().fits_slong_p()) {
         if (const auto root = a->c[0].sqrt()) lead = root->power(e.get_num().get_si());
     }
-    else if (a->c[0] == ExactSum(1)) lead = ExactSum(1);
+    else if (a->c[0] == ExactSum(1))
+        lead = ExactSum(1);
     const auto first = a->c[0].inverse();
     if (!lead || !first) return std::nullopt;
     ExactSeries r{a->valuation * e, Coefficients(a->c.size()), false};
@@ -176,7 +178,8 @@ std::optional<ExactSum> sine_of_twelfths(long n)
     }
 }
 
-/// sine and cosine of an angle that is a multiple of pi/4 or pi/6 plus a series without constant term (sign = -1), or their hyperbolic kin at 0 (sign = 1).
+/// sine and cosine of an angle that is a multiple of pi/4 or pi/6 plus a series without constant term (sign = -1), or their hyperbolic kin
+/// at 0 (sign = 1).
 std::optional<std::pair<Coefficients, Coefficients>> sine_cosine(const Coefficients& a, int sign)
 {
     Coefficients s(a.size()), c(a.size());
@@ -264,7 +267,8 @@ Series Expansion::analytic(const Expression& e, const Series& argument) const
         if (!both) return {};
         return {from_taylor(both->first), from_taylor(both->second)};
     };
-    const int sign = e.op == Op::sinh || e.op == Op::cosh || e.op == Op::tanh || e.op == Op::coth || e.op == Op::sech || e.op == Op::csch ? 1 : -1;
+    const int sign =
+        e.op == Op::sinh || e.op == Op::cosh || e.op == Op::tanh || e.op == Op::coth || e.op == Op::sech || e.op == Op::csch ? 1 : -1;
     switch (e.op) {
     case Op::exp:
     case Op::expm1: {
@@ -299,7 +303,8 @@ Series Expansion::analytic(const Expression& e, const Series& argument) const
     case Op::asin: return at_zero ? integrated(a, power(sum(one, negative(square)), Rational(-1, 2)), 0) : std::nullopt;
     case Op::acos: {
         if (!at_zero) return std::nullopt;
-        return sum(constant(ExactSum(Rational(1, 2)) * ExactSum::pi()), negative(integrated(a, power(sum(one, negative(square)), Rational(-1, 2)), 0)));
+        return sum(constant(ExactSum(Rational(1, 2)) * ExactSum::pi()),
+                   negative(integrated(a, power(sum(one, negative(square)), Rational(-1, 2)), 0)));
     }
     case Op::erf:
     case Op::erfi: {

@@ -9,8 +9,7 @@ namespace {
 /// n = s^2 f with f squarefree, for n small enough to be tried out.
 std::optional<std::pair<Rational, long>> square_and_rest(const Rational& r)
 {
-    constexpr long largest = 1'000'000'000; // trial divisors go to the cube root of it squared: a few ten thousand
-    // sqrt(p/q) = sqrt(p q)/q
+    constexpr long largest = 1'000'000'000; // its trial divisors end at some 32000
     const Integer product = r.get_num() * r.get_den();
     if (const auto root = exact_root(r, 2)) return std::pair(*root, 1L);
     if (product > largest) return std::nullopt;

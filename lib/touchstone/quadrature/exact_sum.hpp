@@ -18,8 +18,16 @@ class ExactSum {
 public:
     ExactSum() = default;
     ExactSum(const Rational& r) { add({0, 1}, r); }
-    ExactSum(long n) : ExactSum(Rational(n)) {}
-    static ExactSum pi(long halves = 2) { ExactSum s; s.add({halves, 1}, 1); return s; } ///< pi^(halves/2)
+    ExactSum(long n)
+        : ExactSum(Rational(n))
+    {
+    }
+    static ExactSum pi(long halves = 2)
+    {
+        ExactSum s;
+        s.add({halves, 1}, 1);
+        return s;
+    } ///< pi^(halves/2)
 
     bool is_zero() const { return terms_.empty(); }
     std::optional<Rational> rational() const;

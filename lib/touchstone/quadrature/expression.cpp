@@ -9,7 +9,10 @@
 namespace touchstone::quadrature {
 
 ExpressionError::ExpressionError(std::size_t column, const std::string& what)
-    : std::runtime_error("column " + std::to_string(column) + ": " + what), column_(column) {}
+    : std::runtime_error("column " + std::to_string(column) + ": " + what)
+    , column_(column)
+{
+}
 
 namespace {
 
@@ -21,18 +24,67 @@ struct Function {
 const std::map<std::string, Function, std::less<>>& functions()
 {
     static const std::map<std::string, Function, std::less<>> table = {
-        {"exp", {Op::exp, 1, 1}}, {"log", {Op::log, 1, 1}}, {"ln", {Op::log, 1, 1}}, {"sqrt", {Op::sqrt, 1, 1}}, {"cbrt", {Op::cbrt, 1, 1}},
-        {"abs", {Op::abs, 1, 1}}, {"sign", {Op::sign, 1, 1}}, {"floor", {Op::floor, 1, 1}}, {"ceil", {Op::ceil, 1, 1}},
-        {"max", {Op::max, 2, 64}}, {"min", {Op::min, 2, 64}}, {"pow", {Op::power, 2, 2}},
-        {"sin", {Op::sin, 1, 1}}, {"cos", {Op::cos, 1, 1}}, {"tan", {Op::tan, 1, 1}}, {"cot", {Op::cot, 1, 1}}, {"sec", {Op::sec, 1, 1}}, {"csc", {Op::csc, 1, 1}},
-        {"sinh", {Op::sinh, 1, 1}}, {"cosh", {Op::cosh, 1, 1}}, {"tanh", {Op::tanh, 1, 1}}, {"coth", {Op::coth, 1, 1}}, {"sech", {Op::sech, 1, 1}}, {"csch", {Op::csch, 1, 1}},
-        {"asin", {Op::asin, 1, 1}}, {"acos", {Op::acos, 1, 1}}, {"atan", {Op::atan, 1, 1}}, {"arcsin", {Op::asin, 1, 1}}, {"arccos", {Op::acos, 1, 1}}, {"arctan", {Op::atan, 1, 1}},
-        {"asinh", {Op::asinh, 1, 1}}, {"acosh", {Op::acosh, 1, 1}}, {"atanh", {Op::atanh, 1, 1}}, {"expm1", {Op::expm1, 1, 1}}, {"log1p", {Op::log1p, 1, 1}}, {"sinc", {Op::sinc, 1, 1}},
-        {"gamma", {Op::gamma, 1, 1}}, {"rgamma", {Op::rgamma, 1, 1}}, {"lgamma", {Op::lgamma, 1, 1}}, {"loggamma", {Op::lgamma, 1, 1}}, {"digamma", {Op::digamma, 1, 1}}, {"psi", {Op::digamma, 1, 1}},
-        {"zeta", {Op::zeta, 1, 1}}, {"erf", {Op::erf, 1, 1}}, {"erfc", {Op::erfc, 1, 1}}, {"erfi", {Op::erfi, 1, 1}}, {"ei", {Op::ei, 1, 1}}, {"si", {Op::si, 1, 1}}, {"ci", {Op::ci, 1, 1}},
-        {"li", {Op::li, 1, 1}}, {"dilog", {Op::dilog, 1, 1}}, {"airyai", {Op::airy_ai, 1, 1}}, {"airybi", {Op::airy_bi, 1, 1}}, {"lambertw", {Op::lambert_w, 1, 1}},
-        {"ellipk", {Op::elliptic_k, 1, 1}}, {"ellipe", {Op::elliptic_e, 1, 1}},
-        {"besselj", {Op::bessel_j, 2, 2}}, {"bessely", {Op::bessel_y, 2, 2}}, {"besseli", {Op::bessel_i, 2, 2}}, {"besselk", {Op::bessel_k, 2, 2}}, {"polylog", {Op::polylog, 2, 2}},
+        {"exp", {Op::exp, 1, 1}},
+        {"log", {Op::log, 1, 1}},
+        {"ln", {Op::log, 1, 1}},
+        {"sqrt", {Op::sqrt, 1, 1}},
+        {"cbrt", {Op::cbrt, 1, 1}},
+        {"abs", {Op::abs, 1, 1}},
+        {"sign", {Op::sign, 1, 1}},
+        {"floor", {Op::floor, 1, 1}},
+        {"ceil", {Op::ceil, 1, 1}},
+        {"max", {Op::max, 2, 64}},
+        {"min", {Op::min, 2, 64}},
+        {"pow", {Op::power, 2, 2}},
+        {"sin", {Op::sin, 1, 1}},
+        {"cos", {Op::cos, 1, 1}},
+        {"tan", {Op::tan, 1, 1}},
+        {"cot", {Op::cot, 1, 1}},
+        {"sec", {Op::sec, 1, 1}},
+        {"csc", {Op::csc, 1, 1}},
+        {"sinh", {Op::sinh, 1, 1}},
+        {"cosh", {Op::cosh, 1, 1}},
+        {"tanh", {Op::tanh, 1, 1}},
+        {"coth", {Op::coth, 1, 1}},
+        {"sech", {Op::sech, 1, 1}},
+        {"csch", {Op::csch, 1, 1}},
+        {"asin", {Op::asin, 1, 1}},
+        {"acos", {Op::acos, 1, 1}},
+        {"atan", {Op::atan, 1, 1}},
+        {"arcsin", {Op::asin, 1, 1}},
+        {"arccos", {Op::acos, 1, 1}},
+        {"arctan", {Op::atan, 1, 1}},
+        {"asinh", {Op::asinh, 1, 1}},
+        {"acosh", {Op::acosh, 1, 1}},
+        {"atanh", {Op::atanh, 1, 1}},
+        {"expm1", {Op::expm1, 1, 1}},
+        {"log1p", {Op::log1p, 1, 1}},
+        {"sinc", {Op::sinc, 1, 1}},
+        {"gamma", {Op::gamma, 1, 1}},
+        {"rgamma", {Op::rgamma, 1, 1}},
+        {"lgamma", {Op::lgamma, 1, 1}},
+        {"loggamma", {Op::lgamma, 1, 1}},
+        {"digamma", {Op::digamma, 1, 1}},
+        {"psi", {Op::digamma, 1, 1}},
+        {"zeta", {Op::zeta, 1, 1}},
+        {"erf", {Op::erf, 1, 1}},
+        {"erfc", {Op::erfc, 1, 1}},
+        {"erfi", {Op::erfi, 1, 1}},
+        {"ei", {Op::ei, 1, 1}},
+        {"si", {Op::si, 1, 1}},
+        {"ci", {Op::ci, 1, 1}},
+        {"li", {Op::li, 1, 1}},
+        {"dilog", {Op::dilog, 1, 1}},
+        {"airyai", {Op::airy_ai, 1, 1}},
+        {"airybi", {Op::airy_bi, 1, 1}},
+        {"lambertw", {Op::lambert_w, 1, 1}},
+        {"ellipk", {Op::elliptic_k, 1, 1}},
+        {"ellipe", {Op::elliptic_e, 1, 1}},
+        {"besselj", {Op::bessel_j, 2, 2}},
+        {"bessely", {Op::bessel_y, 2, 2}},
+        {"besseli", {Op::bessel_i, 2, 2}},
+        {"besselk", {Op::bessel_k, 2, 2}},
+        {"polylog", {Op::polylog, 2, 2}},
     };
     return table;
 }
@@ -58,9 +110,7 @@ std::size_t column(const Context& context)
 }
 
 const auto take = [](auto& c) { x3::_val(c) = x3::_attr(c); };
-const auto into = [](Op op) {
-    return [op](auto& c) { x3::_val(c) = at(make(op, {x3::_val(c), x3::_attr(c)}), x3::_val(c)->column); };
-};
+const auto into = [](Op op) { return [op](auto& c) { x3::_val(c) = at(make(op, {x3::_val(c), x3::_attr(c)}), x3::_val(c)->column); }; };
 const auto subtract = [](auto& c) {
     x3::_val(c) = at(make(Op::add, {x3::_val(c), make(Op::negate, {x3::_attr(c)})}), x3::_val(c)->column);
 };
@@ -76,11 +126,16 @@ const auto name = [](auto& c) {
     const std::string n(word.begin(), word.end());
     Expression e;
     e.column = column(c);
-    if (n == "x") e.op = Op::variable;
-    else if (n == "pi") e.op = Op::pi;
-    else if (n == "e") e.op = Op::e;
-    else if (functions().contains(n)) throw ExpressionError(e.column, "the function '" + n + "' needs its argument in brackets: " + n + "(...)");
-    else throw ExpressionError(e.column, "'" + n + "' is not known: the variable is x, the constants are pi and e");
+    if (n == "x")
+        e.op = Op::variable;
+    else if (n == "pi")
+        e.op = Op::pi;
+    else if (n == "e")
+        e.op = Op::e;
+    else if (functions().contains(n))
+        throw ExpressionError(e.column, "the function '" + n + "' needs its argument in brackets: " + n + "(...)");
+    else
+        throw ExpressionError(e.column, "'" + n + "' is not known: the variable is x, the constants are pi and e");
     x3::_val(c) = std::make_shared<const Expression>(std::move(e));
 };
 using Call = std::pair<std::string, std::vector<ExpressionPtr>>;
@@ -103,7 +158,8 @@ const auto finish_call = [](auto& c) {
     const ExpressionPtr e = x3::_attr(c);
     for (const auto& [n, f] : functions()) {
         if (f.op != e->op || (e->args.size() >= f.least && e->args.size() <= f.most)) continue;
-        throw ExpressionError(e->column, n + " takes " + std::to_string(f.least) + (f.least == f.most ? "" : " or more") + " argument" + (f.least == 1 ? "" : "s") + ", not " + std::to_string(e->args.size()));
+        throw ExpressionError(e->column, n + " takes " + std::to_string(f.least) + (f.least == f.most ? "" : " or more") + " argument" +
+                                             (f.least == 1 ? "" : "s") + ", not " + std::to_string(e->args.size()));
     }
     x3::_val(c) = e->op == Op::power ? at(make(Op::power, e->args), e->column) : e;
 };
@@ -117,7 +173,8 @@ const x3::rule<struct call_rule, ExpressionPtr> call("a function");
 const x3::rule<struct callee_rule, ExpressionPtr> callee("a function");
 
 const auto digits = +x3::digit;
-const auto number_word = x3::raw[x3::lexeme[((digits >> -('.' >> *x3::digit)) | ('.' >> digits)) >> -(x3::char_("eE") >> -x3::char_("+-") >> digits)]];
+const auto number_word =
+    x3::raw[x3::lexeme[((digits >> -('.' >> *x3::digit)) | ('.' >> digits)) >> -(x3::char_("eE") >> -x3::char_("+-") >> digits)]];
 const auto name_word = x3::raw[x3::lexeme[x3::alpha >> *(x3::alnum | '_')]];
 
 const auto sum_def = product[take] >> *(('+' > product[into(Op::add)]) | ('-' > product[subtract]));
@@ -182,9 +239,12 @@ ExpressionPtr parse_expression(std::string_view text)
     catch (const x3::expectation_failure<Where>& failure) {
         const auto position = static_cast<std::size_t>(failure.where() - start) + 1;
         const std::string expected = failure.which();
-        throw ExpressionError(position, (expected.starts_with('\'') ? expected : std::string("a number, x, a function or '('")) + " is expected");
+        throw ExpressionError(position,
+                              (expected.starts_with('\'') ? expected : std::string("a number, x, a function or '('")) + " is expected");
     }
-    if (here != text.end()) throw ExpressionError(static_cast<std::size_t>(here - start) + 1, std::string("an operator is expected before '") + *here + "' (a product needs its *)");
+    if (here != text.end())
+        throw ExpressionError(static_cast<std::size_t>(here - start) + 1,
+                              std::string("an operator is expected before '") + *here + "' (a product needs its *)");
     return result;
 }
 

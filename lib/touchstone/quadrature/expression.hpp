@@ -18,13 +18,69 @@ namespace touchstone::quadrature {
 
 /// What a node of a formula computes from its arguments.
 enum class Op {
-    number, variable, pi, e,
-    add, multiply, divide, power, negate,
-    exp, log, sqrt, cbrt, abs, sign, floor, ceil, max, min,
-    sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch,
-    asin, acos, atan, asinh, acosh, atanh, expm1, log1p, sinc,
-    gamma, rgamma, lgamma, digamma, zeta, erf, erfc, erfi, ei, si, ci, li, dilog, airy_ai, airy_bi, lambert_w, elliptic_k, elliptic_e,
-    bessel_j, bessel_y, bessel_i, bessel_k, polylog,
+    number,
+    variable,
+    pi,
+    e,
+    add,
+    multiply,
+    divide,
+    power,
+    negate,
+    exp,
+    log,
+    sqrt,
+    cbrt,
+    abs,
+    sign,
+    floor,
+    ceil,
+    max,
+    min,
+    sin,
+    cos,
+    tan,
+    cot,
+    sec,
+    csc,
+    sinh,
+    cosh,
+    tanh,
+    coth,
+    sech,
+    csch,
+    asin,
+    acos,
+    atan,
+    asinh,
+    acosh,
+    atanh,
+    expm1,
+    log1p,
+    sinc,
+    gamma,
+    rgamma,
+    lgamma,
+    digamma,
+    zeta,
+    erf,
+    erfc,
+    erfi,
+    ei,
+    si,
+    ci,
+    li,
+    dilog,
+    airy_ai,
+    airy_bi,
+    lambert_w,
+    elliptic_k,
+    elliptic_e,
+    bessel_j,
+    bessel_y,
+    bessel_i,
+    bessel_k,
+    polylog,
 };
 
 struct Expression;
@@ -33,9 +89,9 @@ using ExpressionPtr = std::shared_ptr<const Expression>;
 /// A node of the tree. Immutable, shared.
 struct Expression {
     Op op = Op::number;
-    Rational number;                 ///< of Op::number
+    Rational number; ///< of Op::number
     std::vector<ExpressionPtr> args;
-    std::size_t column = 1;          ///< where it starts in the text, from 1
+    std::size_t column = 1; ///< where it starts in the text, from 1
 };
 
 /// A text that is no formula. what() is one line that names the column.

@@ -80,13 +80,15 @@ struct Integrand::Body {
     double width = 1;
 };
 
-Integrand::Integrand(const ExpressionPtr& e, Range range) : body_(std::make_unique<Body>())
+Integrand::Integrand(const ExpressionPtr& e, Range range)
+    : body_(std::make_unique<Body>())
 {
     const WorkingPrecision precision(64);
     body_->range = std::move(range);
     body_->place.range = &body_->range;
     body_->root = compiled::compile(e, body_->place);
-    if (body_->range.map == Map::finite) body_->width = arf_get_d(arb_midref((body_->range.to.ball() - body_->range.from.ball()).get()), ARF_RND_NEAR);
+    if (body_->range.map == Map::finite)
+        body_->width = arf_get_d(arb_midref((body_->range.to.ball() - body_->range.from.ball()).get()), ARF_RND_NEAR);
 }
 Integrand::~Integrand() = default;
 Integrand::Integrand(Integrand&&) noexcept = default;
@@ -98,7 +100,8 @@ EndpointNumber<Ball> Integrand::at(const EndpointNumber<Ball>& x, const Endpoint
     return compiled::evaluate(*body_->root, Point<Ball>{x, left, right, body_->place.exp_x(left, right)}, body_->place);
 }
 
-EndpointNumber<ComplexBall> Integrand::at(const EndpointNumber<ComplexBall>& x, const EndpointNumber<ComplexBall>& left, const EndpointNumber<ComplexBall>& right) const
+EndpointNumber<ComplexBall> Integrand::at(const EndpointNumber<ComplexBall>& x, const EndpointNumber<ComplexBall>& left,
+                                          const EndpointNumber<ComplexBall>& right) const
 {
     return compiled::evaluate(*body_->root, Point<ComplexBall>{x, left, right, body_->place.exp_x(left, right)}, body_->place);
 }
@@ -106,7 +109,8 @@ EndpointNumber<ComplexBall> Integrand::at(const EndpointNumber<ComplexBall>& x, 
 ComplexBall Integrand::in_plane(const ComplexBall& z) const
 {
     const ComplexBall from_left = z - ComplexBall(body_->range.from.ball()), from_right = ComplexBall(body_->range.to.ball()) - z;
-    const double l = mag_get_d(arb_radref(acb_realref(from_left.get()))) + std::fabs(arf_get_d(arb_midref(acb_realref(from_left.get())), ARF_RND_NEAR));
+    const double l =
+        mag_get_d(arb_radref(acb_realref(from_left.get()))) + std::fabs(arf_get_d(arb_midref(acb_realref(from_left.get())), ARF_RND_NEAR));
     const Side side = l < body_->width / 2 ? Side::left : Side::right;
     const compiled::Disc disc(side, side == Side::left ? from_left : from_right);
     const Point<ComplexBall> p = compiled::point_about(side, disc, side == Side::left ? from_left : from_right, body_->place);
@@ -135,7 +139,11 @@ constexpr std::size_t most_branches = 400;
 
 class Branches {
 public:
-    Branches(const Limit& from, const Limit& to) : from_(from), to_(to) {}
+    Branches(const Limit& from, const Limit& to)
+        : from_(from)
+        , to_(to)
+    {
+    }
     void collect(const Expression& e)
     {
         for (const ExpressionPtr& a : e.args) collect(*a);
@@ -154,7 +162,8 @@ public:
     }
     std::vector<ExactSum> sorted()
     {
-        std::sort(points_.begin(), points_.end(), [](const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
+        std::sort(points_.begin(), points_.end(),
+                  [](const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
         points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
         return points_;
     }
@@ -174,14 +183,16 @@ private:
         const double a = index(from_), b = index(to_);
         const double first = std::floor(std::min(a, b)), last = std::ceil(std::max(a, b));
         if (!(last - first <= static_cast<double>(most_branches)) || std::fabs(first) > 1e15)
-            throw DomainError("the formula has more than " + std::to_string(most_branches) + " branches on the interval: integrate it in parts");
+            throw DomainError("the formula has more than " + std::to_string(most_branches) +
+                              " branches on the interval: integrate it in parts");
         for (long k = static_cast<long>(first); k <= static_cast<long>(last); ++k) add((base + ExactSum(k) * step - (*p)[0]) * *slope);
     }
     void steps(const Expression& argument)
     {
         if (argument.op == Op::max || argument.op == Op::min)
             for (const ExpressionPtr& a : argument.args) steps(*a);
-        else multiples(argument, ExactSum(0), ExactSum(1));
+        else
+            multiples(argument, ExactSum(0), ExactSum(1));
     }
     void zeros(const Expression& e)
     {
@@ -218,7 +229,8 @@ private:
         };
         if (!beyond(from_, false) || !beyond(to_, true)) return;
         points_.push_back(x);
-        if (points_.size() > 2 * most_branches) throw DomainError("the formula has too many branches on the interval: integrate it in parts");
+        if (points_.size() > 2 * most_branches)
+            throw DomainError("the formula has too many branches on the interval: integrate it in parts");
     }
 
     const Limit &from_, &to_;

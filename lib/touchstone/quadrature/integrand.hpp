@@ -6,9 +6,10 @@
 /// difference loses what matters. So the formula is compiled for its interval:
 ///
 /// - a polynomial in x with exact coefficients is divided by its zeros at the ends, exactly: on [0, 1], 1 - x^2 becomes right (1 + x);
-/// - any other sum or function whose exact expansion (exact_series.hpp) begins with s^m at an end, m > 0 or more than its terms show, is s^m T with T
-///   analytic on a disc |s| < R about the end: near the end T is its first exact coefficients and a Cauchy bound of the rest, sup|T| (|s|/R)^n/(1 - |s|/R),
-///   farther away the quotient of balls;
+/// - any other sum or function whose exact expansion (exact_series.hpp) begins with s^m at an end, m > 0 or more than its terms show, is
+/// s^m T with T
+///   analytic on a disc |s| < R about the end: near the end T is its first exact coefficients and a Cauchy bound of the rest, sup|T|
+///   (|s|/R)^n/(1 - |s|/R), farther away the quotient of balls;
 /// - exp(k x + c) on a range where x is a logarithm is a power of the distances;
 /// - asin, acos, acosh, atanh of what reaches +-1 are written by roots and logarithms of 1 -+ it;
 /// - abs, sign, max, min of what has no zero inside the range lose their branch.
@@ -55,7 +56,8 @@ public:
     Integrand(Integrand&&) noexcept;
 
     EndpointNumber<Ball> at(const EndpointNumber<Ball>& x, const EndpointNumber<Ball>& left, const EndpointNumber<Ball>& right) const;
-    EndpointNumber<ComplexBall> at(const EndpointNumber<ComplexBall>& x, const EndpointNumber<ComplexBall>& left, const EndpointNumber<ComplexBall>& right) const;
+    EndpointNumber<ComplexBall> at(const EndpointNumber<ComplexBall>& x, const EndpointNumber<ComplexBall>& left,
+                                   const EndpointNumber<ComplexBall>& right) const;
     /// At a point of the plane: non-finite unless analytic on the whole ball. For finite ranges.
     ComplexBall in_plane(const ComplexBall& z) const;
     /// Whether it is analytic and bounded on a neighbourhood of each end of the finite range.
@@ -67,8 +69,8 @@ private:
     std::unique_ptr<Body> body_;
 };
 
-/// Points strictly inside the range where the formula has a branch of its own: zeros of what abs, sign, max, min are taken of, steps of floor and ceil,
-/// as far as they can be named exactly. \throws DomainError where there are too many.
+/// Points strictly inside the range where the formula has a branch of its own: zeros of what abs, sign, max, min are taken of, steps of
+/// floor and ceil, as far as they can be named exactly. \throws DomainError where there are too many.
 std::vector<ExactSum> branch_points(const Expression&, const Limit& from, const Limit& to);
 
 } // namespace touchstone::quadrature

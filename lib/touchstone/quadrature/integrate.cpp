@@ -54,7 +54,8 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, long digits)
     mag_init(tolerance);
     mag_set_ui_2exp_si(tolerance, 1, -bits);
     ComplexBall value;
-    const int status = acb_calc_integrate(value.get(), evaluate, &call, ComplexBall(f.range().from.ball()).get(), ComplexBall(f.range().to.ball()).get(), bits, tolerance, options, bits);
+    const int status = acb_calc_integrate(value.get(), evaluate, &call, ComplexBall(f.range().from.ball()).get(),
+                                          ComplexBall(f.range().to.ball()).get(), bits, tolerance, options, bits);
     mag_clear(tolerance);
     if (status != ARB_CALC_SUCCESS || !value.is_finite()) return std::nullopt;
     Attempt a;
@@ -68,7 +69,8 @@ Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, long digits)
 {
     Options options;
     options.digits = digits;
-    const Enclosure e = tanh_sinh([f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); }, f->range().interval(), options);
+    const Enclosure e = tanh_sinh([f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); },
+                                  f->range().interval(), options);
     Attempt a;
     a.value = e.value;
     a.reason = e.reason;
@@ -95,9 +97,18 @@ Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, long digits)
 bool names_exponential(const Expression& e)
 {
     switch (e.op) {
-    case Op::exp: case Op::expm1: case Op::sinh: case Op::cosh: case Op::tanh: case Op::coth: case Op::sech: case Op::csch:
-    case Op::erf: case Op::erfc: case Op::airy_ai: case Op::bessel_k:
-        return depends_on_x(e);
+    case Op::exp:
+    case Op::expm1:
+    case Op::sinh:
+    case Op::cosh:
+    case Op::tanh:
+    case Op::coth:
+    case Op::sech:
+    case Op::csch:
+    case Op::erf:
+    case Op::erfc:
+    case Op::airy_ai:
+    case Op::bessel_k: return depends_on_x(e);
     case Op::power:
         if (depends_on_x(*e.args[1])) return true;
         break;
@@ -123,7 +134,11 @@ bool changes_branch(const Expression& e, const ExactSum& at)
 
 class Integration {
 public:
-    Integration(const ExpressionPtr& e, const IntegralOptions& o) : e_(e), options_(o) {}
+    Integration(const ExpressionPtr& e, const IntegralOptions& o)
+        : e_(e)
+        , options_(o)
+    {
+    }
     Integral run(const Limit& from, const Limit& to);
 
 private:
@@ -145,7 +160,8 @@ bool Integration::diverges(const Limit& end, int direction, Integral& out) const
     const auto s = expand(*e_, *end.exact, direction);
     if (!s || s->c.empty() || s->valuation > -1) return false;
     out.divergent = true;
-    out.reason = "the integral diverges at x = " + end.text + ": the formula behaves there like |x - " + end.text + "|^" + (s->valuation.get_den() == 1 ? s->valuation.get_str() : "(" + s->valuation.get_str() + ")");
+    out.reason = "the integral diverges at x = " + end.text + ": the formula behaves there like |x - " + end.text + "|^" +
+                 (s->valuation.get_den() == 1 ? s->valuation.get_str() : "(" + s->valuation.get_str() + ")");
     return true;
 }
 
@@ -154,13 +170,19 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
     std::vector<Map> maps;
     const bool exponential = names_exponential(*e_);
     const auto either = [&](Map algebraic_map, Map exponential_map) {
-        if (exponential) maps = {exponential_map, algebraic_map};
-        else maps = {algebraic_map, exponential_map};
+        if (exponential)
+            maps = {exponential_map, algebraic_map};
+        else
+            maps = {algebraic_map, exponential_map};
     };
-    if (from.infinite && to.infinite) either(Map::line_algebraic, Map::line_exponential);
-    else if (to.infinite) either(Map::right_algebraic, Map::right_exponential);
-    else if (from.infinite) either(Map::left_algebraic, Map::left_exponential);
-    else maps = {Map::finite};
+    if (from.infinite && to.infinite)
+        either(Map::line_algebraic, Map::line_exponential);
+    else if (to.infinite)
+        either(Map::right_algebraic, Map::right_exponential);
+    else if (from.infinite)
+        either(Map::left_algebraic, Map::left_exponential);
+    else
+        maps = {Map::finite};
     Attempt first;
     for (const Map map : maps) {
         const auto f = std::make_shared<const Integrand>(e_, Range{from, to, map});
@@ -239,7 +261,9 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
         }
     }
     if (a.reason.find(" end ") != std::string::npos) // what can be done about an end
-        a.reason += from.infinite || to.infinite ? " (a tail that oscillates or decays like exp(-x^p), p < 1, is not taken: substitute, or damp it)" : " (if it oscillates or is like exp(-1/x) there, substitute x = 1/t)";
+        a.reason += from.infinite || to.infinite
+                        ? " (a tail that oscillates or decays like exp(-x^p), p < 1, is not taken: substitute, or damp it)"
+                        : " (if it oscillates or is like exp(-1/x) there, substitute x = 1/t)";
     out.reason = "not proved on [" + from.text + ", " + to.text + "]" + (a.at ? " near x = " + short_number(*a.at) : "") + ": " + a.reason;
     return false;
 }
@@ -251,7 +275,8 @@ Integral Integration::run(const Limit& from, const Limit& to)
     {
         const WorkingPrecision precision(256);
         const bool same = (from.exact && to.exact && *from.exact == *to.exact) || (from.infinite != 0 && from.infinite == to.infinite);
-        const bool reversed = !same && (from.infinite > 0 || to.infinite < 0 || (!from.infinite && !to.infinite && arb_gt(from.ball().get(), to.ball().get())));
+        const bool reversed = !same && (from.infinite > 0 || to.infinite < 0 ||
+                                        (!from.infinite && !to.infinite && arb_gt(from.ball().get(), to.ball().get())));
         if (same && !from.infinite) { // nothing to integrate over
             out.value = Ball(0);
             out.status = Status::certified;
@@ -267,12 +292,14 @@ Integral Integration::run(const Limit& from, const Limit& to)
     std::vector<Limit> cuts;
     {
         const WorkingPrecision precision(256);
-        const auto ordered = [](const Limit& a, const Limit& b) { return a.infinite < 0 || b.infinite > 0 || arb_lt(a.ball().get(), b.ball().get()) != 0; };
-        if (!ordered(from, to))
-            throw DomainError("the ends " + from.text + " and " + to.text + " cannot be told apart");
+        const auto ordered = [](const Limit& a, const Limit& b) {
+            return a.infinite < 0 || b.infinite > 0 || arb_lt(a.ball().get(), b.ball().get()) != 0;
+        };
+        if (!ordered(from, to)) throw DomainError("the ends " + from.text + " and " + to.text + " cannot be told apart");
         cuts = options_.at;
         for (const Limit& c : cuts)
-            if (c.infinite || !ordered(from, c) || !ordered(c, to)) throw DomainError("the break point " + c.text + " is not inside the range from " + from.text + " to " + to.text);
+            if (c.infinite || !ordered(from, c) || !ordered(c, to))
+                throw DomainError("the break point " + c.text + " is not inside the range from " + from.text + " to " + to.text);
         for (const ExactSum& x : branch_points(*e_, from, to)) cuts.push_back(limit_at(x, text_of(x)));
         std::sort(cuts.begin(), cuts.end(), [](const Limit& a, const Limit& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
         const auto same = [&](const Limit& a, const Limit& b) { return !ordered(a, b); };
@@ -300,7 +327,8 @@ Integral Integration::run(const Limit& from, const Limit& to)
         digits += std::min<long>(static_cast<long>(shortfall / bits_per_digit) + 3, 2 * options_.digits + 20);
     }
     const double have = static_cast<double>(out.value.relative_bits());
-    out.digits = out.value.is_exact() ? options_.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options_.digits);
+    out.digits =
+        out.value.is_exact() ? options_.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options_.digits);
     bool enough = out.digits == options_.digits;
     if (options_.tolerance && !enough) {
         Ball radius;
@@ -309,13 +337,17 @@ Integral Integration::run(const Limit& from, const Limit& to)
     }
     out.status = enough ? Status::certified : Status::undecided;
     if (!enough)
-        out.reason = (out.digits == 0 ? std::string("none") : "only " + std::to_string(out.digits)) + " of " + std::to_string(options_.digits) + " digits proven: the integral lies in " +
-                     out.value.to_string(3) + (out.value.contains_zero() ? ", which may be 0: ask for an absolute error with --tolerance" : "");
+        out.reason = (out.digits == 0 ? std::string("none") : "only " + std::to_string(out.digits)) + " of " +
+                     std::to_string(options_.digits) + " digits proven: the integral lies in " + out.value.to_string(3) +
+                     (out.value.contains_zero() ? ", which may be 0: ask for an absolute error with --tolerance" : "");
     return out;
 }
 
 } // namespace
 
-Integral integrate(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options) { return Integration(e, options).run(from, to); }
+Integral integrate(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options)
+{
+    return Integration(e, options).run(from, to);
+}
 
 } // namespace touchstone::quadrature

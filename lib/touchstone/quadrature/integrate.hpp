@@ -4,16 +4,18 @@
 ///
 ///     const Integral I = integrate(parse_expression("x^(-1/2)*log(1/x)/(1+x^2)"), parse_limit("0"), parse_limit("1"), {.digits = 50});
 ///
-/// The range is cut where it is told to be (`at`), at the branches of abs, sign, floor, ceil, max, min that can be named exactly, and where the proof
-/// stops at a point at which the formula has an exact expansion that is integrable from both sides. Each part is integrated by one of
+/// The range is cut where it is told to be (`at`), at the branches of abs, sign, floor, ceil, max, min that can be named exactly, and where
+/// the proof stops at a point at which the formula has an exact expansion that is integrable from both sides. Each part is integrated by
+/// one of
 ///
-///   Gauss-Legendre   where the formula is analytic about both ends: Arb's acb_calc_integrate (Petras's algorithm), each panel with its ellipse;
-///   tanh-sinh        else, and on infinite ranges: tanh_sinh.hpp;
+///   Gauss-Legendre   where the formula is analytic about both ends: Arb's acb_calc_integrate (Petras's algorithm), each panel with its
+///   ellipse; tanh-sinh        else, and on infinite ranges: tanh_sinh.hpp;
 ///
 /// and the balls are added at the precision of the digits asked for. Parts that cancel are repeated with more digits.
 ///
-/// Errors: `certified` means that the digits asked for are proven (or |error| <= tolerance, if one is given); `undecided` is a proven enclosure with
-/// fewer digits, or none, and `reason` says why, in one line, naming the place. `divergent` is proven: an exact expansion shows the exponent.
+/// Errors: `certified` means that the digits asked for are proven (or |error| <= tolerance, if one is given); `undecided` is a proven
+/// enclosure with fewer digits, or none, and `reason` says why, in one line, naming the place. `divergent` is proven: an exact expansion
+/// shows the exponent.
 #pragma once
 
 #include "touchstone/quadrature/integrand.hpp"
@@ -39,9 +41,9 @@ struct Part {
 struct Integral {
     Ball value;
     Status status = Status::indeterminate;
-    long digits = 0;      ///< proven
+    long digits = 0; ///< proven
     bool divergent = false;
-    std::string reason;   ///< unless certified
+    std::string reason; ///< unless certified
     std::vector<Part> parts;
 };
 

@@ -25,8 +25,14 @@ ComplexBall by(F&& f, const ComplexBall& z)
 }
 
 /// Whether z may meet the real numbers up to (from) the bound.
-bool meets_up_to(const ComplexBall& z, const Ball& bound) { return arb_contains_zero(acb_imagref(z.get())) && !arb_gt(acb_realref(z.get()), bound.get()); }
-bool meets_from(const ComplexBall& z, const Ball& bound) { return arb_contains_zero(acb_imagref(z.get())) && !arb_lt(acb_realref(z.get()), bound.get()); }
+bool meets_up_to(const ComplexBall& z, const Ball& bound)
+{
+    return arb_contains_zero(acb_imagref(z.get())) && !arb_gt(acb_realref(z.get()), bound.get());
+}
+bool meets_from(const ComplexBall& z, const Ball& bound)
+{
+    return arb_contains_zero(acb_imagref(z.get())) && !arb_lt(acb_realref(z.get()), bound.get());
+}
 
 ComplexBall lambert_w(const ComplexBall& z)
 {

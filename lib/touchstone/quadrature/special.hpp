@@ -2,9 +2,10 @@
 /// \file
 /// The functions a formula may name, on balls: non-finite unless analytic on the whole of the argument.
 ///
-/// Cuts: (-oo, 0] for log, lgamma, ci, bessely, besselk and Bessel functions of other than integer order; (-oo, 1] for li; [1, oo) for dilog, polylog, ellipk and
-/// ellipe (of the parameter m = k^2); (-oo, -1/e] for lambertw; (-oo, -1] and [1, oo) for asin, acos, atanh; (-oo, 1] for acosh;
-/// i[1, oo) and -i[1, oo) for atan, asinh. Ei is the real function on either half line: each half plane has its own continuation.
+/// Cuts: (-oo, 0] for log, lgamma, ci, bessely, besselk and Bessel functions of other than integer order; (-oo, 1] for li; [1, oo) for
+/// dilog, polylog, ellipk and ellipe (of the parameter m = k^2); (-oo, -1/e] for lambertw; (-oo, -1] and [1, oo) for asin, acos, atanh;
+/// (-oo, 1] for acosh; i[1, oo) and -i[1, oo) for atan, asinh. Ei is the real function on either half line: each half plane has its own
+/// continuation.
 #pragma once
 
 #include "touchstone/quadrature/expression.hpp"
