@@ -10,7 +10,7 @@ import argparse
 import hashlib
 import json
 import sys
-from math import inf, log10
+from math import inf
 from fractions import Fraction
 
 import certificate
@@ -104,7 +104,7 @@ def verdict(form, row, names, binary64):
             return "wrong", 0
         Interval.bits *= 2
     off = max(abs(high - value), abs(low - value))
-    return "undecided", int(log10(abs(value) / off)) if 0 < off < abs(value) else 0
+    return "undecided", len(str(int(abs(value) / off))) - 1 if off else 0
 
 
 def main():

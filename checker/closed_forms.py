@@ -149,17 +149,26 @@ def surface_ratio(D, gamma):
 
 
 def weierstrass_bound(D, gamma):
-    return 1 / (1 - iv.power(gamma, D - 2))
+    return 1 / (1 - power_of_gamma(gamma, D - 2))
 
 
 def exact_power(x, exponent):
     """x**exponent as a fraction, for exponents with a power of two below; None if it is none"""
+    if exponent.denominator & (exponent.denominator - 1):
+        return None
     y = x ** abs(exponent.numerator)
     for _ in range(exponent.denominator.bit_length() - 1):
         y = root(y)
         if not isinstance(y, Fraction):
             return None
     return y if exponent > 0 else 1 / y
+
+
+def power_of_gamma(gamma, exponent):
+    """exact where the exponent is short and the power a fraction"""
+    few = exponent.denominator <= 8 and abs(exponent.numerator) <= 8
+    exact = exact_power(gamma, exponent) if few else None
+    return exact if exact is not None else iv.power(gamma, exponent)
 
 
 def cosine_of_turns(phase):
@@ -172,10 +181,7 @@ def cosine_of_turns(phase):
 
 def weierstrass_profile(x, D, gamma):
     """(3.1), each phase exact. What follows the last term is a geometric series; so is all that follows a phase of whole turns."""
-    few = (D - 2).denominator <= 8 and abs((D - 2).numerator) <= 8
-    ratio = exact_power(gamma, D - 2) if few else None
-    if ratio is None:
-        ratio = iv.power(gamma, D - 2)
+    ratio = power_of_gamma(gamma, D - 2)
     amplitude, phase, total = Fraction(1), x, Fraction(0)
     while iv._magnitude(Interval.of(amplitude)) > -Interval.bits:
         if phase.denominator == 1 and gamma.denominator == 1:
@@ -390,4 +396,5 @@ FORMS = {
     "segments.max_half_width": max_half_width,
     "contact.area": contact_area, "contact.exceedance": contact_exceedance, "contact.density": contact_density,
     "segments.count": segments_count, "segments.density": segments_density,
+    **dict.fromkeys(("limit.area_constant", "limit.area_ratio", "limit.gap", "limit.scale"), lambda *_: None),
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone paper`: the ledger, one verdict for each equation, table entry and sentence.
+#include "proofs/coq_theorems.hpp"
 #include "proofs/errata.hpp"
 #include "proofs/ledger.hpp"
 #include "proofs/lemmas/stored_values.hpp"
@@ -94,6 +95,9 @@ nlohmann::ordered_json json_of(const Entry& e)
     j["controls"] = nlohmann::ordered_json::array();
     for (const auto& k : e.controls)
         j["controls"].push_back({{"what", k.what}, {"verdict", name(k.finding.verdict)}, {"reason", k.finding.reason}});
+    const CoqTheorem* coq = coq_theorem(e.claim->id);
+    j["ground"] = ground(e);
+    j["coq"] = coq == nullptr ? "" : fmt::format("{} {}", coq->theorem, coq->file);
     j["failures"] = failures(e);
     return j;
 }
@@ -161,6 +165,10 @@ int print_ledger(const std::vector<Entry>& entries)
         comma = ", ";
     }
     fmt::print("; {} controls and corrected forms judged\n", controls);
+    std::map<std::string_view, int> grounds;
+    for (const Entry& e : entries) ++grounds[ground(e)];
+    fmt::print("proved or verified: {} by Coq, {} by symbols, {} by balls; {} argued (Coq: proofs/coq, ./bootstrap.sh prove)\n",
+               grounds["Coq"], grounds["symbols"], grounds["balls"], grounds["argument"]);
     if (!refuted.empty()) {
         fmt::print("of the refuted:");
         comma = " ";
@@ -245,6 +253,8 @@ int explain(const Entry& e)
         section("consequence", c->consequence);
     }
     section("method", e.finding.method);
+    if (const CoqTheorem* t = coq_theorem(e.claim->id))
+        section("Coq", fmt::format("{} in {}{}{}{}", t->theorem, t->file, t->whole ? "" : " (in part)", t->sense.empty() ? "" : ": ", t->sense));
     section("judged in", e.finding.judge);
     for (std::size_t i = 0; i < e.finding.lemmas.size(); ++i) section(i == 0 ? "lemmas" : "", e.finding.lemmas[i]);
     if (!e.finding.rows.empty())

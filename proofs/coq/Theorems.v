@@ -5,6 +5,7 @@ Require Import Wave Peaks Operator Areas Equilibrium Archard Numbers.
 
 Print Assumptions iteration_converges.
 Print Assumptions x_P_is_unique.
+Print Assumptions x_P_is_fixed.
 Print Assumptions doubled_half_width.
 Print Assumptions pressure_as_printed.
 Print Assumptions semicircle.
@@ -15,6 +16,7 @@ Print Assumptions errors_only_add.
 Print Assumptions relative_errors_add.
 Print Assumptions area_increases_with_load.
 Print Assumptions area_of_one_wave.
+Print Assumptions contact_of_one_wave.
 Print Assumptions phi_log_convex.
 Print Assumptions log_integral.
 Print Assumptions K_inf_lower.

@@ -62,6 +62,20 @@ class Checker(unittest.TestCase):
                 with self.subTest(seed=seed, table=name, row=row, mutant=cells[len(inputs)]):
                     self.assertIn(check.verdict(form, " ".join(cells), inputs, True)[0], ("wrong", "undecided"))
 
+    def test_coq_has_the_theorems_that_the_ledger_names(self):
+        """data/paper/coq.txt: each entry is in the ledger, each theorem is in its file, and Theorems.v prints what it assumes."""
+        source = known.checker.parent
+        entries = {line.split()[0] for line in (source / "data/paper/verdicts.txt").read_text().splitlines() if line[:1] not in "# "}
+        printed = (source / "proofs/coq/Theorems.v").read_text()
+        lines = [line.split(" ", 4) for line in (source / "data/paper/coq.txt").read_text().splitlines() if not line.startswith("#")]
+        self.assertGreater(len(lines), 15)
+        for entry, extent, theorem, file, *_ in lines:
+            with self.subTest(entry=entry):
+                self.assertIn(entry, entries)
+                self.assertIn(extent, ("whole", "part"))
+                self.assertRegex((source / file).read_text(), rf"(?m)^Theorem {theorem}\b")
+                self.assertIn(f"Print Assumptions {theorem}.\n", printed)
+
     def test_what_is_no_table_is_refused(self):
         table = (known.tables / "westergaard_half_width.txt").read_text()
         lines = table.splitlines(keepends=True)
