@@ -208,15 +208,15 @@ Check full_contact_share_stays()
     return all_of({
         inverse_root_moment(),
         identity(2 / G * (1 - e), q, points),
-        positive((q - 1).subs(G == G_below_2), Points{"u=1"}),
-        positive(e.subs(G == G_below_2), Points{"u=1"}),
+        identity((q - 1).subs(G == G_below_2), 1 / (2 * (1 + u)), Points{"u=1"}),
+        identity(e.subs(G == G_below_2), 1 / (2 * (2 + u)), Points{"u=1"}),
         // P(x < t) <= sqrt(t) G in the limit, one half at sqrt(t) = 1/(2G)
         share_below(),
         identity(G / (2 * G), ex(1) / 2, points),
         // the fixed point q^2 of q sqrt(x) is above 1, so a fixed number of such steps takes t above 1
         power_identity(q * sqrt(pow(sym("y"), 2)), q * sym("y"), Points{"G=3/2 y=2"}),
         // full contact persists with probability at least arccos(G - 1)/pi: (x + cos theta)/G >= 1 where cos theta >= G - 1
-        positive(((1 + (G - 1)) / G).subs(G == G_below_2), Points{"u=1"}),
+        identity((1 + (G - 1)) / G, 1, points),
         words("a fixed number of steps that each have positive probability has positive probability"),
         // the share by number is E[1/x; x >= 1]/E[1/x], E[1/x_n] = G E[h(x_{n-1})] <= G^2 in the limit, 1/x >= 1/x_P
         force_weighting(),
@@ -243,8 +243,8 @@ Check non_hertzian_share_stays()
     const ex r_below_1 = 1 / (1 + u);
     return all_of({
         inverse_root_moment(),
-        positive(((1 - e) - r).subs(r == r_below_1), Points{"u=1"}),
-        positive(e.subs(r == r_below_1), Points{"u=1"}),
+        identity(((1 - e) - r).subs(r == r_below_1), u / (2 * (1 + u)), Points{"u=1"}),
+        identity(e.subs(r == r_below_1), u / (2 * (1 + u)), Points{"u=1"}),
         // a step with u^2 <= e takes x <= 1 at least to q sqrt(x), q = (2/G)(1 - e) > (2/G) r = 1/sqrt(5): fixed point q^2 > 1/5
         identity(pow(2 / (r * sqrt(ex(20))) * r, 2), ex(1) / 5, Points{"r=1/2"}),
         // and keeps x >= 1/5 there: q sqrt(1/5) > 1/5
