@@ -240,7 +240,7 @@ void recheck_what_decides(const Case& c, const Reference& reference, const std::
             decisive.push_back(rows[static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
                                                                            [](const auto& q) { return !q.held_out; }))]);
     }
-    oracle::recheck(*c.quantity, reference.table, decisive, reference.file);
+    oracle::recheck(*c.quantity, reference.table, decisive, reference.file, oracle::Recheck::what_decides);
 }
 
 int say(const JudgeOptions& o, const Case& c)

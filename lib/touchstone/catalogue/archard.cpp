@@ -5,6 +5,9 @@
 #include "touchstone/paper/archard_constants.hpp"
 #include "touchstone/paper/segments.hpp"
 
+#include <map>
+#include <tuple>
+
 namespace touchstone {
 namespace {
 
@@ -12,12 +15,23 @@ constexpr long largest_n = 1'000'000;
 
 using Constant = Ball (*)(long);
 
+/// K depends on n alone: whoever asks for it at one load asks for it at the next. Each thread keeps the last ones, as they came out.
+Ball kept(Constant compute, long n)
+{
+    constexpr std::size_t most_kept = 256;
+    thread_local std::map<std::tuple<Constant, long, slong>, Ball> all;
+    const std::tuple key(compute, n, WorkingPrecision::bits());
+    if (const auto found = all.find(key); found != all.end()) return found->second;
+    if (all.size() == most_kept) all.clear();
+    return all.emplace(key, compute(n)).first->second;
+}
+
 /// A route of a quantity that needs some K, once for each of the two ways to compute K.
 template <class F>
 std::vector<Route> by_both_K(F f)
 {
     const auto route = [f](std::string name, Constant K) {
-        return Route{std::move(name), [f, K](const Inputs& in) -> Ball { return f(in, Arguments<Ball>(in), K); }, true};
+        return Route{std::move(name), [f, K](const Inputs& in) -> Ball { return f(in, Arguments<Ball>(in), [K](long n) { return kept(K, n); }); }, true};
     };
     return {route("gamma-product", archard::K_gamma_product), route("log-gamma-series", archard::K_eta_series)};
 }
@@ -60,11 +74,11 @@ void add_archard(std::vector<Quantity>& all)
 {
     all.push_back({"archard.K", "7.13", "1", "n from 0 to 10^6", {"n"},
                    "K_n of Archard's area law, by the recursion (7.13); (7.17) as printed is another number", check_n, {},
-                   by_both_K([](const Inputs& in, const Arguments<Ball>&, Constant K) { return K(in.integer("n")); })});
+                   by_both_K([](const Inputs& in, const Arguments<Ball>&, const auto& K) { return K(in.integer("n")); })});
 
     all.push_back({"archard.K_inf", "7.20", "1", "none", {},
                    "limit of K_n as n grows", [](const Inputs&) {}, {},
-                   by_both_K([](const Inputs&, const Arguments<Ball>&, Constant K) { return K(archard::infinity); })});
+                   by_both_K([](const Inputs&, const Arguments<Ball>&, const auto& K) { return K(archard::infinity); })});
 
     const auto delta = [](auto a) { return archard::delta<decltype(a("n"))>(a.integer("n")); };
     all.push_back({"archard.delta", "7.16", "1", "n from 0 to 10^6", {"n"},
@@ -93,21 +107,21 @@ void add_archard(std::vector<Quantity>& all)
 
     all.push_back({"archard.area", "7.18", "lambda0", "n from 0 to 10^6, load > 0, G > 1", {"n", "load", "G"},
                    "contact area in the Hertzian approximation, K_n G^-(n-1+2^-n) load^(1-2^-(n+1)), with K_n of (7.13)", check_area, {},
-                   by_both_K([](const Inputs& in, const Arguments<Ball>& a, Constant K) {
+                   by_both_K([](const Inputs& in, const Arguments<Ball>& a, const auto& K) {
                        const long n = in.integer("n");
                        return archard::area(n, a("load"), a.G(), K(n));
                    })});
 
     all.push_back({"archard.segments", "8.2", "1", "n from 1 to 10^6, load > 0, 1 < D < 2, gamma > 1", {"n", "load", "D", "gamma"},
                    "expected number of contact segments in the Hertzian approximation", check_segments, {},
-                   by_both_K([](const Inputs& in, const Arguments<Ball>& a, Constant K) {
+                   by_both_K([](const Inputs& in, const Arguments<Ball>& a, const auto& K) {
                        const long n = in.integer("n");
                        return archard::segments(n, a("load"), a("D"), a("gamma"), K(n - 1));
                    })});
 
     all.push_back({"archard.segments_limit", "8.3", "1", "n from 1 to 10^6, load > 0, 1 < D < 2, gamma > 1", {"n", "load", "D", "gamma"},
                    "limiting form of the number of segments at large n", check_segments, {},
-                   by_both_K([](const Inputs& in, const Arguments<Ball>& a, Constant K) {
+                   by_both_K([](const Inputs& in, const Arguments<Ball>& a, const auto& K) {
                        return archard::segments_limit(in.integer("n"), a("load"), a("D"), a("gamma"), K(archard::infinity));
                    })});
 }

@@ -286,11 +286,12 @@ void look_at_the_numbers(const std::vector<Question>& questions, const std::vect
 
 } // namespace
 
-Diagnosis diagnose(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Tolerance& asked)
+Diagnosis diagnose(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Tolerance& asked, bool look_for_mixup)
 {
     Diagnosis d;
     d.ratio = ratio_of(questions, answers);
     look_at_the_numbers(questions, answers, d.findings);
+    if (!look_for_mixup) return d;
     const WorkingPrecision precision(bits);
     const auto rows = evidence(q, questions, answers);
     if (rows.size() < fewest_rows) return d;

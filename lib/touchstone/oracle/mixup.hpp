@@ -23,7 +23,8 @@ struct Tolerance {
 /// telling answers; failing all, the best that gives two fifths of them to a part in 1000, with what it leaves over.
 /// Telling are the rows where answer or candidate differ from the truth by more than that, and a candidate counts only if it
 /// explains twice as many rows as the certified values themselves do. At most 96 rows are tried, spread over the table; the
-/// ratio is taken over all. For a quantity of the recursion a mistake in the inputs is tried only where it leads to another row.
-Diagnosis diagnose(const Quantity&, const std::vector<Question>&, const std::vector<double>& answers, const Tolerance&);
+/// ratio is taken over all, also where no mix-up is looked for because nothing is wrong. For a quantity of the recursion a mistake in
+/// the inputs is tried only where it leads to another row.
+Diagnosis diagnose(const Quantity&, const std::vector<Question>&, const std::vector<double>& answers, const Tolerance&, bool look_for_mixup);
 
 } // namespace touchstone::oracle
