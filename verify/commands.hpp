@@ -24,6 +24,7 @@ void add_check(CLI::App&, Run&);
 void add_formula(CLI::App&, Run&);
 void add_integrate(CLI::App&, Run&);
 void add_table(CLI::App&, Run&);
+void add_merge(CLI::App&, Run&);
 void add_paper(CLI::App&, Run&);
 void add_judge(CLI::App&, Run&);
 void add_report(CLI::App&, Run&);

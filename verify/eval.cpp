@@ -95,6 +95,7 @@ void add_eval(CLI::App& app, Run& run)
     command->add_option("--round", o->round, "nearest, up, down, zero or away: a bound instead of the nearest decimal")->check(CLI::IsMember(rounding_names()))->capture_default_str();
     command->add_option("--rows", o->rows, "File of rows, or - for standard input: inputs by column names; the others as KEY=VALUE");
     command->add_option("--out", o->out, "With rows or ranges: file for the table (default: standard output)");
+    command->add_option("--shard", o->shard, "With rows or ranges: I/N, only share I of N, a file of its own in the folder --out, for touchstone merge; kept if it is there already");
     command->add_flag("--resume", o->resume, "Keep the rows that the file given to --out has already");
     command->add_flag("--binary64", o->binary64, "Rows: round each input to the nearest binary64 number first");
     command->add_option("--jobs", o->jobs, "Rows: threads")->check(CLI::Range(1u, 1024u));

@@ -22,7 +22,7 @@ struct EvalOptions {
     std::string round = "nearest";
     bool json = false;
     bool explain = false;
-    std::string rows, out;
+    std::string rows, out, shard;
     bool resume = false;
     bool binary64 = false;
     unsigned jobs = std::max(1u, std::thread::hardware_concurrency());

@@ -11,10 +11,12 @@
 #include "verify/own_rows.hpp"
 #include "verify/progress.hpp"
 #include "verify/row_table.hpp"
+#include "verify/shards.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -57,7 +59,7 @@ private:
 /// The rows of one window, and what they came to.
 struct Window {
     std::vector<OwnRow> rows;
-    std::vector<std::optional<RowTable::Kept>> kept;
+    std::vector<std::optional<RowSink::Kept>> kept;
     std::vector<RowOutcome> outcomes;
     std::vector<char> done;
     std::vector<std::size_t> order;
@@ -106,12 +108,14 @@ void work(const std::shared_ptr<Window>& w, const Job& job)
 
 class RowsRun {
 public:
-    RowsRun(const EvalOptions& o, const Quantity& q, OwnRows& rows)
-        : o_(o), job_{q, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, *rounding_named(o.round), o.jobs}, rows_(rows),
-          kind_{&q, rows.columns(), o.digits, job_.rounding, o.binary64, o.json}, table_(kind_, o.out, o.resume)
+    /// \param share nullptr: all rows
+    RowsRun(const EvalOptions& o, const RowTableKind& kind, OwnRows& rows, const RowsShare* share)
+        : o_(o), job_{*kind.quantity, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, kind.rounding, o.jobs}, rows_(rows), kind_(kind), share_(share)
     {
+        if (share_ != nullptr) table_ = std::make_unique<ShardSink>(share_->shard, shard_path(o.out, share_->shard));
+        else table_ = std::make_unique<RowTable>(kind_, o.out, o.resume);
         // rows that come up on the terminal are their own progress
-        if (!o.out.empty() || ::isatty(STDOUT_FILENO) == 0) progress_.emplace("rows", rows.count());
+        if (!o.out.empty() || ::isatty(STDOUT_FILENO) == 0) progress_.emplace("rows", share_ == nullptr ? rows.count() : static_cast<std::size_t>(std::count(share_->mine.begin(), share_->mine.end(), true)));
     }
 
     int all()
@@ -122,10 +126,10 @@ public:
             std::fflush(nullptr);
             std::_Exit(128 + interrupted); // threads may be in rows that take minutes
         }
-        table_.finish(trouble_.empty());
+        table_->finish(trouble_.empty());
         if (!trouble_.empty()) throw Failure(bad_input, trouble_);
         if (refused_ > 0) throw Failure(bad_input, refused_ == 1 ? first_refusal_ : fmt::format("{} ({} rows have no value in all)", first_refusal_, refused_));
-        return table_.counts().contains("undecided") ? undecided : holds;
+        return table_->counts().contains("undecided") ? undecided : holds;
     }
 
 private:
@@ -146,7 +150,8 @@ private:
                 ended_ = true;
                 break;
             }
-            w->kept.push_back(row.refusal.empty() ? table_.kept(row.words) : std::nullopt);
+            if (share_ != nullptr && !share_->mine.at(row.number - 1)) continue;
+            w->kept.push_back(row.refusal.empty() ? table_->kept(row.words) : std::nullopt);
             w->rows.push_back(std::move(row));
         }
         const std::size_t n = w->rows.size();
@@ -173,13 +178,13 @@ private:
             std::unique_lock lock(w->mutex);
             for (bool idle = true; written < w->rows.size() && interrupted == 0 && !w->failure;) {
                 if (w->done[written] == 0) {
-                    if (idle) table_.flush();
+                    if (idle) table_->flush();
                     idle = w->changed.wait_for(lock, look_around) == std::cv_status::timeout;
                     continue;
                 }
                 lock.unlock();
                 put(*w, written++);
-                if (progress_) progress_->done(table_.rows());
+                if (progress_) progress_->done(table_->rows());
                 lock.lock();
             }
             if (interrupted != 0 || w->failure) {
@@ -195,7 +200,7 @@ private:
         }
         for (auto& t : threads) t.join();
         if (w->failure) {
-            table_.finish(false);
+            table_->finish(false);
             std::rethrow_exception(w->failure);
         }
     }
@@ -203,21 +208,21 @@ private:
     void put(const Window& w, std::size_t i)
     {
         if (w.kept[i]) {
-            table_.write(w.kept[i]->line, w.kept[i]->status);
+            table_->write(w.rows[i].number, w.kept[i]->line, w.kept[i]->status);
             return;
         }
         const RowOutcome& outcome = w.outcomes[i];
         if (!outcome.refusal.empty() && refused_++ == 0) first_refusal_ = outcome.refusal;
-        table_.write(row_line(kind_, w.rows[i].number, w.rows[i].words, outcome),
+        table_->write(w.rows[i].number, row_line(kind_, w.rows[i].number, w.rows[i].words, outcome),
                      outcome.refusal.empty() ? std::string(to_string(outcome.result.status)) : "refused");
     }
 
     void finish_early()
     {
-        table_.finish(false);
+        table_->finish(false);
         progress_.reset();
-        fmt::print(stderr, "touchstone: interrupted; {} rows are done{}\n", table_.rows(),
-                   o_.out.empty() ? "" : fmt::format(" and in {}: the same command with --resume goes on", o_.out));
+        fmt::print(stderr, "touchstone: interrupted; {} rows are done{}\n", table_->rows(),
+                   share_ != nullptr ? ", and nothing is kept of a share broken off" : o_.out.empty() ? "" : fmt::format(" and in {}: the same command with --resume goes on", o_.out));
     }
 
     const Interrupts guard_; ///< before the table's file exists
@@ -225,7 +230,8 @@ private:
     Job job_;
     OwnRows& rows_;
     RowTableKind kind_;
-    RowTable table_;
+    const RowsShare* share_;
+    std::unique_ptr<RowSink> table_;
     std::optional<Progress> progress_;
     bool ended_ = false;
     std::string trouble_, first_refusal_;
@@ -239,8 +245,15 @@ int evaluate_rows(const EvalOptions& o, const Quantity& q, const NamedTexts& nam
     if (o.explain) throw Failure(usage_error, "--explain is for one value");
     if (o.resume && (o.out.empty() || o.json)) throw Failure(usage_error, "--resume needs --out FILE, the table to go on with, and no --json");
     if (o.digits < 1 || o.digits > 10'000) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", o.digits));
-    const auto rows = o.rows.empty() ? rows_of_ranges(q, named, {.binary64 = o.binary64}) : rows_of_file(q, o.rows, named, {.binary64 = o.binary64});
-    return RowsRun(o, q, *rows).all();
+    if (!o.shard.empty() && o.rows == "-") throw Failure(usage_error, "--shard reads the rows twice, to know whose they are: give a file, not standard input");
+    if (!o.shard.empty() && (o.resume || o.json)) throw Failure(usage_error, "--shard makes a share for touchstone merge, whole or not at all: no --resume, no --json");
+    const auto rows_anew = [&] { return o.rows.empty() ? rows_of_ranges(q, named, {.binary64 = o.binary64}) : rows_of_file(q, o.rows, named, {.binary64 = o.binary64}); };
+    const auto rows = rows_anew();
+    const RowTableKind kind{&q, rows->columns(), o.digits, *rounding_named(o.round), o.binary64, o.json};
+    if (o.shard.empty()) return RowsRun(o, kind, *rows, nullptr).all();
+    const RowsShare share = rows_share(*rows, kind, share_named(o.shard), o.rows);
+    if (const std::string path = shard_path(o.out, share.shard); const auto code = code_if_there(path, share.shard)) return *code;
+    return RowsRun(o, kind, *rows_anew(), &share).all();
 }
 
 } // namespace touchstone::program

@@ -107,6 +107,7 @@ int main(int argc, char** argv)
     add_formula(app, run);
     add_integrate(app, run);
     add_table(app, run);
+    add_merge(app, run);
     add_paper(app, run);
     add_judge(app, run);
     add_report(app, run);

@@ -105,6 +105,28 @@ std::string row_line(const RowTableKind& k, std::size_t number, const std::vecto
     return fmt::format("{} {}{}{}{}\n", fmt::join(words, " "), value, status_mark, status, told ? ": " + reason : "");
 }
 
+std::string kind_text(const RowTableKind& k) { return description(k).dump(); }
+
+RowTableKind kind_from(const std::string& json)
+{
+    const Json j = Json::parse(json, nullptr, false);
+    try {
+        RowTableKind k;
+        k.quantity = find_quantity(j.at("quantity").get<std::string>());
+        k.columns = j.at("inputs").get<std::vector<std::string>>();
+        k.binary64 = j.at("input_format") == "binary64";
+        k.digits = j.at("digits");
+        const auto rounding = rounding_named(j.at("rounding").get<std::string>());
+        if (k.quantity != nullptr && rounding) {
+            k.rounding = *rounding;
+            if (description(k) == j) return k;
+        }
+    }
+    catch (const nlohmann::json::exception&) {
+    }
+    throw CorruptTable("rows of another program: '" + json.substr(0, 80) + "'");
+}
+
 RowTable::RowTable(RowTableKind kind, std::string out, bool resume) : kind_(std::move(kind)), out_(std::move(out)), hash_(std::make_unique<Hash>())
 {
     std::error_code error;
@@ -194,7 +216,7 @@ bool RowTable::next_kept()
     return false;
 }
 
-std::optional<RowTable::Kept> RowTable::kept(const std::vector<std::string>& words)
+std::optional<RowSink::Kept> RowTable::kept(const std::vector<std::string>& words)
 {
     if (!before_ || kept_words_ != fmt::format("{}", fmt::join(words, " "))) return std::nullopt;
     Kept row{kept_line_, kept_status_};
@@ -202,12 +224,10 @@ std::optional<RowTable::Kept> RowTable::kept(const std::vector<std::string>& wor
     return row;
 }
 
-void RowTable::write(const std::string& line, const std::string& status)
+void RowTable::add(std::size_t, const std::string& line)
 {
     put(line);
     hash_->add(line);
-    ++counts_[status];
-    ++rows_;
 }
 
 void RowTable::flush()

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,28 +33,56 @@ struct RowOutcome {
 /// One line of the table, with its end.
 std::string row_line(const RowTableKind&, std::size_t number, const std::vector<std::string>& words, const RowOutcome&);
 
+/// What kind of table it is, in JSON, as its first page has it; and a kind from that. \throws CorruptTable
+std::string kind_text(const RowTableKind&);
+RowTableKind kind_from(const std::string& json);
+
 /// How many rows have which status.
 using StatusCounts = std::map<std::string, std::size_t>;
 
-/// The table on standard output, whose last line says how many rows and which hash, or in a file: there it grows in FILE.part and becomes FILE,
-/// with the same in its first lines, once it is finished or broken off.
-class RowTable {
+/// Where rows go, one after another.
+class RowSink {
 public:
-    /// \param out empty: standard output \throws Failure (cannot_write)
-    RowTable(RowTableKind, std::string out, bool resume);
-    ~RowTable();
-
+    virtual ~RowSink() = default;
     struct Kept {
         std::string line, status;
     };
-    /// The row, if the table that is taken up again has it next.
-    std::optional<Kept> kept(const std::vector<std::string>& words);
-    void write(const std::string& line, const std::string& status);
-    void flush();
+    /// The row, if it is there already.
+    virtual std::optional<Kept> kept(const std::vector<std::string>&) { return std::nullopt; }
+    /// \param number of the row, from 1
+    void write(std::size_t number, const std::string& line, const std::string& status)
+    {
+        add(number, line);
+        ++counts_[status];
+        ++rows_;
+    }
+    virtual void flush() {}
     /// All rows are there, or as many as there will be. \throws Failure
-    void finish(bool complete);
+    virtual void finish(bool complete) = 0;
     const StatusCounts& counts() const { return counts_; }
     std::size_t rows() const { return rows_; }
+
+protected:
+    virtual void add(std::size_t number, const std::string& line) = 0;
+
+    StatusCounts counts_;
+    std::size_t rows_ = 0;
+};
+
+/// The table on standard output, whose last line says how many rows and which hash, or in a file: there it grows in FILE.part and becomes FILE,
+/// with the same in its first lines, once it is finished or broken off.
+class RowTable : public RowSink {
+public:
+    /// \param out empty: standard output \throws Failure (cannot_write)
+    RowTable(RowTableKind, std::string out, bool resume);
+    ~RowTable() override;
+
+    std::optional<Kept> kept(const std::vector<std::string>& words) override;
+    void flush() override;
+    void finish(bool complete) override;
+
+protected:
+    void add(std::size_t number, const std::string& line) override;
 
 private:
     struct Hash;
@@ -71,8 +100,6 @@ private:
     std::unique_ptr<std::ifstream> before_;    ///< the table taken up again
     std::string kept_line_, kept_words_, kept_status_;
     std::unique_ptr<Hash> hash_;
-    StatusCounts counts_;
-    std::size_t rows_ = 0;
 };
 
 } // namespace touchstone::program

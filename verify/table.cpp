@@ -5,7 +5,9 @@
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
+#include "verify/manifest.hpp"
 #include "verify/progress.hpp"
+#include "verify/shards.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -36,6 +38,7 @@ struct TableOptions {
     bool check = false;
     bool skip_slow = false;
     bool renew_forced = false;
+    std::string shard;
 };
 
 /// Some characters of a line from about a place on; what cannot be seen is named.
@@ -95,20 +98,6 @@ std::vector<const TableSpec*> chosen(const std::vector<std::string>& names, std:
     return once;
 }
 
-/// The entries of a stored manifest, those of the tables just written replaced or added.
-nlohmann::ordered_json with_entries(const std::string& stored, const nlohmann::ordered_json& fresh, const std::string& file)
-{
-    auto entries = nlohmann::ordered_json::parse(stored, nullptr, false);
-    if (entries.is_discarded() || !entries.contains("tables")) throw CorruptTable(file + ": not a manifest; remove it or write all tables");
-    entries = entries["tables"];
-    for (const auto& entry : fresh) {
-        const auto same = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.at("file") == entry.at("file"); });
-        if (same == entries.end()) entries.push_back(entry);
-        else *same = entry;
-    }
-    return entries;
-}
-
 /// Only what rounded inputs force is worked out anew, in the stored tables; their values stay as they are.
 int renew_forced(const TableOptions& o)
 {
@@ -126,15 +115,29 @@ int renew_forced(const TableOptions& o)
         fmt::print("{:<28} {:>5} rows, {}\n", spec->name + ".txt", stored.rows.size(), renewed == text ? "unchanged" : "written");
         std::fflush(stdout);
     }
-    const fs::path manifest = fs::path(o.out) / "manifest.txt.json";
-    if (fs::exists(manifest))
-        write_file(manifest, nlohmann::ordered_json{{"version", std::string(version())}, {"tables", with_entries(read_file(manifest), fresh, manifest.string())}}.dump(1) + "\n");
+    if (fs::exists(fs::path(o.out) / "manifest.txt.json")) renew_manifest(o.out, "txt", fresh);
     return holds;
+}
+
+/// One share of each table; merge makes them whole.
+int make_shares(const TableOptions& o)
+{
+    if (o.check || o.format != "txt") throw Failure(usage_error, "--shard makes shares of txt tables, for touchstone merge: no --check, no --format");
+    const Share share = share_named(o.shard);
+    std::list<TableSpec> own;
+    const auto specs = chosen(o.names, own);
+    if (specs.size() > 1 && (o.out.empty() || o.out.ends_with(".txt"))) throw Failure(usage_error, "several tables need --out DIR");
+    if (o.digits && (*o.digits < 1 || *o.digits > 10'000)) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
+    int code = holds;
+    for (const TableSpec* spec : specs)
+        if (!o.skip_slow || !spec->slow) code = std::max(code, table_share(*spec, o.digits.value_or(spec->digits), o.jobs, share, o.out));
+    return code;
 }
 
 int make_tables(const TableOptions& o)
 {
     if (o.renew_forced) return renew_forced(o);
+    if (!o.shard.empty()) return make_shares(o);
     std::list<TableSpec> own;
     auto specs = chosen(o.names, own);
     if (o.skip_slow) std::erase_if(specs, [](const TableSpec* t) { return t->slow; });
@@ -189,7 +192,7 @@ int make_tables(const TableOptions& o)
     }
     const fs::path manifest_path = fs::path(o.out) / ("manifest." + o.format + ".json");
     if (!o.out.empty() && (whole_set || (!o.check && (!own.empty() || fs::exists(manifest_path))))) {
-        if (!whole_set && fs::exists(manifest_path)) manifest = with_entries(read_file(manifest_path), manifest, manifest_path.string());
+        if (!whole_set && fs::exists(manifest_path)) manifest = with_entries(manifest_path, manifest);
         const std::string text = nlohmann::ordered_json{{"version", std::string(version())}, {"tables", manifest}}.dump(1) + "\n";
         if (!o.check) write_file(manifest_path, text);
         else if (const std::string stored = read_file(manifest_path); stored != text)
@@ -213,6 +216,7 @@ void add_table(CLI::App& app, Run& run)
     command->add_flag("--skip-slow", o->skip_slow, "Leave out the tables that take minutes (full contact, distributions at all scales)");
     command->add_flag("--check", o->check, "Write nothing: regenerate and compare with the files in --out, byte for byte");
     command->add_flag("--renew-forced", o->renew_forced, "Only what rounded inputs force is worked out anew, in the tables in --out; their values are kept");
+    command->add_option("--shard", o->shard, "I/N: only share I of N, a file of its own in --out, for touchstone merge; kept if it is there already")->check(not_empty());
     command->callback([&run, o] { run = [o] { return make_tables(*o); }; });
 }
 

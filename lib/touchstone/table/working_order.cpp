@@ -15,6 +15,8 @@ bool has_surface(const Quantity& q)
     return std::any_of(q.inputs.begin(), q.inputs.end(), [](const auto& key) { return key == "G" || key == "gamma"; });
 }
 
+std::string surface(const Inputs& in) { return text(in, "G") + text(in, "D") + text(in, "gamma"); }
+
 /// What the rows that share one discretisation have in common. Only a choice of order, so that a quick comparison of G is enough.
 struct Shared {
     std::string surface, other;
@@ -24,7 +26,7 @@ struct Shared {
 
 Shared shared(const Inputs& in)
 {
-    Shared s{text(in, "G") + text(in, "D") + text(in, "gamma"), "", in.has("load") ? in.real("load") : Rational(0)};
+    Shared s{surface(in), "", in.has("load") ? in.real("load") : Rational(0)};
     const char* place = in.has("p") ? "p" : in.has("a") ? "a" : nullptr;
     const bool full = in.has("load") && (in.real("load") > 1 || (in.has("G") && in.real("G") <= 2));
     if (full) s.demand = -s.demand; // meshes reach up to the load
@@ -35,6 +37,8 @@ Shared shared(const Inputs& in)
 }
 
 } // namespace
+
+std::string surface_text(const Quantity& q, const Inputs& in) { return has_surface(q) ? surface(in) : std::string(); }
 
 std::vector<std::size_t> working_order(const Quantity& q, const std::vector<const Inputs*>& rows)
 {

@@ -6,6 +6,7 @@
 #include "touchstone/catalogue/quantity.hpp"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace touchstone {
@@ -14,5 +15,8 @@ namespace touchstone {
 /// distributions by load (partial contact) or pressure (full contact): rows that share those come together, in the order in which
 /// they first occur; among them the most demanding comes first, because what is made for it serves all others. The rest keep their order.
 std::vector<std::size_t> working_order(const Quantity&, const std::vector<const Inputs*>& rows);
+
+/// What the rows of one surface have in common, G or D and gamma; empty for a quantity without a surface.
+std::string surface_text(const Quantity&, const Inputs&);
 
 } // namespace touchstone

@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables made in shares: byte for byte the table, whatever is missing, cut off, doubled or strange is refused and named.
+
+usage: test_shards.py TOUCHSTONE SOURCE
+"""
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, SOURCE = pathlib.Path(sys.argv.pop(1)).resolve(), pathlib.Path(sys.argv.pop(1)).resolve()
+STORED = SOURCE / "data/reference"
+
+
+def run(*words, cwd=None, env=None):
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=300, cwd=cwd, env=env)
+
+
+class Shards(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.scratch.name)
+        self.shares = self.folder / "shares"
+
+    def tearDown(self):
+        self.scratch.cleanup()
+
+    def make(self, table, count, indices=None):
+        for i in indices or range(1, count + 1):
+            r = run("table", table, "--shard", f"{i}/{count}", "--out", self.shares)
+            self.assertEqual(r.returncode, 0, r.stderr)
+
+    def file(self, table, i, count):
+        return self.shares / f"{table}.shard-{i:0{len(str(count))}}-of-{count}.txt"
+
+    def merged(self, code=0):
+        r = run("merge", self.shares)
+        self.assertEqual(r.returncode, code, (r.stdout, r.stderr))
+        self.assertLessEqual(r.stderr.count("\n"), 1)
+        return r
+
+    def test_the_committed_table_byte_for_byte(self):
+        for table, count in (("archard_alpha", 7), ("archard_K_inf", 3), ("hertz_pressure", 10)):
+            self.make(table, count)
+            self.merged()
+            self.assertEqual((self.shares / f"{table}.txt").read_bytes(), (STORED / f"{table}.txt").read_bytes(), table)
+        self.assertIn("hertz_pressure.txt", (self.shares / "manifest.txt.json").read_text())
+
+    def test_rows_of_one_surface_stay_together(self):
+        self.make("archard_area", 5)
+        homes = {}
+        for i in range(1, 6):
+            for line in self.file("archard_area", i, 5).read_text().splitlines():
+                if not line.startswith("#"):
+                    homes.setdefault(line.split()[3], set()).add(i)
+        self.assertGreater(len(homes), 1)
+        self.assertTrue(all(len(home) == 1 for home in homes.values()), homes)
+        self.assertGreater(len(set.union(*homes.values())), 1)
+
+    def test_what_is_missing_is_an_array(self):
+        self.make("archard_alpha", 9, (1, 2, 4, 5, 6))
+        r = self.merged(1)
+        self.assertEqual(r.stdout, "--array=3,7-9\n")
+        self.assertIn("--array=3,7-9", r.stderr)
+        self.assertFalse((self.shares / "archard_alpha.txt").exists())
+        self.make("archard_alpha", 9, (3, 7, 8, 9))
+        self.merged()
+
+    def test_what_is_there_is_kept(self):
+        self.make("archard_alpha", 3, (2,))
+        file = self.file("archard_alpha", 2, 3)
+        before = file.stat()
+        r = run("table", "archard_alpha", "--shard", "2/3", "--out", self.shares)
+        self.assertIn("is there already", r.stdout)
+        self.assertEqual((file.stat().st_ino, file.stat().st_mtime_ns), (before.st_ino, before.st_mtime_ns))
+        good = file.read_text()
+        for bad in (good[:-30], good.replace("0.", "1.", 1), "", good.replace('"version":"', '"version":"9')):
+            file.write_text(bad)
+            self.assertEqual(run("table", "archard_alpha", "--shard", "2/3", "--out", self.shares).returncode, 0)
+            self.assertEqual(file.read_text(), good)
+
+    def test_cut_off_changed_doubled_strange(self):
+        self.make("archard_alpha", 4)
+        third = self.file("archard_alpha", 3, 4)
+        good = third.read_text()
+        rows = good.splitlines(keepends=True)
+        for bad, reason in ((good[: len(good) // 2], "cut off"), ("", "no shard"), (good[:-1] + " \n", "cut off or changed"), ("".join(rows[:-1]), "cut off or changed"),
+                            (good.replace('"shard":3', '"shard":2'), "changed")):
+            self.assertNotEqual(bad, good)
+            third.write_text(bad)
+            r = self.merged(65)
+            self.assertIn(reason, r.stderr)
+            self.assertEqual(r.stdout, "--array=3\n", bad[:80])
+        third.write_text(good)
+        shutil.copy(third, self.shares / "again.txt")
+        self.assertIn("and so is", self.merged(65).stderr)
+        (self.shares / "again.txt").unlink()
+        run("table", "archard_alpha", "--shard", "1/5", "--out", self.shares)
+        self.assertIn("another number of shares (5)", self.merged(65).stderr)
+        self.file("archard_alpha", 1, 5).unlink()
+        run("table", "archard_alpha", "--digits", "30", "--shard", "3/4", "--out", self.shares)
+        self.assertIn("another table", self.merged(65).stderr)
+        self.assertEqual(run("table", "archard_alpha", "--shard", "3/4", "--out", self.shares).returncode, 0)
+        (self.shares / "slurm-17.out").write_text("not a shard\n")
+        self.merged()
+
+    def test_another_version(self):
+        """A sealed shard whose head names another version: as an older program would have left it."""
+        self.make("archard_alpha", 2)
+        import hashlib
+        file = self.file("archard_alpha", 1, 2)
+        first, head, rows = file.read_text().split("\n", 2)
+        sealed = re.sub(r',"sha256":"[0-9a-f]+"}$', "}", head[2:])
+        self.assertEqual(hashlib.sha256(f"{sealed}\n{rows}".encode()).hexdigest(), head[-66:-2])
+        other = re.sub(r'"version":"[^"]+"', '"version":"0.0.1"', sealed)
+        file.write_text(f"{first}\n# {other[:-1]},\"sha256\":\"{hashlib.sha256(f'{other}{chr(10)}{rows}'.encode()).hexdigest()}\"}}\n{rows}")
+        self.assertIn("made by version 0.0.1", self.merged(65).stderr)
+
+    def test_killed_in_the_middle(self):
+        """SIGKILL leaves no share, and a share made anew after it is right."""
+        child = subprocess.Popen([PROGRAM, "table", "contact_area", "--shard", "1/2", "--jobs", "1", "--out", self.shares], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(0.3)
+        child.send_signal(signal.SIGKILL)
+        child.wait()
+        self.assertFalse(self.shares.exists() and any(self.shares.glob("*.shard-*.txt")))
+        self.assertIn(run("merge", self.shares).returncode, (66,))
+
+    def test_own_rows(self):
+        rows = self.folder / "grid.txt"
+        rows.write_text("# x load\n" + "".join(f"{x}/40 1/{load}\n" for load in (2, 3, 5) for x in range(20)) + "0.1 -1\n")
+        words = ("eval", "westergaard.pressure", "--rows", rows, "--digits", "25")
+        whole = run(*words, "--out", self.folder / "whole.txt")
+        self.assertEqual(whole.returncode, 65)
+        for i in range(1, 5):
+            r = run(*words, "--shard", f"{i}/4", "--out", self.shares)
+            self.assertIn(r.returncode, (0, 65))
+            self.assertEqual(run(*words, "--shard", f"{i}/4", "--out", self.shares).returncode, r.returncode)
+        self.merged()
+        self.assertEqual((self.shares / "westergaard_pressure-grid.txt").read_bytes(), (self.folder / "whole.txt").read_bytes())
+        rows.write_text(rows.read_text().replace("1/40 1/5", "2/41 1/5"))  # other rows are another table
+        run(*words, "--shard", "2/4", "--out", self.folder / "other")
+        shutil.copy(next((self.folder / "other").glob("*.txt")), self.shares)
+        self.assertIn("another table", self.merged(65).stderr)
+
+    def test_ranges_and_surfaces(self):
+        words = ("eval", "contact.area", "n=0,1", "load=0.1:0.9:0.2", "G=3,sqrt(10),4", "--digits", "12")
+        run(*words, "--out", self.folder / "whole.txt")
+        for i in (1, 2, 3):
+            self.assertEqual(run(*words, "--shard", f"{i}/3", "--out", self.shares).returncode, 0)
+        self.merged()
+        self.assertEqual((self.shares / "contact_area-ranges.txt").read_bytes(), (self.folder / "whole.txt").read_bytes())
+
+    def test_bad_input(self):
+        for words, code, reason in ((("table", "archard_alpha", "--shard", "0/3"), 65, "1 <= I <= N"), (("table", "archard_alpha", "--shard", "4/3"), 65, "1 <= I <= N"),
+                                    (("table", "archard_alpha", "--shard", "1/3/5"), 65, "such as 3/16"), (("table", "archard_alpha", "--shard", ""), 64, "empty"),
+                                    (("table", "archard_alpha", "--shard", "1/3", "--format", "csv", "--out", "x"), 64, "txt"), (("table", "all", "--shard", "1/3"), 64, "--out"),
+                                    (("eval", "peaks.f", "--rows", "-", "--shard", "1/3"), 64, "not standard input"), (("merge", self.folder / "none"), 66, "no folder"),
+                                    (("merge", self.folder), 66, "no shards"), (("table", "archard_alpha", "--shard", "1/3", "--out", "/proc/x"), 73, "cannot write")):
+            r = run(*words, cwd=self.folder)
+            self.assertEqual(r.returncode, code, (words, r.stderr))
+            self.assertIn(reason, r.stderr)
+
+    @unittest.skipUnless(shutil.which("parallel"), "no GNU parallel")
+    def test_gnu_parallel(self):
+        """The example, on the real engine: a worker dies, the same command again makes up for it."""
+        bin = self.folder / "bin"
+        bin.mkdir()
+        dies_once = self.folder / "died"
+        (bin / "touchstone").write_text(f"#!/bin/sh\ncase \"$*\" in *\"--shard 3/5\"*) if [ ! -e '{dies_once}' ]; then : > '{dies_once}'; kill -9 $$; fi;; esac\nexec '{PROGRAM}' \"$@\"\n")
+        (bin / "touchstone").chmod(0o755)
+        env = dict(os.environ, PATH=f"{bin}:{os.environ['PATH']}", HOME=str(self.folder))
+        command = ["bash", SOURCE / "examples/hpc/parallel.sh", "archard_alpha", "5", self.shares, "-j2"]
+        first = subprocess.run(command, env=env, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
+        self.assertNotEqual(first.returncode, 0)
+        self.assertEqual(run("merge", self.shares).stdout, "--array=3\n")
+        second = subprocess.run(command, env=env, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
+        self.assertEqual(second.returncode, 0, second.stderr)
+        self.assertNotIn("there already", second.stdout)  # --resume-failed did not even start the others
+        self.assertEqual((self.shares / "archard_alpha.txt").read_bytes(), (STORED / "archard_alpha.txt").read_bytes())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
