@@ -11,12 +11,15 @@ namespace touchstone::program {
 nlohmann::ordered_json with_entries(const std::filesystem::path& manifest, const nlohmann::ordered_json& fresh)
 {
     auto entries = nlohmann::ordered_json::parse(read_file(manifest), nullptr, false);
-    if (entries.is_discarded() || !entries.contains("tables")) throw CorruptTable(manifest.string() + ": not a manifest; remove it or write all tables");
+    if (entries.is_discarded() || !entries.contains("tables"))
+        throw CorruptTable(manifest.string() + ": not a manifest; remove it or write all tables");
     entries = entries["tables"];
     for (const auto& entry : fresh) {
         const auto same = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.at("file") == entry.at("file"); });
-        if (same == entries.end()) entries.push_back(entry);
-        else *same = entry;
+        if (same == entries.end())
+            entries.push_back(entry);
+        else
+            *same = entry;
     }
     return entries;
 }

@@ -77,7 +77,9 @@ std::map<std::string, Found> find_shards(const std::string& folder)
             note_by_name(all, file, e.what());
         }
     }
-    if (all.empty()) throw Failure(no_input_file, fmt::format("{}: no shards there (touchstone table NAME --shard 1/16 --out {} makes one)", folder, folder));
+    if (all.empty())
+        throw Failure(no_input_file,
+                      fmt::format("{}: no shards there (touchstone table NAME --shard 1/16 --out {} makes one)", folder, folder));
     return all;
 }
 
@@ -99,10 +101,14 @@ void find_strangers(Found& f)
         const Shard& s = f.shards[i];
         std::string fault;
         const TableSpec* own = find_table(s.name);
-        if (s.version != version()) fault = fmt::format("was made by version {}, this is {}", s.version, version());
-        else if (own != nullptr && s.kind == "table" && shard_of(*own, digits_of(s), s.share).spec != s.spec) fault = "is of another table of that name";
-        else if (s.spec + fmt::format("/{}", s.share.count) != most->first) fault = fmt::format("is of another table or another number of shares ({}) than the others", s.share.count);
-        else if (const auto [at, fresh] = seen.emplace(s.share.index, f.files[i]); !fresh) fault = fmt::format("is share {}, and so is {}", s.share.index, at->second);
+        if (s.version != version())
+            fault = fmt::format("was made by version {}, this is {}", s.version, version());
+        else if (own != nullptr && s.kind == "table" && shard_of(*own, digits_of(s), s.share).spec != s.spec)
+            fault = "is of another table of that name";
+        else if (s.spec + fmt::format("/{}", s.share.count) != most->first)
+            fault = fmt::format("is of another table or another number of shares ({}) than the others", s.share.count);
+        else if (const auto [at, fresh] = seen.emplace(s.share.index, f.files[i]); !fresh)
+            fault = fmt::format("is share {}, and so is {}", s.share.index, at->second);
         if (!fault.empty()) {
             f.faults.push_back(fmt::format("{} {}", f.files[i], fault));
             f.bad.insert(s.share.index);
@@ -137,8 +143,14 @@ std::string write_table(const Table& t, const fs::path& folder)
 {
     const std::string text = format(t, "txt"), file = t.name + ".txt";
     write_file(folder / file, text);
-    renew_manifest(folder, "txt", {{{"name", t.name}, {"file", file}, {"quantity", t.quantity->name}, {"rows", t.rows.size()}, {"digits", t.digits},
-                                    {"status", std::string(to_string(t.status()))}, {"sha256", sha256(text)}}});
+    renew_manifest(folder, "txt",
+                   {{{"name", t.name},
+                     {"file", file},
+                     {"quantity", t.quantity->name},
+                     {"rows", t.rows.size()},
+                     {"digits", t.digits},
+                     {"status", std::string(to_string(t.status()))},
+                     {"sha256", sha256(text)}}});
     fmt::print("{}: {} rows, {}\n", (folder / file).string(), t.rows.size(), to_string(t.status()));
     return std::string(to_string(t.status()));
 }
@@ -157,9 +169,18 @@ std::string write_rows(const std::vector<Shard>& shards, const fs::path& folder)
         table.write(i + 1, *lines[i] + "\n", status.substr(0, status.find(':')));
     }
     table.finish(true);
-    const std::string weakest = table.counts().contains("refused") ? "refused" : table.counts().contains("undecided") ? "undecided" : table.counts().contains("estimated") ? "estimated" : "certified";
-    renew_manifest(folder, "txt", {{{"name", any.name}, {"file", any.name + ".txt"}, {"quantity", kind.quantity->name}, {"rows", any.total}, {"digits", kind.digits},
-                                    {"status", weakest}, {"sha256", sha256(read_file(path))}}});
+    const std::string weakest = table.counts().contains("refused")     ? "refused"
+                                : table.counts().contains("undecided") ? "undecided"
+                                : table.counts().contains("estimated") ? "estimated"
+                                                                       : "certified";
+    renew_manifest(folder, "txt",
+                   {{{"name", any.name},
+                     {"file", any.name + ".txt"},
+                     {"quantity", kind.quantity->name},
+                     {"rows", any.total},
+                     {"digits", kind.digits},
+                     {"status", weakest},
+                     {"sha256", sha256(read_file(path))}}});
     fmt::print("{}: {} rows, {}\n", path.string(), any.total, weakest);
     return weakest;
 }
@@ -185,7 +206,8 @@ int merge(const std::string& folder)
     }
     bool any_undecided = false;
     for (const auto& [name, f] : all) {
-        const std::string status = f.shards.front().kind == "table" ? write_table(table_of_shards(f.shards), folder) : write_rows(f.shards, folder);
+        const std::string status =
+            f.shards.front().kind == "table" ? write_table(table_of_shards(f.shards), folder) : write_rows(f.shards, folder);
         any_undecided = any_undecided || status == "undecided";
     }
     return any_undecided ? undecided : holds;
@@ -195,9 +217,12 @@ int merge(const std::string& folder)
 
 void add_merge(CLI::App& app, Run& run)
 {
-    auto* command = app.add_subcommand("merge", "Shares of tables to tables: touchstone merge DIR, after touchstone table NAME --shard 1/16 --out DIR and all the others");
+    auto* command = app.add_subcommand(
+        "merge", "Shares of tables to tables: touchstone merge DIR, after touchstone table NAME --shard 1/16 --out DIR and all the others");
     auto folder = std::make_shared<std::string>();
-    command->add_option("folder", *folder, "Folder of the shards; the tables and their manifest are left there")->required()->check(not_empty());
+    command->add_option("folder", *folder, "Folder of the shards; the tables and their manifest are left there")
+        ->required()
+        ->check(not_empty());
     command->callback([&run, folder] { run = [folder] { return merge(*folder); }; });
 }
 

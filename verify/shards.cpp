@@ -50,7 +50,9 @@ std::optional<int> code_if_there(const std::string& path, const Shard& wanted)
         const Shard there = parse_shard(read_file(path), path);
         if (!there.same_as(wanted)) return std::nullopt;
         fmt::print("{}: share {} of {} is there already\n", path, wanted.share.index, wanted.share.count);
-        const auto any = [&](std::string_view status) { return std::any_of(there.rows.begin(), there.rows.end(), [&](const auto& r) { return has_status(r.line, status); }); };
+        const auto any = [&](std::string_view status) {
+            return std::any_of(there.rows.begin(), there.rows.end(), [&](const auto& r) { return has_status(r.line, status); });
+        };
         return any("refused") ? bad_input : any("undecided") ? undecided : holds; // a job that is started again does not change its mind
     }
     catch (const CorruptTable&) {
@@ -61,8 +63,10 @@ std::optional<int> code_if_there(const std::string& path, const Shard& wanted)
 void put_shard(const std::string& path, const Shard& s)
 {
     const std::string text = format_shard(s);
-    if (path.empty()) fmt::print("{}", text);
-    else write_file(path, text);
+    if (path.empty())
+        fmt::print("{}", text);
+    else
+        write_file(path, text);
 }
 
 int table_share(const TableSpec& spec, long digits, unsigned jobs, Share share, const std::string& out)

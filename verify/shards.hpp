@@ -37,7 +37,11 @@ RowsShare rows_share(OwnRows& rows, const RowTableKind&, Share, const std::strin
 /// Collects the rows of a share, and writes it once they are all there: of a share broken off nothing is left behind.
 class ShardSink : public RowSink {
 public:
-    ShardSink(Shard shard, std::string path) : shard_(std::move(shard)), path_(std::move(path)) {}
+    ShardSink(Shard shard, std::string path)
+        : shard_(std::move(shard))
+        , path_(std::move(path))
+    {
+    }
     void finish(bool complete) override;
 
 protected:

@@ -37,11 +37,15 @@ std::uint64_t hash_of(std::string_view text)
 
 Json head_of(const Shard& s)
 {
-    return {{"name", s.name}, {"kind", s.kind}, {"shard", s.share.index}, {"of", s.share.count}, {"rows", s.rows.size()}, {"total", s.total},
-            {"version", s.version}, {"spec", s.spec}, {"about", Json::parse(s.about)}};
+    return {{"name", s.name},   {"kind", s.kind},       {"shard", s.share.index}, {"of", s.share.count},          {"rows", s.rows.size()},
+            {"total", s.total}, {"version", s.version}, {"spec", s.spec},         {"about", Json::parse(s.about)}};
 }
 
-std::string first_line(const Shard& s) { return fmt::format("{}{} of {} of {}: `touchstone merge DIR` makes the table of all of them", shard_mark, s.share.index, s.share.count, s.name); }
+std::string first_line(const Shard& s)
+{
+    return fmt::format("{}{} of {} of {}: `touchstone merge DIR` makes the table of all of them", shard_mark, s.share.index, s.share.count,
+                       s.name);
+}
 
 /// Over the head and the rows, so that neither can change alone.
 std::string seal(const Json& head, std::string_view rows) { return sha256(head.dump() + "\n" + std::string(rows)); }
@@ -68,7 +72,8 @@ TableRow row_of(const std::string& line, const std::vector<std::string>& inputs,
     row.result.status = status_named(known.at("status"));
     row.result.routes = known.at("routes").get<std::vector<std::string>>();
     std::string forced;
-    if (has_forced && words >> forced && forced != "-1") row.forced = ForcedUlps{std::strtod(forced.c_str(), nullptr), known.value("forced", "") == "estimated"};
+    if (has_forced && words >> forced && forced != "-1")
+        row.forced = ForcedUlps{std::strtod(forced.c_str(), nullptr), known.value("forced", "") == "estimated"};
     return row;
 }
 
@@ -77,13 +82,18 @@ TableRow row_of(const std::string& line, const std::vector<std::string>& inputs,
 Share share_named(std::string_view text)
 {
     const auto slash = text.find('/');
-    const auto index = natural(text.substr(0, slash)), count = slash == std::string_view::npos ? std::nullopt : natural(text.substr(slash + 1));
+    const auto index = natural(text.substr(0, slash)),
+               count = slash == std::string_view::npos ? std::nullopt : natural(text.substr(slash + 1));
     if (!index || !count || *index < 1 || *count > Share::most || *index > *count)
         throw DomainError(fmt::format("--shard '{:.40}': must be I/N with 1 <= I <= N <= {}, such as 3/16", text, Share::most));
     return {*index, *count};
 }
 
-Deal::Deal(const Quantity& q, std::size_t count) : quantity_(q), count_(count) {}
+Deal::Deal(const Quantity& q, std::size_t count)
+    : quantity_(q)
+    , count_(count)
+{
+}
 
 std::size_t Deal::next(const Inputs* in)
 {
@@ -96,7 +106,8 @@ std::size_t Deal::next(const Inputs* in)
 
 bool Shard::same_as(const Shard& o) const
 {
-    return name == o.name && kind == o.kind && spec == o.spec && version == o.version && share == o.share && total == o.total && about == o.about;
+    return name == o.name && kind == o.kind && spec == o.spec && version == o.version && share == o.share && total == o.total &&
+           about == o.about;
 }
 
 std::string Shard::file_name() const
@@ -127,16 +138,25 @@ Shard parse_shard(std::string_view text, std::string_view file)
         const std::string sealed = head.at("sha256");
         head.erase("sha256");
         if (seal(head, rows) != sealed) throw fail("is cut off or changed: it does not have the SHA-256 that it gives");
-        s = {head.at("name"), head.at("kind"), head.at("spec"), head.at("version"), {head.at("shard"), head.at("of")}, head.at("total"), head.at("about").dump(), {}};
+        s = {head.at("name"),
+             head.at("kind"),
+             head.at("spec"),
+             head.at("version"),
+             {head.at("shard"), head.at("of")},
+             head.at("total"),
+             head.at("about").dump(),
+             {}};
         const std::size_t count = head.at("rows");
         for (std::size_t end; !rows.empty(); rows.remove_prefix(end + 1)) {
             end = rows.find('\n');
             const auto blank = rows.find(' ');
             const auto number = blank < end ? natural(rows.substr(0, blank)) : std::nullopt;
-            if (!number || *number < 1 || *number > s.total || (!s.rows.empty() && *number <= s.rows.back().number)) throw fail("has a row without its number in the table");
+            if (!number || *number < 1 || *number > s.total || (!s.rows.empty() && *number <= s.rows.back().number))
+                throw fail("has a row without its number in the table");
             s.rows.push_back({*number, std::string(rows.substr(blank + 1, end - blank - 1))});
         }
-        if (s.rows.size() != count || s.share.index < 1 || s.share.index > s.share.count || s.share.count > Share::most) throw fail("contradicts itself");
+        if (s.rows.size() != count || s.share.index < 1 || s.share.index > s.share.count || s.share.count > Share::most)
+            throw fail("contradicts itself");
     }
     catch (const nlohmann::json::exception&) {
         throw fail("has no head that says of what it is a share");
@@ -211,7 +231,8 @@ Table table_of_shards(const std::vector<Shard>& shards)
         t.inputs = about.at("inputs").get<std::vector<std::string>>();
         t.digits = about.at("digits");
         t.forced = about.at("forced");
-        if (t.quantity == nullptr || t.quantity->inputs != t.inputs) throw CorruptTable(fmt::format("{}: '{:.40}' is no quantity of this program", any.name, about.at("quantity").dump()));
+        if (t.quantity == nullptr || t.quantity->inputs != t.inputs)
+            throw CorruptTable(fmt::format("{}: '{:.40}' is no quantity of this program", any.name, about.at("quantity").dump()));
         t.rows.resize(any.total);
         for (const Shard& s : shards)
             for (const auto& r : s.rows) t.rows.at(r.number - 1) = row_of(r.line, t.inputs, t.forced);

@@ -41,13 +41,13 @@ private:
 
 /// One share as a file: a line for people, a line of JSON, then each row after its number in the whole table.
 struct Shard {
-    std::string name;       ///< of the table that the shares make
-    std::string kind;       ///< "table" or "rows": how the rows are made into one
-    std::string spec;       ///< SHA-256 of all that the table is: quantity, digits, and the inputs of all its rows
-    std::string version;    ///< of the program that made it
+    std::string name;    ///< of the table that the shares make
+    std::string kind;    ///< "table" or "rows": how the rows are made into one
+    std::string spec;    ///< SHA-256 of all that the table is: quantity, digits, and the inputs of all its rows
+    std::string version; ///< of the program that made it
     Share share;
-    std::size_t total = 0;  ///< rows of the whole table
-    std::string about;      ///< JSON: what the first page of the table needs to know
+    std::size_t total = 0; ///< rows of the whole table
+    std::string about;     ///< JSON: what the first page of the table needs to know
     struct Row {
         std::size_t number; ///< from 1
         std::string line;   ///< without its end
@@ -69,7 +69,8 @@ Shard parse_shard(std::string_view text, std::string_view file);
 /// Numbers as a job array takes them: {3, 7, 8, 9} is "3,7-9".
 std::string array_text(const std::vector<std::size_t>& ascending);
 
-/// The table that these shares make, as compute() would have made it. \pre all shares of one table of this program's quantities, rows complete
+/// The table that these shares make, as compute() would have made it. \pre all shares of one table of this program's quantities, rows
+/// complete
 Table table_of_shards(const std::vector<Shard>&);
 /// The share of a table that is there to be computed: without rows, but with all that identifies it.
 Shard shard_of(const TableSpec&, long digits, Share);
