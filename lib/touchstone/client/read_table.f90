@@ -7,7 +7,7 @@ program read_table
   implicit none
   integer, parameter :: dp = kind(1.0d0)
   character(len=4096) :: file, line, reason
-  real(dp) :: load, value, error, forced, answer, off, rtol, atol, worst = -huge(1.0_dp)
+  real(dp) :: load, value, error, forced, answer, off, rtol, atol, worst = -huge(1.0_dp), margin = 1
   integer :: status, rows = 0
   if (command_argument_count() < 1 .or. command_argument_count() > 3) &
     call give_up('which table? read_table westergaard_half_width.txt')
@@ -19,6 +19,7 @@ program read_table
   do
     read (10, '(a)', iostat=status) line
     if (status /= 0) exit
+    if (index(line, '"forced":"estimated"') > 0) margin = 4          ! four times an estimate, as touchstone judge
     if (line(1:1) == '#') cycle
     if (.not. chosen(line)) cycle
     read (line, *, iostat=status) load, value, error, forced
@@ -28,7 +29,7 @@ program read_table
     end if
     if (status /= 0) call give_up('not a row of numbers: '//trim(line))
     answer = atan2(sqrt(load), sqrt(1 - load)) / acos(-1.0_dp)   ! the code under test
-    forced = max(forced, 0.0_dp)                                 ! ulps; -1: not known
+    forced = margin * max(forced, 0.0_dp)                                 ! ulps; -1: not known
     off = abs(answer - value)
     if (.not. off <= atol + rtol * abs(value) + forced * spacing(value)) write (*, '(2a)') 'fails: ', trim(line)
     worst = max(worst, off / spacing(value) - forced)

@@ -67,8 +67,12 @@ def within(answer, row, rtol, atol, ulps, forgive_inputs):
     return off <= max(Fraction(ulps) * unit, Fraction(atol) + Fraction(rtol) * abs(value)) + forced * unit
 
 
+ESTIMATED_MARGIN = 4  # on `forced` of a table whose header says that it is estimated, as in `touchstone judge`
+
+
 class Row:
-    """`forced`: ulps (absolute where the value is 0) that rounding each input once can cost any code; None: not known."""
+    """`forced`: ulps (absolute where the value is 0) that rounding each input once can cost any code, four times the column where the
+    table's header calls that estimated; None: not known."""
 
     def __init__(self, inputs, value, error, forced=None):
         self.inputs, self.value, self.error, self.forced = inputs, value, error, forced
@@ -144,6 +148,7 @@ def load(file):
         raise CorruptTable(f"{file}: the rows do not have the SHA-256 that the header gives")
     given = len(header["inputs"])
     columns = given + (3 if lines[first - 1].split()[-1] == "forced" else 2)
+    margin = ESTIMATED_MARGIN if header.get("forced") == "estimated" else 1
     rows = []
     for number, line in enumerate(lines[first:], first + 1):
         words = line.split()
@@ -158,7 +163,7 @@ def load(file):
         if error < 0 or not all(map(math.isfinite, (*inputs, forced))) or (forced < 0 and forced != -1):
             raise CorruptTable(f"{file}:{number}: not a row of finite numbers: {line.strip()}")
         del value
-        rows.append(Row(inputs, words[given], words[given + 1], None if forced < 0 else forced))
+        rows.append(Row(inputs, words[given], words[given + 1], None if forced < 0 else margin * forced))
     if len(rows) != header["rows"]:
         raise CorruptTable(f"{file}: {len(rows)} rows where the header says {header['rows']}")
     return Table(header, rows)
