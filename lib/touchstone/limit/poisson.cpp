@@ -332,18 +332,13 @@ std::string area_constant_by_poisson_certificate(const std::function<Ball()>& G,
                        p.panels, p.level_zero, p.step, p.polynomial, p.below, p.error);
 }
 
-Witness area_constant_extrapolated(const Ball& G)
+namespace {
+
+/// The limit of a sequence by Wynn's epsilon-algorithm, where the last two of a column are nearest to one another.
+Witness extrapolated(std::vector<Ball> now)
 {
-    constexpr long scales = 60;
-    const WorkingPrecision precision(256);
-    const Ball load = Ball(1) / 2;
-    std::vector<Ball> before(scales + 2, Ball(0)), now; // Wynn's epsilon table, column by column
-    for (long n = 0; n <= scales; ++n) {
-        Ball value;
-        arb_get_mid_arb(value.get(), (estimated_area(Grid::blind, n, load, G).value * pow(G, Ball(n)) / load).get());
-        now.push_back(value);
-    }
-    Ball best = now.back(), error = abs(now[scales] - now[scales - 1]) * scales;
+    std::vector<Ball> before(now.size() + 1, Ball(0));
+    Ball best = now.back(), error = abs(now.back() - now[now.size() - 2]) * static_cast<long>(now.size());
     for (long column = 1; now.size() > 2; ++column) {
         std::vector<Ball> next;
         for (std::size_t i = 0; i + 1 < now.size(); ++i) next.push_back(before[i + 1] + 1 / (now[i + 1] - now[i]));
@@ -359,7 +354,27 @@ Witness area_constant_extrapolated(const Ball& G)
     }
     Ball value;
     arb_get_mid_arb(value.get(), best.get());
-    return {value, 10 * error + abs(value) * Ball(Rational(1, 10'000'000'000'000'000))}; // the areas themselves are estimates
+    return {value, error};
+}
+
+} // namespace
+
+Witness area_constant_extrapolated(const Ball& G)
+{
+    constexpr long scales = 60, fewest = 16;
+    const WorkingPrecision precision(256);
+    const Ball load = Ball(1) / 2, settled = Ball(Rational(1, 100'000'000'000'000));
+    std::vector<Ball> h;
+    Witness found;
+    for (long n = 0; n <= scales; ++n) {
+        Ball value;
+        arb_get_mid_arb(value.get(), (estimated_area(Grid::blind, n, load, G).value * pow(G, Ball(n)) / load).get());
+        h.push_back(value);
+        if (n < fewest || n % 4 != 0) continue;
+        found = extrapolated(h);
+        if (certainly(less(found.error, settled))) break;
+    }
+    return {found.value, 10 * found.error + abs(found.value) * Ball(Rational(1, 10'000'000'000'000'000))}; // the areas themselves are estimates
 }
 
 } // namespace touchstone::limit
