@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/endpoint_functions.hpp"
 
+#include "touchstone/quadrature/widen.hpp"
+
 #include <cmath>
 
 namespace touchstone::quadrature {
@@ -15,18 +17,6 @@ std::optional<Side> side_of_growth(const Complex& x)
     for (const Side s : {Side::left, Side::right})
         if (x.frame() && x.frame()->reaches(s) && x.order(s).power.is_zero() && Exponent(0) < x.order(s).logs) return s;
     return std::nullopt;
-}
-
-ComplexBall disc(const Ball& radius)
-{
-    ComplexBall z;
-    mag_t r;
-    mag_init(r);
-    arb_get_mag(r, radius.get());
-    arb_add_error_mag(acb_realref(z.get()), r);
-    arb_add_error_mag(acb_imagref(z.get()), r);
-    mag_clear(r);
-    return z;
 }
 
 double upper(const Ball& x)

@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/compiled.hpp"
 
 #include "touchstone/quadrature/endpoint_functions.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include <cmath>
 
@@ -35,23 +36,6 @@ Ball upper_ball(const Ball& x)
 }
 Ball upper_size(const ComplexBall& z) { return upper_ball(touchstone::abs(z)); }
 Ball upper_size(const Ball& x) { return upper_ball(x); }
-
-void widen(ComplexBall& z, const Ball& by)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, by.get());
-    acb_add_error_mag(z.get(), m);
-    mag_clear(m);
-}
-void widen(Ball& x, const Ball& by)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, by.get());
-    arb_add_error_mag(x.get(), m);
-    mag_clear(m);
-}
 
 double log2_size(const Ball& x)
 {

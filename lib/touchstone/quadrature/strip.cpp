@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/strip.hpp"
 
+#include "touchstone/quadrature/widen.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,18 +15,6 @@ namespace touchstone::quadrature {
 namespace {
 
 Ball exactly(double x) { return Ball::exactly(x); }
-
-ComplexBall disc(const Ball& radius)
-{
-    ComplexBall z;
-    mag_t r;
-    mag_init(r);
-    arb_get_mag(r, radius.get());
-    arb_add_error_mag(acb_realref(z.get()), r);
-    arb_add_error_mag(acb_imagref(z.get()), r);
-    mag_clear(r);
-    return z;
-}
 
 ComplexBall conjugate(ComplexBall z)
 {

@@ -3,6 +3,7 @@
 
 #include "touchstone/quadrature/nodes.hpp"
 #include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -439,15 +440,6 @@ Ball discretisation_bound(const Panel& p)
     const Ball exponent = Ball(2) * pi<Ball>() * Ball::exactly(p.strip) * Ball(p.m) / log2;
     arb_expm1(e.get(), exponent.get(), strip_bits);
     return upper_ball(p.strip_integral / e);
-}
-
-void widen(Ball& x, const Ball& by)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, by.get());
-    arb_add_error_mag(x.get(), m);
-    mag_clear(m);
 }
 
 Ball radius(const Ball& x)
