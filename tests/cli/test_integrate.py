@@ -62,7 +62,8 @@ class Integrate(unittest.TestCase):
         self.assertEqual(as_json("sin(x)", "-1", "1", "--tolerance", "1e-20")[1]["status"], "certified")
 
     def test_what_is_no_formula_is_refused_with_its_column(self):
-        for text, where in (("x*(1+", "column 6"), ("2x", "column 2"), ("foo(x)", "column 1"), ("x+y", "column 3"), ("sin x", "column 1"), ("", "column 1"), ("max(x)", "column 1"), ("besselj(x,1)", "column 1")):
+        for text, where in (("x*(1+", "column 6"), ("2x", "column 2"), ("foo(x)", "column 1"), ("x+y", "column 3"), ("sin x", "column 1"), ("", "column 1"), ("max(x)", "column 1"), ("besselj(x,1)", "column 1"),
+                            ("1+" + "sin(" * 700 + "x" + ")" * 700, "nest deeper"), ("x^" * 1900 + "x", "nest deeper"), ("x+" * 2500 + "x", "longer than")):
             self.assertIn(where, self.refused(65, text, "0", "1"), text)
 
     def test_what_diverges_is_refused_with_its_place(self):

@@ -225,6 +225,21 @@ bool depends_on_x(const Expression& e)
     return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return depends_on_x(*a); });
 }
 
+namespace {
+
+/// Functions and powers inside one another; more are no formula anybody integrates, and their proof would take minutes.
+constexpr std::size_t deepest = 32;
+
+void require_shallow(const Expression& e, std::size_t depth)
+{
+    const bool sum_or_product = e.op == Op::add || e.op == Op::multiply || e.op == Op::divide || e.op == Op::negate;
+    if (!sum_or_product && !e.args.empty()) ++depth;
+    if (depth > deepest) throw ExpressionError(e.column, "functions and powers nest deeper than " + std::to_string(deepest));
+    for (const auto& a : e.args) require_shallow(*a, depth);
+}
+
+} // namespace
+
 ExpressionPtr parse_expression(std::string_view text)
 {
     constexpr std::size_t longest = 4000; // also bounds how deep brackets nest
@@ -245,6 +260,7 @@ ExpressionPtr parse_expression(std::string_view text)
     if (here != text.end())
         throw ExpressionError(static_cast<std::size_t>(here - start) + 1,
                               std::string("an operator is expected before '") + *here + "' (a product needs its *)");
+    require_shallow(*result, 0);
     return result;
 }
 
