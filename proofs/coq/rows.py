@@ -78,12 +78,15 @@ def theorem(name, index, inputs, value, error):
 
 def main(path, wanted, spoil):
     name = pathlib.Path(path).stem
-    rows = [line.split() for line in open(path) if not line.startswith("#")]
+    lines = open(path).read().splitlines()
+    names = [line for line in lines if line.startswith("#")][-1][1:].split()  # inputs, value, error, and what rounded inputs force
+    given = names.index("value")
+    rows = [line.split() for line in lines if not line.startswith("#")]
     step = 1 if wanted is None else max(1, (len(rows) - 1) // max(1, wanted - 1))
     chosen = sorted(set(range(0, len(rows), step)) | {len(rows) - 1})
     out, left = [], 0
     for i in chosen:
-        *inputs, value, error = rows[i]
+        inputs, (value, error) = rows[i][:given], rows[i][given:given + 2]
         text = theorem(name, i + 1, [Fraction(float(t)) for t in inputs],
                        Fraction(value) + (6 * Fraction(error) if spoil else 0), Fraction(error))
         if text is None:
