@@ -172,6 +172,10 @@ std::optional<ForcedUlps> forced_ulps(const Quantity& q, const std::vector<doubl
 {
     const WorkingPrecision precision(ball_bits);
     const Rational unit = value == 0 ? Rational(1) : ulp_at(value);
+    if (q.name.starts_with("limit.")) { // another G is another solution: C(G) goes with about G (docs/limit.md), the ratio changes less
+        if (!q.name.starts_with("limit.area_")) return std::nullopt;
+        return ForcedUlps{half_ulp(inputs.front()) * midpoint(abs(Ball(value) / Ball(unit))), true};
+    }
     if (!of_the_recursion(q)) {
         const auto ulps = by_ends(q, inputs, unit, false);
         return ulps ? std::optional(ForcedUlps{std::max(*ulps, at_the_corners(q, inputs, unit)), false}) : std::nullopt;
