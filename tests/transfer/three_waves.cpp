@@ -70,6 +70,15 @@ TEST_CASE("three waves: what is claimed coarsely holds what is claimed finely, n
     }
 }
 
+TEST_CASE("three waves: the finest tolerance that is offered ends, where a wave's end and a logarithm meet (G = 2, load 1)")
+{
+    const WorkingPrecision precision(256);
+    const Ball own = density_after_three_waves(Ball(2), Ball(9) / 40, Ball(1), 1e-24).value, coarse = density_after_three_waves(Ball(2), Ball(9) / 40, Ball(1), 1e-10).value;
+    INFO(own.to_string(), " ", coarse.to_string());
+    CHECK(own.overlaps(coarse));
+    CHECK(own.radius_bound() < 1e-23);
+}
+
 TEST_CASE("three waves: what cannot be had is refused")
 {
     CHECK_THROWS_AS(density_after_three_waves(Ball(1), Ball(1), Ball(1), 1e-9), BeyondReach);

@@ -24,7 +24,7 @@ constexpr double moved_node = 8 * u;                       // of a node, relativ
 constexpr double narrowest = 256 * u;                      // half of an interval, relative to t: its nodes stay well inside the disc
 constexpr int node_steps = 4;                              // rules of a quarter of the nodes, of half of them, ...
 constexpr std::size_t most_intervals = 100'000;
-constexpr slong bits = 256;
+constexpr slong bits = 384; // as those of the ends of the two waves
 
 /// One half of a wave, or the whole of it in partial contact, as a function of t.
 class Arc {
@@ -113,6 +113,7 @@ public:
             error += errors[i];
         }
         error += u * (static_cast<double>(sums.size() + rules_.back().nodes.size()) + 64) * std::fabs(sum.high); // all terms are positive
+        if (!(error < infinite)) throw BeyondReach("numbers of 106 bits do not reach so near to a singular point");
         const WorkingPrecision precision(bits);
         Ball value = to_ball(sum);
         arb_add_error(value.get(), Ball::exactly(margin * error).get());
@@ -134,7 +135,7 @@ private:
         while (!waiting.empty()) {
             const auto [low, high] = waiting.back();
             waiting.pop_back();
-            if (accepted_.size() + waiting.size() > most_intervals) throw BeyondReach("too many intervals for the density after three waves");
+            if (accepted_.size() + static_cast<std::size_t>(hole_count_) + waiting.size() > most_intervals) throw BeyondReach("too many intervals for the density after three waves");
             if (below_support(arc, low, high) || accept(arc, low, high) || hole(arc, low, high)) continue;
             const Real middle = (low + high) * 0.5;
             waiting.emplace_back(middle, high);

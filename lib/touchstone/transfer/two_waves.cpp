@@ -19,7 +19,7 @@ using std::max, std::min;
 using namespace bounds;
 constexpr double rho = 3;              // of the ellipse on which the integrand of a panel is bounded
 constexpr std::size_t most_cuts = 200; // panels of one half
-constexpr slong end_bits = 256;
+constexpr slong end_bits = 384; // 106 bits are left of distances down to 1e-70, the square of the finest tolerance and its shares
 
 /// Where the integrand is not smooth. lower: P^2/4, bottom: P - 1, top: P + 1 (second wave); begin, end: of the first; seam: 1.
 enum class Point { lower, bottom, top, begin, end, seam };
@@ -279,11 +279,11 @@ private:
         double lost = 0;
         while (edges.size() > 1) {
             const double from = edges.back(), to = edges[edges.size() - 2], width = length * (to - from) / 2;
-            double error = infinite;
+            double size = infinite; // of the integrand, times the width
             for (const Cover& cover : {Cover{3, 1}, Cover{6, 3}}) // three discs do for most panels
-                if (!(error <= share)) error = (ends_.rule + 16 * u) * bound(h, length * (from + to) / 2, width, cover) * width;
-            if (error <= share) {
-                lost += margin * error;
+                if (!(ends_.rule * size <= share)) size = bound(h, length * (from + to) / 2, width, cover) * width;
+            if (ends_.rule * size <= share) {
+                lost += margin * (ends_.rule + 16 * u) * size; // halving makes the rule better, but not what rounding takes: that is charged, and asks for nothing
                 cuts.push_back(to);
                 edges.pop_back();
                 continue;
