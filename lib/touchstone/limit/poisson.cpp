@@ -21,8 +21,7 @@ using namespace transfer;
 using namespace transfer::bounds;
 using namespace transfer::levels;
 
-constexpr int mesh_levels = 16;  ///< the mesh begins as the one these areas need
-constexpr int refinements = 0;  ///< and is halved so often where Phi needs it
+constexpr int mesh_levels = 16; ///< the mesh is the one that so many levels of areas need: Phi is smoother than those
 
 // ---- the search: Phi by GMRES on the values at the nodes of the mesh. Nothing here is trusted.
 
@@ -150,13 +149,6 @@ Wide gmres(const Equation& e, const Wide& right, double left)
     return phi;
 }
 
-Layer one_column(const Rules& rules, const Real& G, double tolerance, std::vector<Panel> panels, const Wide& series)
-{
-    Layer layer = layer_on(rules, G, tolerance, std::move(panels), 1);
-    layer.set(0, series);
-    return layer;
-}
-
 /// What the proof is about: polynomials on one mesh, and c. Any will do.
 struct Found {
     std::unique_ptr<Layer> area;  ///< near B_0
@@ -186,43 +178,18 @@ Found found_on(const Equation& e, const Wide& B0, const Wide& phi, const Real& c
 
 Found search(const Rules& rules, const First& first, const Real& G, double highest, double tolerance, const SpoiledPhi& spoiled)
 {
-    const auto wave = [&](const Real& x) { return first.value(x).first; };
-    auto mesh = collocate(rules, first, G, highest, tolerance, mesh_levels);
-    std::unique_ptr<Layer> before; // Phi of the coarser mesh
-    Real c = 0;
-    for (int pass = 0;; ++pass) {
-        const Equation e(rules, *mesh, tolerance);
-        Wide B0(e.identity.size()), guess(B0.size());
-        in_parallel(B0.size(), [&](std::size_t i) {
-            thread_local Result at;
-            B0.set(i, wave(e.identity[i]));
-            if (!before) return;
-            before->apply(e.identity[i], at);
-            guess.set(i, B0[i] - c * e.identity[i] + G * at.value[0]); // one step of the iteration from the coarser one
-        });
-        Wide rest = B0;
-        if (before) add(rest, -1, e.applied(guess));
-        Wide phi = gmres(e, rest, pass < refinements ? 1e3 * tolerance : tolerance / 16);
-        if (before) add(phi, 1, guess);
-        rest = B0;
-        add(rest, -1, e.applied(phi));
-        c = e.mean(rest);
-        if (pass == refinements) {
-            for (std::size_t i = 0; spoiled && i < phi.size(); ++i) {
-                const Panel& p = mesh->panels[i / rules.own.at.size()];
-                phi.set(i, phi[i] + spoiled(double(p.y0), double(p.y1)));
-            }
-            return found_on(e, B0, phi, c);
-        }
-        before = std::make_unique<Layer>(one_column(rules, G, tolerance, mesh->panels, series_of(rules, phi)));
-        const auto once_more = [&](const Real& z) {
-            thread_local Result at;
-            const Real x = sqrt(z);
-            before->apply(x, at);
-            return wave(x) - c * x + G * at.value[0];
-        };
-        mesh = std::make_unique<Layer>(layer_on(rules, G, tolerance, resolved(rules, first, G, tolerance, mesh->panels, once_more), 1));
+    const auto mesh = collocate(rules, first, G, highest, tolerance, mesh_levels);
+    const Equation e(rules, *mesh, tolerance);
+    Wide B0(e.identity.size());
+    in_parallel(B0.size(), [&](std::size_t i) { B0.set(i, first.value(e.identity[i]).first); });
+    Wide phi = gmres(e, B0, tolerance / 16), rest = B0;
+    add(rest, -1, e.applied(phi));
+    const Real c = e.mean(rest);
+    for (std::size_t i = 0; spoiled && i < phi.size(); ++i) {
+        const Panel& p = mesh->panels[i / rules.own.at.size()];
+        phi.set(i, phi[i] + spoiled(double(p.y0), double(p.y1)));
     }
+    return found_on(e, B0, phi, c);
 }
 
 // ---- the proof

@@ -162,11 +162,6 @@ Wide on_finer_panels(const Search& s, Series of, const std::vector<Panel>& finer
 
 } // namespace
 
-std::vector<Panel> resolved(const Rules& rules, const First& first, const Real& G, double tolerance, std::vector<Panel> panels, const std::function<Real(const Real&)>& f)
-{
-    return resolve({rules, first, G, tolerance}, std::move(panels), f, 1).panels;
-}
-
 std::unique_ptr<Layer> collocate(const Rules& rules, const First& first, const Real& G, double highest, double tolerance, int levels, const Spoiled& spoiled)
 {
     const Search s{rules, first, G, tolerance};

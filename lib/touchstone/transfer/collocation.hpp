@@ -38,9 +38,6 @@ Wide series_through(const Rules&, const std::vector<Panel>&, const std::function
 /// The same from the values at the nodes, [panel * terms + i].
 Wide series_of(const Rules&, const Wide& nodal);
 
-/// The panels, halved until f, a bounded function of z, is resolved on each of them. \throws BeyondReach where these would be too many
-std::vector<Panel> resolved(const Rules&, const First&, const Real& G, double tolerance, std::vector<Panel>, const std::function<Real(const Real& z)>& f);
-
 /// What V_m is made worse by on the panel y0 <= y <= y1, for tests.
 using Spoiled = std::function<double(int m, double y0, double y1)>;
 
