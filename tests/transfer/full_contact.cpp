@@ -271,7 +271,7 @@ TEST_CASE("distributions at the seams: G = 2, load = 1, an end of the support th
              {"2", "0.999999", "3", "1e-14", 2},
              {"2.5", "1.5", "6.25", "1e-15", 2}}) { // (load + 1)/G = 1
         CAPTURE(G); CAPTURE(load); CAPTURE(p); CAPTURE(n);
-        const auto at = [&](Grid grid, auto f) { return f(grid, n, ball(p), ball(load), ball(G)).value; };
+        const auto at = [&](Grid grid, auto f) { return f(grid, n, ball(p), ball(load), ball(G), finest_estimate).value; };
         CHECK(apart(at(Grid::blind, estimated_exceedance), at(Grid::tracked, estimated_exceedance)) < 1e-16);
         CHECK(apart(at(Grid::blind, estimated_density), at(Grid::tracked, estimated_density)) < std::stod(least));
     }
@@ -280,6 +280,22 @@ TEST_CASE("distributions at the seams: G = 2, load = 1, an end of the support th
     // p -> 0 through 1/sqrt(1 - x): no nan, the area
     for (const Grid grid : {Grid::blind, Grid::tracked})
         CHECK(apart(estimated_exceedance(grid, 2, ball("1e-300"), Ball(1), Ball(2)).value, estimated_area(grid, 2, Ball(1), Ball(2)).value) < 1e-17);
+}
+
+TEST_CASE("a blind grid that is asked for fewer digits is coarser, and as good as it says")
+{
+    const WorkingPrecision precision(160);
+    const Ball G = ball("1.5"), load = ball("1.3"), p = ball("0.9");
+    const auto holds = [](const Witness& coarse, const Witness& fine, long digits) {
+        INFO(digits, ": ", coarse.value.to_string(), " +- ", coarse.error.to_string(3), " against ", fine.value.to_string());
+        CHECK(!certainly(less(coarse.error, abs(coarse.value - fine.value))));
+        CHECK(certainly(less(coarse.error, abs(fine.value) * pow(Ball(10), Ball(-digits)))));
+        CHECK(!certainly(less(coarse.error, 4 * fine.error))); // it is another grid, and knows
+    };
+    for (const long digits : {4, 9}) {
+        holds(estimated_area(Grid::blind, 3, load, G, {digits}), estimated_area(Grid::blind, 3, load, G), digits);
+        holds(estimated_exceedance(Grid::blind, 2, p, load, G, {digits}), estimated_exceedance(Grid::blind, 2, p, load, G), digits);
+    }
 }
 
 TEST_CASE("exceedance and density: certified at n = 1 in partial contact, both grids elsewhere, next to singular points too")
@@ -296,13 +312,13 @@ TEST_CASE("exceedance and density: certified at n = 1 in partial contact, both g
     // G = 1.5, load = 3: q_1 has logarithms at p = 3 +- 1 +- 1.5 and square roots at its ends 0.5, 5.5
     for (const char* p : {"0.50001", "1", "2.4999999", "2.500000001", "3.5000001", "4.1", "5.4999"}) {
         CAPTURE(p);
-        const auto at = [p](Grid grid, auto f) { return f(grid, 1, ball(p), Ball(3), ball("1.5")).value; };
+        const auto at = [p](Grid grid, auto f) { return f(grid, 1, ball(p), Ball(3), ball("1.5"), finest_estimate).value; };
         CHECK(apart(at(Grid::blind, estimated_exceedance), at(Grid::tracked, estimated_exceedance)) < 1e-15);
         CHECK(apart(at(Grid::blind, estimated_density), at(Grid::tracked, estimated_density)) < 1e-11);
     }
     for (const char* p : {"0.3", "2", "10"}) {
         CAPTURE(p);
-        const auto at = [p](Grid grid, auto f) { return f(grid, 2, ball(p), Ball(3), Ball(3)).value; };
+        const auto at = [p](Grid grid, auto f) { return f(grid, 2, ball(p), Ball(3), Ball(3), finest_estimate).value; };
         CHECK(apart(at(Grid::blind, estimated_exceedance), at(Grid::tracked, estimated_exceedance)) < 1e-16);
         CHECK(apart(at(Grid::blind, estimated_density), at(Grid::tracked, estimated_density)) < 1e-14);
     }

@@ -132,15 +132,15 @@ Plan plan(Ask ask, Factor factor, const Inputs& in, Accuracy wanted)
         result.dear = m->cost(*p, wanted) > dear_seconds;
     }
     if (p->asked == Asked::density && p->n <= 1) return result; // what the closed form and the one integral refuse there has no value
-    const auto seen = [=](const recursion::Observer& o) {
-        const Witness w = o.look(*p);
+    const auto seen = [=](const recursion::Observer& o, Accuracy a) {
+        const Witness w = o.look(*p, a);
         return Witness{times(256, w.value), times(256, w.error)};
     };
-    if (choice.method && choice.method->witness) result.own_witness = Look{choice.method->witness->name, [=, o = *choice.method->witness](Accuracy) { return seen(o); }};
+    if (choice.method && choice.method->witness) result.own_witness = Look{choice.method->witness->name, [=, o = *choice.method->witness](Accuracy a) { return seen(o, a); }};
     for (const recursion::Observer& o : recursion::observers())
-        result.witnesses.push_back({o.name, [=](Accuracy) {
+        result.witnesses.push_back({o.name, [=](Accuracy a) {
                                         if (const std::string refused = recursion::observers_refusal(*p); !refused.empty()) throw BeyondReach(refused);
-                                        return seen(o);
+                                        return seen(o, a);
                                     }});
     return result;
 }

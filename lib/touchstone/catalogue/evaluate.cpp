@@ -44,6 +44,8 @@ constexpr long fewer_digits = 15;
 /// A witness disagrees when it is off by so many times its own error, and by so much of the value.
 constexpr long witness_error_factor = 64;
 constexpr long witness_digits = 15;
+/// It looks at the digits asked for, and so many more, not at all that it could give.
+constexpr long witness_spare_digits = 2;
 
 template <class F>
 auto start(bool own_thread, F f)
@@ -114,10 +116,10 @@ private:
 class Search {
 public:
     Search(const Quantity& q, const Plan& plan, const std::optional<Exact>& exact, const EvaluationOptions& options)
-        : q_(q), plan_(plan), exact_(exact), options_(options), own_threads_(plan.dear || q.costly || options.digits >= 300)
+        : q_(q), plan_(plan), exact_(exact), options_(options), witness_wants_(std::min(witness_digits, options.digits + witness_spare_digits)), own_threads_(plan.dear || q.costly || options.digits >= 300)
     {
         if (plan.proofs.size() == 1 && second_look())
-            witness_ = start(own_threads_, [look = second_look()] { return look->witness({witness_digits}); });
+            witness_ = start(own_threads_, [look = second_look(), digits = witness_wants_] { return look->witness({digits}); });
     }
 
     /// \returns whether e is decided, as far as proofs go: if not, nothing is proven, and e.note says why.
@@ -211,7 +213,7 @@ private:
         try {
             const WorkingPrecision precision(256);
             const Witness seen = witness_->get();
-            const Ball off = abs(seen.value - e.ball), size = abs(e.ball), allowed = witness_error_factor * seen.error + size * pow(Ball(10), Ball(-witness_digits));
+            const Ball off = abs(seen.value - e.ball), size = abs(e.ball), allowed = witness_error_factor * seen.error + size * pow(Ball(10), Ball(-witness_wants_));
             SecondLook look{name, false, !certainly(less(allowed, off)), 0, plan_.shares};
             while (look.digits < most_estimated_digits + 5 && certainly(less(2 * off * pow(Ball(10), Ball(look.digits + 1)), size))) ++look.digits;
             if (!look.agrees)
@@ -229,6 +231,7 @@ private:
     const Plan& plan_;
     const std::optional<Exact>& exact_;
     const EvaluationOptions& options_;
+    long witness_wants_; ///< digits
     bool own_threads_;
     std::optional<std::future<Witness>> witness_;
     std::vector<Ball> balls_; ///< of the last accuracy; the first alone if it decided nothing

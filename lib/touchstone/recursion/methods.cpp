@@ -203,7 +203,7 @@ Method second_area()
         .budget = [](const Problem&, Accuracy) {
             return Budget{"n = 2: one integral of the share above each pressure at scale 0 times the slope of A_1, a complete integral of genus 1 or 2 (recursion/first_steps/area_by_slope.hpp)"};
         },
-        .witness = Observer{"nested-quadrature", nested_quadrature},
+        .witness = Observer{"nested-quadrature", [](const Problem& p, Accuracy) { return nested_quadrature(p); }},
         .shares = "the wave (2.2), (2.4) and nothing else: quadrature within quadrature in binary64, some ten digits; its error is an estimate",
     };
 }
@@ -449,14 +449,14 @@ Method third_wave_density()
     };
 }
 
-Witness observe(Grid grid, const Problem& p)
+Witness observe(Grid grid, const Problem& p, Accuracy a)
 {
     const WorkingPrecision precision(256);
     const Ball load(p.load), G = p.G.ball();
     switch (p.asked) {
-    case Asked::area: return transfer::estimated_area(grid, p.n, load, G);
-    case Asked::exceedance: return transfer::estimated_exceedance(grid, p.n, p.p.ball(), load, G);
-    default: return transfer::estimated_density(grid, p.n, p.p.ball(), load, G);
+    case Asked::area: return transfer::estimated_area(grid, p.n, load, G, a);
+    case Asked::exceedance: return transfer::estimated_exceedance(grid, p.n, p.p.ball(), load, G, a);
+    default: return transfer::estimated_density(grid, p.n, p.p.ball(), load, G, a);
     }
 }
 
@@ -501,8 +501,8 @@ const std::vector<Method>& methods()
 
 const std::vector<Observer>& observers()
 {
-    static const std::vector<Observer> all{{"blind-halving", [](const Problem& p) { return observe(Grid::blind, p); }},
-                                           {"tracked-singular-points", [](const Problem& p) { return observe(Grid::tracked, p); }}};
+    static const std::vector<Observer> all{{"blind-halving", [](const Problem& p, Accuracy a) { return observe(Grid::blind, p, a); }},
+                                           {"tracked-singular-points", [](const Problem& p, Accuracy a) { return observe(Grid::tracked, p, a); }}};
     return all;
 }
 

@@ -15,7 +15,7 @@ constexpr long any_digits = 10'000;
 /// A way to the value without proof.
 struct Observer {
     std::string name;
-    std::function<Witness(const Problem&)> look; ///< \throws BeyondReach where observers_refusal() says so, or where a grid gets too large
+    std::function<Witness(const Problem&, Accuracy)> look; ///< \throws BeyondReach where observers_refusal() says so, or where a grid gets too large
 };
 
 /// A proof and its second look.

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <list>
 #include <map>
 #include <memory>
@@ -107,10 +109,9 @@ private:
 class BlindLevels final : public Levels {
 public:
     /// \param ends where V_0, V_1, ... fall to 0; empty: nowhere
-    BlindLevels(const Real& reach, double smallest, First first, Step step, std::function<Real(long m)> ends)
-        : Levels(std::move(first), std::move(step)), reach_(reach), ends_(std::move(ends))
+    BlindLevels(const BlindRule& rule, const Real& reach, First first, Step step, std::function<Real(long m)> ends)
+        : Levels(std::move(first), std::move(step)), rule_(rule), reach_(reach), ends_(std::move(ends))
     {
-        rule_.smallest = smallest;
     }
 
 private:
@@ -209,29 +210,45 @@ Store& store()
     return s;
 }
 
+/// The rule for so many digits, three of them to spare; from finest_estimate on the finest.
+BlindRule blind_rule(Accuracy wanted)
+{
+    BlindRule rule;
+    const double share = std::clamp(static_cast<double>(wanted.digits + 3) / 18, 0.4, 1.0);
+    if (wanted.digits >= finest_estimate.digits || share >= 1) return rule;
+    rule.tolerance = std::pow(rule.tolerance, share);
+    rule.points = static_cast<int>(std::ceil(rule.points * share));
+    rule.angle_points = static_cast<int>(std::ceil(rule.angle_points * share));
+    return rule;
+}
+
 Tracking tracking(const Ball& reach, const GradedRule& rule) { return {reach, GradedGrid<Real>::generations(rule), 1e-18}; }
 
 /// B_0, B_1, ... of chain.hpp
-std::shared_ptr<Levels> areas_of(Grid grid, const Ball& G, const Ball& load)
+std::shared_ptr<Levels> areas_of(Grid grid, const Ball& G, const Ball& load, const BlindRule& blind)
 {
     const Ball heaviest = certainly(less(load, Ball(10))) ? Ball(10) : load; // loads up to 10 share a grid
     // what lies below sqrt(load) 1e-17 reaches B(load) with a weight of less than 1e-34
     const double magnitude = static_cast<double>(arf_abs_bound_lt_2exp_si(arb_midref(load.get()))) * 0.30103 / 2;
     const int decade = magnitude > -3 ? -20 : -20 - 10 * static_cast<int>(-magnitude / 10 + 1);
     const Ball reach = reach_of(heaviest, G);
-    return store().get(fmt::format("areas {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade), [&]() -> std::shared_ptr<Levels> {
+    return store().get(fmt::format("areas {} {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade, blind.tolerance), [&]() -> std::shared_ptr<Levels> {
         const auto step = [g = extended_pair(G)](const Pair<Real>& x) { return wave_from(x, g); };
         const double smallest = std::pow(10.0, decade);
-        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, smallest, first_area, step, nullptr);
+        if (grid == Grid::blind) {
+            BlindRule rule = blind;
+            rule.smallest = smallest;
+            return std::make_shared<BlindLevels>(rule, extended_pair(reach).high, first_area, step, nullptr);
+        }
         const GradedRule rule{.smallest = smallest};
         return std::make_shared<TrackedLevels>(reach, area_points(G, tracking(reach, rule)), rule, first_area, step);
     });
 }
 
 /// E_1, E_2, ...: E_k(x) is the share of lambda_0 with p_{k-1}/p*_k > x.
-std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& load)
+std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& load, const BlindRule& blind)
 {
-    return store().get(fmt::format("exceedances {} {} {}", static_cast<int>(grid), G.to_string(40), load.to_string(40)), [&]() -> std::shared_ptr<Levels> {
+    return store().get(fmt::format("exceedances {} {} {} {}", static_cast<int>(grid), G.to_string(40), load.to_string(40), blind.tolerance), [&]() -> std::shared_ptr<Levels> {
         const Ball reach = reach_of(load, G);
         const Pair<Real> g = extended_pair(G);
         const FirstExceedance first(extended_pair(load), g);
@@ -240,7 +257,7 @@ std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& loa
             const WorkingPrecision bits(256);
             return extended_pair(peaks::iterate(m, load, G)).high;
         };
-        if (grid == Grid::blind) return std::make_shared<BlindLevels>(extended_pair(reach).high, 1e-20, first, step, end);
+        if (grid == Grid::blind) return std::make_shared<BlindLevels>(blind, extended_pair(reach).high, first, step, end);
         const GradedRule rule{.tolerance = 1e-18}; // many more points than the areas have
         return std::make_shared<TrackedLevels>(reach, exceedance_points(load, G, tracking(reach, rule)), rule, first, step);
     });
@@ -257,39 +274,44 @@ void require_reach(long n, long most, const Ball& load, const Ball& G)
 }
 
 /// What rounding does to a sum of n levels, measured (full_contact.md): the differences of the two grids are 3e-19 on average; and what the
-/// last terms of the series change at this very wave, noise and what they do not resolve next to a singular point included.
-Witness estimate(const Levels::Mean& mean, long n)
+/// last terms of the series change at this very wave, noise and what they do not resolve next to a singular point included. A coarser grid leaves
+/// its tolerance at each level.
+Witness estimate(const Levels::Mean& mean, long n, const BlindRule& blind)
 {
     const Ball exact = exact_ball(mean.value);
-    return {exact, abs(exact) * Ball::exactly(5e-19 + 1e-19 * std::sqrt(static_cast<double>(n))) + 4 * abs(exact_ball(mean.change))};
+    const double rounding = 5e-19 + 1e-19 * std::sqrt(static_cast<double>(n)), levels = blind.tolerance > BlindRule().tolerance ? 4 * blind.tolerance * static_cast<double>(n + 1) : 0;
+    return {exact, abs(exact) * Ball::exactly(rounding + levels) + 4 * abs(exact_ball(mean.change))};
 }
 
 } // namespace
 
-Witness estimated_area(Grid grid, long n, const Ball& load, const Ball& G)
+Witness estimated_area(Grid grid, long n, const Ball& load, const Ball& G, Accuracy wanted)
 {
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_areas, load, G);
     const Pair<Real> x = extended_pair(load);
-    return estimate(n == 0 ? Levels::Mean{first_area(x), Real(0)} : areas_of(grid, G, load)->mean(n - 1, wave_from(x, extended_pair(G)), false), n);
+    const BlindRule blind = blind_rule(wanted);
+    return estimate(n == 0 ? Levels::Mean{first_area(x), Real(0)} : areas_of(grid, G, load, blind)->mean(n - 1, wave_from(x, extended_pair(G)), false), n, blind);
 }
 
-Witness estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
+Witness estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G, Accuracy wanted)
 {
+    const BlindRule blind = blind_rule(wanted);
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_distributions, load, G);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-    return estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), false), false), n);
+    return estimate(exceedances_of(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), false), false), n, blind);
 }
 
-Witness estimated_density(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G)
+Witness estimated_density(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G, Accuracy wanted)
 {
+    const BlindRule blind = blind_rule(wanted);
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_distributions, load, G);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-    const Witness slope = estimate(exceedances_of(grid, G, load)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n);
+    const Witness slope = estimate(exceedances_of(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n, blind);
     return {-slope.value / unit, slope.error / unit};
 }
 

@@ -16,15 +16,18 @@ namespace touchstone::transfer {
 
 enum class Grid { blind, tracked };
 
-/// (6.7)  A_n/lambda_0, n >= 0, load > 0, G > 1. Accurate to about 1e-18, relative.
+/// What these grids can do; a blind grid that is asked for less is coarser, and several times cheaper.
+constexpr Accuracy finest_estimate{16};
+
+/// (6.7)  A_n/lambda_0, n >= 0, load > 0, G > 1. Accurate to about 1e-18, relative, or to the digits wanted.
 /// \throws BeyondReach for n > 100, or loads not within 1e-300 and 1e6
-Witness estimated_area(Grid, long n, const Ball& load, const Ball& G);
+Witness estimated_area(Grid, long n, const Ball& load, const Ball& G, Accuracy wanted = finest_estimate);
 
 /// Share of lambda_0 with p_n > p, and its density q_n p*_0 (6.1): n >= 1, p > 0 in p*_0. Absolute accuracy about 1e-18;
 /// towards the upper edge of the support fewer digits agree, next to a singular point of the density too.
 /// \throws BeyondReach as estimated_area, and for n > 40
-Witness estimated_exceedance(Grid, long n, const Ball& p, const Ball& load, const Ball& G);
-Witness estimated_density(Grid, long n, const Ball& p, const Ball& load, const Ball& G);
+Witness estimated_exceedance(Grid, long n, const Ball& p, const Ball& load, const Ball& G, Accuracy wanted = finest_estimate);
+Witness estimated_density(Grid, long n, const Ball& p, const Ball& load, const Ball& G, Accuracy wanted = finest_estimate);
 
 /// The first n for which min p_n > 0 does not hold, so that contact is lost: load >= 1 + G + ... + G^n is what
 /// keeps it, by (5.2), (5.4). Decided in balls; `tie` says where they cannot tell (load and the sum equal: contact is just kept).
