@@ -42,8 +42,8 @@ Finding peak(const Print& p)
         .add("dimensions", units(p))
         .add("(2.9) with the substitutions (5.1), mean pressure x p*_n, x > 1", identity(value.subs(sym("f_x") == f("5.4")), max("2.9"), above))
         .add("(2.10) likewise, x < 1", identity(value.subs(sym("f_x") == f("5.5")), max("2.10"), at))
-        .add("f increases, so the highest peak at scale n sits on the highest at scale n - 1: f' above 1", positive(prints().at("5.4")("rhs").diff(GiNaC::ex_to<GiNaC::symbol>(sym("x"))), Points{"x=2"}))
-        .note("and f = 2 sqrt(x) below 1 increases as the square root does")
+        .add("f increases, so the highest peak at scale n sits on the highest at scale n - 1: f' = 1 above 1", identity(prints().at("5.4")("rhs").diff(GiNaC::ex_to<GiNaC::symbol>(sym("x"))), 1, Points{"x=2"}))
+        .add("and f^2 = 4x below 1", identity(pow(prints().at("5.5")("rhs"), 2), 4 * sym("x"), Points{"x=1/3"}))
         .conclude();
 }
 

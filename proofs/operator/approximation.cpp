@@ -105,9 +105,12 @@ Finding growth(const Constants& k)
 Finding cauchy(const Constants& k)
 {
     const ex rho = sym("q") + 1, a = (rho + 1 / rho) / 2;
+    const Points at{"q=1/2", "q=100"};
     return Argument("symbolic identities")
         .note("beyond the ends the nearest of [-1, 1] is a focus, and the ellipse is at least a - 1 from it; between them |Im z| >= b (1 - 1/a^2)^(1/2) = (a^2 - 1)/a")
-        .add("(a^2 - 1)/a exceeds factor (a - 1)", positive((pow(a, 2) - 1) / a - k.exact(0) * (a - 1), Points{"q=1/2", "q=100"}))
+        .add("(a^2 - 1)/a exceeds a - 1 by (a - 1)/a", identity((pow(a, 2) - 1) / a - (a - 1), (a - 1) / a, at))
+        .add("a > 1: a - 1 = (rho - 1)^2/(2 rho)", identity(a - 1, pow(rho - 1, 2) / (2 * rho), at))
+        .add("and factor (a - 1) is no more than a - 1", exactly(k.number(0) <= 1, "1 against " + std::to_string(k.number(0))))
         .conclude("a derivative on [-1, 1] is at most M/(a - 1), a the major half axis");
 }
 

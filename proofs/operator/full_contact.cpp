@@ -69,7 +69,7 @@ Finding arccos_far(const Constants& k)
         }
     return Argument("symbols; points in complex balls")
         .note("|Im arccos w| = log(a + (a^2 - 1)^(1/2)), 2a = |w + 1| + |w - 1| <= 2|w| + 2; 0 <= Re arccos w <= pi")
-        .add("(a + (a^2-1)^(1/2)) < 2a: (2a - a)^2 - (a^2 - 1) > 0", positive(pow(a, 2) - (pow(a, 2) - 1), points))
+        .add("(a + (a^2-1)^(1/2)) < 2a: (2a - a)^2 - (a^2 - 1) = 1", identity(pow(2 * a - a, 2) - (pow(a, 2) - 1), 1, points))
         .add("2a <= constant (|w| + 1)", exactly(k.number(0) >= 2, "2 against " + std::to_string(k.number(0))))
         .add("|arccos w|^2 < pi^2 + log^2(constant |w| + constant) at points", at_points)
         .conclude("the share above a pressure, wherever it is analytic");
