@@ -96,7 +96,7 @@ std::string as_txt(const Table& t)
         "# value: the true value rounded to nearest, {} significant digits (fewer if exact). error: {} of |value - true value|.\n"
         "{}# {}\n#",
         estimated ? "estimated" : "certified", t.name, t.quantity->description, t.quantity->equation, t.quantity->unit, t.digits,
-        estimated ? "estimate (two independent discretisations agree, no proof; 0: exact)" : "proven bound", t.forced ? forced_banner(has_estimates(t)) : "", header(t, rows).dump());
+        estimated ? "estimate (from how far the numerical methods named under routes part, no proof; 0: exact)" : "proven bound", t.forced ? forced_banner(has_estimates(t)) : "", header(t, rows).dump());
     for (const auto& name : t.inputs) text += " " + name;
     return text + " value error" + (t.forced ? " forced" : "") + "\n" + rows;
 }
