@@ -51,7 +51,7 @@ class Progress(unittest.TestCase):
         self.assertGreaterEqual(len(pictures), least, text)
         shares, bars = [], []
         for picture in pictures:
-            self.assertLess(len(picture), 80, "wider than the terminal")
+            self.assertLess(len(picture), 80, "wider than the terminal: " + picture)
             self.assertNotIn("\n", picture)
             if share := re.search(r" (\d+) %, ", picture):
                 shares.append(int(share.group(1)))
