@@ -35,7 +35,8 @@ namespace touchstone_reference {
 
 /// least <= error in ulps <= most.
 struct Interval {
-    double least, most;
+    double least; ///< certainly no less
+    double most;  ///< certainly no more
 };
 
 namespace detail {
@@ -43,11 +44,11 @@ namespace detail {
 /// A natural number of any size, base 10^9, lowest limb first: enough to compare a decimal with a double exactly.
 class Big {
 public:
-    explicit Big(std::uint64_t v = 0)
+    explicit Big(std::uint64_t v = 0) ///< the number v
     {
         for (; v > 0; v /= base) limbs_.push_back(static_cast<std::uint32_t>(v % base));
     }
-    void times(std::uint32_t factor, std::uint32_t plus = 0)
+    void times(std::uint32_t factor, std::uint32_t plus = 0) ///< multiply, then add
     {
         std::uint64_t carry = plus;
         for (auto& limb : limbs_) {
@@ -57,11 +58,11 @@ public:
         }
         for (; carry > 0; carry /= base) limbs_.push_back(static_cast<std::uint32_t>(carry % base));
     }
-    void times_power(std::uint32_t factor, long exponent)
+    void times_power(std::uint32_t factor, long exponent) ///< by factor^exponent; unchanged for exponent <= 0
     {
         for (; exponent > 0; --exponent) times(factor);
     }
-    int compare(const Big& o) const
+    int compare(const Big& o) const ///< -1, 0, 1: less, equal, more
     {
         if (limbs_.size() != o.limbs_.size()) return limbs_.size() < o.limbs_.size() ? -1 : 1;
         for (std::size_t i = limbs_.size(); i-- > 0;)
@@ -81,7 +82,7 @@ public:
         while (!r.limbs_.empty() && r.limbs_.back() == 0) r.limbs_.pop_back();
         return r;
     }
-    bool zero() const { return limbs_.empty(); }
+    bool zero() const { return limbs_.empty(); } ///< it is 0
     /// this/o to double, with a relative error of some 10^-15
     double over(const Big& o) const
     {
@@ -103,7 +104,7 @@ private:
 /// |decimal| and doubles as integers over one common power of two and ten, so that they compare exactly.
 class Common {
 public:
-    explicit Common(const std::string& decimal)
+    explicit Common(const std::string& decimal) ///< the scale is chosen so that this decimal and every double are integers
     {
         bool point = false;
         std::size_t i = 0;
@@ -186,9 +187,11 @@ inline Interval ulps(double answer, const std::string& value, const std::string&
     return {distance > slack ? distance - slack : 0, distance + slack};
 }
 
+/// One line of a table.
 struct Row {
-    std::vector<double> inputs;
-    std::string value, error;   ///< decimals, as in the file
+    std::vector<double> inputs; ///< in the order of the columns
+    std::string value;          ///< decimal, as in the file
+    std::string error;          ///< bound of |value - true value|, decimal, as in the file
     double nearest;             ///< the value rounded to double
     double forced = -1;         ///< ulps (absolute where the value is 0) that rounding the inputs once can cost any code, four times the column where the
                                 ///< table's header calls that estimated; -1: not known
@@ -197,16 +200,18 @@ constexpr double estimated_margin = 4; ///< as in `touchstone judge`
 
 /// A row passes if |answer - value| <= atol + rtol |value|, or <= `ulps` units in the last place, and what its rounded inputs force beyond that.
 struct Tolerance {
-    double rtol = 0, atol = 0, ulps = 4;
-    bool forgive_inputs = true;
+    double rtol = 0;            ///< relative
+    double atol = 0;            ///< absolute
+    double ulps = 4;            ///< units in the last place
+    bool forgive_inputs = true; ///< false: what rounded inputs force is not allowed beyond that
 };
 
 /// The row on which a code is farthest off.
 struct Worst {
-    const Row* row = nullptr;
-    double answer = 0;
+    const Row* row = nullptr;   ///< of the table asked; null if it has none
+    double answer = 0;          ///< the code's
     double ulps = 0;            ///< certainly no less
-    std::string message() const
+    std::string message() const ///< one line: inputs and answer as hexfloats, to be replayed
     {
         if (row == nullptr) return "no rows";
         char text[64];
@@ -228,9 +233,10 @@ inline std::string message(const std::vector<Worst>& rows, std::size_t most = 5)
     return text;
 }
 
+/// A table read from its file.
 struct Table {
-    std::string name;
-    std::vector<Row> rows;
+    std::string name;      ///< as its header gives it
+    std::vector<Row> rows; ///< in the order of the file
 
     /// All rows that fail, in the table's order; of those that `where` chooses. f and where take the inputs as a std::vector<double>.
     template <class F, class Where>
@@ -251,6 +257,7 @@ struct Table {
         }
         return wrong;
     }
+    /// The same of all rows.
     template <class F>
     std::vector<Worst> failing(F&& f, const Tolerance& t = {}) const
     {

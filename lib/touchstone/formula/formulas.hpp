@@ -25,6 +25,7 @@ struct Formula {
 /// \throws DomainError for a quantity that is no closed formula, or lacks n
 Formula formula_of(std::string_view quantity, std::optional<long> n);
 
+/// What emit() can write.
 inline const std::vector<std::string>& languages()
 {
     static const std::vector<std::string> all{"latex", "c", "fortran", "python", "julia", "octave", "fpcore", "sympy"};
@@ -37,10 +38,10 @@ std::string emit(const Formula&, std::string_view language);
 
 /// The helper functions that formulas call, each as an expression in its parameters (scalar.hpp's compound operations for `double`).
 struct Helper {
-    std::vector<std::string> parameters;
-    Term body;
+    std::vector<std::string> parameters; ///< names, in order
+    Term body;                           ///< the value, in the parameters
 };
-const std::map<std::string, Helper>& helpers();
+const std::map<std::string, Helper>& helpers(); ///< by name
 /// The same as mathematics, in which nothing is rounded. Unchanged if it is no helper.
 Term mathematical(const Term& call);
 

@@ -36,7 +36,9 @@ struct MixUp {
 /// answer/truth over all rows where both are numbers and the truth is not zero.
 struct Ratio {
     std::size_t rows = 0; ///< over how many it is taken
-    double median = 0, lower = 0, upper = 0; ///< lower and upper: the middle half lies between them
+    double median = 0; ///< half of the rows have less
+    double lower = 0;  ///< a quarter of the rows has less
+    double upper = 0;  ///< a quarter of the rows has more
 };
 
 /// What the answers have in common. See mixup.hpp.
@@ -66,21 +68,26 @@ struct JudgedRow {
     bool special = false;            ///< NaN, or infinite where the truth is not
     Interval error;                  ///< ulps; absolute where the truth is zero; of no meaning if special
     std::optional<Forced> forced;    ///< worked out only where the verdict or the reader needs it
-    Verdict verdict = Verdict::pass;
+    Verdict verdict = Verdict::pass; ///< by the bound
     std::string why;                 ///< why not passed; else empty
 };
 
 /// Two rows whose answers are in the wrong order, or differ where the truth is the same by symmetry.
 struct OrderViolation {
-    std::size_t first, second; ///< of the rows asked
+    std::size_t first;  ///< number of the one row, as asked
+    std::size_t second; ///< number of the other
     std::string what; ///< which rule is broken
 };
 /// All rows, and what they come to.
 struct Judgement {
-    Verdict verdict = Verdict::pass;
+    Verdict verdict = Verdict::pass; ///< of all rows: fail if one fails, else undecided if one is
     std::vector<JudgedRow> rows; ///< as asked
     Interval ulps;                       ///< worst row: largest least, largest most
-    std::size_t failed = 0, undecided = 0, special = 0, negative_zeros = 0, zeros = 0; ///< how many rows are so
+    std::size_t failed = 0;              ///< rows beyond the bound
+    std::size_t undecided = 0;           ///< rows that the certified digits do not decide
+    std::size_t special = 0;             ///< rows answered by nan, or by an infinity where the truth is none
+    std::size_t negative_zeros = 0;      ///< rows answered by -0 where the truth is 0
+    std::size_t zeros = 0;               ///< rows whose truth is 0
     std::size_t held_out_failed = 0;     ///< rows held out beside a baseline that are beyond `ulps`: said, never counted
     double worst_at_zero = 0;            ///< largest |answer| where the truth is zero
     std::vector<std::size_t> worst;      ///< rows, the worst first

@@ -12,6 +12,7 @@
 
 namespace touchstone {
 
+/// The formats that format() knows.
 inline const std::vector<std::string>& table_formats()
 {
     static const std::vector<std::string> all{"txt", "csv", "json", "hpp", "ipp"};
@@ -28,15 +29,20 @@ std::string sha256(std::string_view bytes);
 
 /// A canonical table read back.
 struct StoredTable {
-    std::string name, quantity, header_json, sha256;
-    std::vector<std::string> inputs;
-    long digits = 0;
+    std::string name;                ///< of the table
+    std::string quantity;            ///< as the catalogue names it
+    std::string header_json;         ///< the header line as it stands
+    std::string sha256;              ///< of the rows, as the header gives it and parse_table() found it
+    std::vector<std::string> inputs; ///< column names
+    long digits = 0;                 ///< significant decimal digits of each value
+    /// One line.
     struct Row {
-        std::vector<double> inputs;
-        std::string value, error;
+        std::vector<double> inputs;  ///< in the order of the columns
+        std::string value;           ///< decimal, as it stands
+        std::string error;           ///< proven bound (or estimate) of |value - true value|, decimal
         std::optional<double> forced{};  ///< ulps; see forced.hpp
     };
-    std::vector<Row> rows;
+    std::vector<Row> rows;         ///< in the order of the file
     bool has_forced = false;       ///< the column is there
     bool forced_estimated = false; ///< and holds estimates
 };
