@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of the changes compiled in (switch.hpp) anybody finds: every claim of the ledger with its controls, every lemma of our own, every test case linked.
+// Numbers of changes come on stdin; one line "NUMBER found|survives|unreached WHO" goes out for each. With --plain the program as it was
+// compiled is judged, and the first who finds something is named.
+#include "switch.hpp"
+
+#include "proofs/ledger.hpp"
+#include "proofs/operator/own.hpp"
+#include "proofs/recorded.hpp"
+
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest/doctest.h>
+
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace mutant {
+int active = -1;
+unsigned char at_start[most];
+unsigned char* reached = at_start;
+} // namespace mutant
+
+namespace {
+
+using namespace touchstone::proofs;
+
+constexpr rlim_t most_seconds = 60; // of CPU, for all that looks at one change
+
+__attribute__((constructor(101))) void switch_on_before_anything_else()
+{
+    if (const char* id = std::getenv("TOUCHSTONE_MUTANT")) mutant::active = std::atoi(id);
+}
+
+/// Somebody who can find a change.
+struct Finder {
+    std::string name;
+    std::function<bool()> finds;
+    double seconds = 0;
+    std::vector<unsigned char> reached = {};
+};
+
+bool claim_finds(const Claim& c)
+{
+    const Entry e = run(c, prints().at(c.id));
+    const std::string recorded = recorded_form({e}), entry = recorded.substr(recorded.find('\n') + 1);
+    return e.finding.verdict != expected_verdict(c.id) || !e.surviving().empty() || recorded_text().find(entry) == std::string_view::npos;
+}
+
+bool test_finds(const std::string& name)
+{
+    static std::ofstream nowhere("/dev/null");
+    doctest::Context context;
+    context.addFilter("test-case", name.c_str());
+    context.setOption("abort-after", 1);
+    context.setOption("no-skip", true);
+    context.setCout(&nowhere);
+    return context.run() != 0;
+}
+
+/// The claims are handed over one by one below: those who take them all again would find the same, later.
+bool looks_at_everything(const std::string& test) { return test.starts_with("every entry has its recorded verdict") || test.starts_with("every lemma and every constant holds"); }
+
+std::vector<Finder> all_finders()
+{
+    std::vector<Finder> all;
+    for (const Claim& c : claims()) all.push_back({c.id, [&c] { return claim_finds(c); }});
+    for (const OwnClaim& c : own_claims()) all.push_back({c.id, [&c] { return !run(c).failures().empty(); }});
+    for (const auto& test : doctest::detail::getRegisteredTests())
+        if (const std::string name = test.m_name; !looks_at_everything(name)) all.push_back({"test '" + name + "'", [name] { return test_finds(name); }});
+    return all;
+}
+
+/// Whether one finds it; an exception is a find, as every program here reports one.
+bool asks(const Finder& f)
+{
+    try {
+        return f.finds();
+    } catch (...) {
+        return true;
+    }
+}
+
+double cpu_seconds()
+{
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+struct Shared {
+    unsigned char reached[mutant::most];
+    double seconds;
+    int who;
+};
+
+Shared* shared()
+{
+    static Shared* const s = static_cast<Shared*>(mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+    return s;
+}
+
+/// Run in a child, which leaves no kept value behind. The exit status, or minus the signal.
+int in_child(const std::function<int()>& work)
+{
+    std::cout.flush();
+    const pid_t child = fork();
+    if (child == 0) {
+        const rlimit limit{most_seconds, most_seconds};
+        setrlimit(RLIMIT_CPU, &limit);
+        const rlimit none{0, 0};
+        setrlimit(RLIMIT_CORE, &none);
+        _exit(work());
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+/// The first of the finders that finds something is put down in shared()->who before each is asked.
+int first_who_finds(const std::vector<Finder>& finders, const std::vector<std::size_t>& order)
+{
+    for (const std::size_t i : order) {
+        shared()->who = static_cast<int>(i);
+        if (asks(finders[i])) return 1;
+    }
+    return 0;
+}
+
+/// What each comes by, and what it costs, with no change on.
+bool look_around(std::vector<Finder>& finders)
+{
+    bool good = true;
+    for (Finder& f : finders) {
+        std::memset(shared()->reached, 0, mutant::most);
+        const int status = in_child([&] {
+            mutant::reached = shared()->reached;
+            const double start = cpu_seconds();
+            const bool found = asks(f);
+            shared()->seconds = cpu_seconds() - start;
+            return found ? 1 : 0;
+        });
+        f.seconds = shared()->seconds;
+        f.reached.assign(shared()->reached, shared()->reached + mutant::most);
+        if (status != 0) std::cerr << "without any change, " << f.name << " finds something (" << status << ")\n";
+        good = good && status == 0;
+    }
+    return good;
+}
+
+void report(int id, int status, const std::string& who)
+{
+    if (status == 0) std::cout << id << " survives -" << std::endl;
+    else if (status == 1) std::cout << id << " found " << who << std::endl;
+    else if (status == -SIGXCPU || status == -SIGKILL) std::cout << id << " found " << who << ", which does not end" << std::endl;
+    else std::cout << id << " found " << who << ", which crashes" << std::endl;
+}
+
+/// What ran before main, or when the claims were put together, cannot be switched on afterwards: a fresh process, which looks at everything.
+int look_from_the_start(int id, const char* program)
+{
+    return in_child([&] {
+        setenv("TOUCHSTONE_MUTANT", std::to_string(id).c_str(), 1);
+        execl(program, program, "--plain", static_cast<char*>(nullptr));
+        return 1;
+    });
+}
+
+std::vector<std::size_t> cheapest_first(const std::vector<Finder>& finders)
+{
+    std::vector<std::size_t> order(finders.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return finders[a].seconds < finders[b].seconds; });
+    return order;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const bool plain = argc > 1 && std::string(argv[1]) == "--plain";
+    std::vector<Finder> finders;
+    try {
+        finders = all_finders();
+    } catch (const std::exception& e) {
+        std::cerr << e.what() << "\n";
+        return 1;
+    }
+    if (plain) {
+        const int found = first_who_finds(finders, cheapest_first(finders));
+        std::cerr << (found ? finders[static_cast<std::size_t>(shared()->who)].name : "nobody") << "\n";
+        return found;
+    }
+    const std::vector<unsigned char> before(mutant::at_start, mutant::at_start + mutant::most);
+    if (!look_around(finders)) return 70;
+    double all = 0;
+    for (const Finder& f : finders) all += f.seconds;
+    std::cerr << finders.size() << " finders, " << all << " s\n";
+    const std::vector<std::size_t> order = cheapest_first(finders);
+    for (int id = 0; std::cin >> id;) {
+        const auto at = static_cast<std::size_t>(id);
+        if (before[at]) {
+            report(id, look_from_the_start(id, argv[0]), "a fresh start");
+            continue;
+        }
+        std::vector<std::size_t> who;
+        for (const std::size_t i : order)
+            if (finders[i].reached[at]) who.push_back(i);
+        if (who.empty()) {
+            std::cout << id << " unreached -" << std::endl;
+            continue;
+        }
+        const int status = in_child([&] {
+            mutant::active = id;
+            return first_who_finds(finders, who);
+        });
+        report(id, status, finders[static_cast<std::size_t>(shared()->who)].name);
+    }
+    return 0;
+}
