@@ -15,6 +15,20 @@ namespace touchstone::proofs {
 
 std::string_view recorded_text() { return data::verdicts_text(); }
 
+namespace {
+
+/// "x in [0, 1]" of a step that subdivision proved (enclosure.cpp), else empty: a range made smaller says less, and no control can see it.
+std::string range_of(const std::string& step)
+{
+    const std::string before = "enclosed for ";
+    const std::size_t from = step.find(before);
+    if (from == std::string::npos) return {};
+    const std::size_t start = from + before.size();
+    return step.substr(start, step.rfind(" in ", step.find(" pieces", start)) - start);
+}
+
+} // namespace
+
 std::string recorded_form(const std::vector<Entry>& entries)
 {
     std::ostringstream out;
@@ -26,9 +40,12 @@ std::string recorded_form(const std::vector<Entry>& entries)
         out << "\n";
         if (!same_as(e.claim->id).empty()) out << "  same as: " << same_as(e.claim->id) << "\n";
         if (c) out << "  wrong: " << c->wrong << "\n  holds, " << name(e.corrected->verdict) << ": " << c->corrected << "\n";
+        if (c && !c->consequence.empty()) out << "  consequence: " << c->consequence << "\n";
         if (!caveat(e.claim->id).empty()) out << "  caveat: " << caveat(e.claim->id) << "\n";
         if (!e.finding.method.empty()) out << "  by: " << e.finding.method << "\n";
         for (const std::string& lemma : e.finding.lemmas) out << "  lemma: " << lemma.substr(0, lemma.find(':')) << "\n";
+        for (const std::string& step : e.finding.steps)
+            if (const std::string range = range_of(step); !range.empty()) out << "  range: " << range << "\n";
         if (!e.finding.rows.empty()) out << "  stored values: " << e.finding.rows.size() << "\n";
     }
     return out.str();

@@ -190,6 +190,8 @@ std::pair<std::vector<Range>, std::vector<Range>> halves(std::vector<Range> piec
 
 Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces)
 {
+    for (const Range& r : box)
+        if (r.high <= r.low) throw std::invalid_argument("an empty range: " + in_words(box));
     std::deque<std::vector<Range>> todo{box};
     int pieces = 0;
     const Ball zero(0);

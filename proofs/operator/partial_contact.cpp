@@ -38,11 +38,12 @@ Finding force_weighted(const Constants& k)
 {
     Ring ring;
     const ex u = sym("u"), x = sym("x"), root_x = ring.root("v", x), w = ring.root("w", 1 - pow(u, 2)), rest = ring.root("r", 1 - x * pow(u, 2)), G = sym("G");
-    const ex y = 2 * root_x * w * rest / G, antiderivative = (u * w + asin(u)) / 2;
+    const ex y = 2 * root_x * w * rest / G, antiderivative = (u * sqrt(1 - pow(u, 2)) + asin(u)) / 2;
     return Argument("symbolic identities")
+        .add("y is the wave's, at c = 1 - 2 x u^2", identity(pow(y, 2), 4 * wave::quarter_pressure_squared<ex>(x, pow(u, 2), 1 - pow(u, 2)) / pow(G, 2), points, ring))
         .add("y/(1 - x u^2)^(1/2) = (2/G)(x (1 - u^2))^(1/2), of (C1)", identity(y / rest, k.exact(0) * 2 / G * root_x * w, points, ring))
-        .add("(1 - u^2)^(1/2) is the derivative of (u (1 - u^2)^(1/2) + arcsin u)/2, which grows by pi/4",
-             identity(((u * sqrt(1 - pow(u, 2)) + asin(u)) / 2).diff(symbol_of(u)), sqrt(1 - pow(u, 2)), points, ring))
+        .add("(1 - u^2)^(1/2) is the derivative of (u (1 - u^2)^(1/2) + arcsin u)/2", identity(antiderivative.diff(symbol_of(u)), sqrt(1 - pow(u, 2)), points, ring))
+        .add("which grows by pi/4 from 0 to 1", identity(antiderivative.subs(u == 1) - antiderivative.subs(u == 0), GiNaC::Pi / 4, points))
         .conclude("the noise of the force-weighted chain is the semicircle law, whatever x is");
 }
 

@@ -39,6 +39,7 @@ TEST_CASE("a bound that is false is refuted")
     CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "2*(1+G)"}}) == Verdict::refuted);
     CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "-1/(4*G^2)"}}) == Verdict::refuted);
     CHECK(verdict_of("text.several-scales", {{"rhs", "gamma^(-2*m)", "1"}}) == Verdict::refuted);
+    CHECK(verdict_of("text.several-scales", {{"rhs", "-2*m", "-m"}}) == Verdict::refuted); // the counterexample is at gamma = 5 alone
     CHECK(verdict_of("text.apparent-lower", {{"rhs", "1/G^2", "10/G^2"}}) == Verdict::refuted);
     CHECK(verdict_of("text.increasingly-hertzian", {{"relation", "=", "<"}, {"rhs", "1", "0"}}) == Verdict::refuted);
     CHECK(verdict_of("text.increasingly-hertzian", {{"relation", "=", ">"}, {"rhs", "1", "2"}}) == Verdict::refuted);
