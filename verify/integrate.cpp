@@ -144,7 +144,7 @@ int integrate_and_print(IntegrateOptions o)
     if (tolerance) *options.tolerance /= 100; // so that a decimal within it exists
     Shown s;
     const quadrature::Integral result = computed(o, options, tolerance, s);
-    if (result.divergent) throw Failure(bad_input, result.reason);
+    if (result.divergent && !o.json) throw Failure(bad_input, result.reason);
     const bool proven = result.value.is_finite();
     const bool certified = result.status == quadrature::Status::certified && (tolerance ? !s.value.empty() : s.digits == o.digits);
     const std::string reason = certified               ? ""
@@ -154,7 +154,7 @@ int integrate_and_print(IntegrateOptions o)
         nlohmann::ordered_json j{{"formula", o.formula}, {"from", o.from}, {"to", o.to}};
         j["value"] = !s.value.empty() ? nlohmann::ordered_json(s.value) : nlohmann::ordered_json(nullptr);
         j["digits"] = s.digits;
-        j["status"] = certified ? "certified" : "undecided";
+        j["status"] = result.divergent ? "divergent" : certified ? "certified" : "undecided";
         j["error"] = !s.value.empty() ? nlohmann::ordered_json(s.error) : nlohmann::ordered_json(nullptr);
         if (!reason.empty()) j["reason"] = reason;
         if (proven) j["enclosure"] = result.value.to_string(o.digits + 5);
@@ -175,7 +175,7 @@ int integrate_and_print(IntegrateOptions o)
         if (o.explain)
             for (const auto& p : result.parts) explain(p);
     }
-    return certified ? holds : undecided;
+    return result.divergent ? bad_input : certified ? holds : undecided;
 }
 
 } // namespace

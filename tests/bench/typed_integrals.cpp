@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // bench_typed_integrals DIGITS: the finite ranges of public_integrals.txt by `integrate` and by acb_calc_integrate alone, the same compiled
 // formula in both. Prints the ratio of the times where both certify, its median, and how many each certifies.
+#include "tests/quadrature/public_integrals.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -52,39 +52,25 @@ bool by_arb(const Integrand& f, long digits)
     return value.is_finite() && static_cast<double>(value.real().relative_bits()) > 3.3219 * static_cast<double>(digits);
 }
 
-std::string trimmed(const std::string& s)
-{
-    const auto first = s.find_first_not_of(' ');
-    return first == std::string::npos ? "" : s.substr(first, s.find_last_not_of(' ') - first + 1);
-}
-
 } // namespace
 
 int main(int count, char** words)
 {
     const long digits = count > 1 ? std::atol(words[1]) : 30;
-    std::ifstream in(count > 2 ? words[2] : "tests/quadrature/public_integrals.txt");
     std::vector<double> ratios;
     long ours_alone = 0, arb_alone = 0, both = 0, neither = 0;
-    for (std::string line; std::getline(in, line);) {
-        if (line.empty() || line[0] == '#') continue;
-        std::vector<std::string> f;
-        for (std::size_t start = 0; start <= line.size();) {
-            const std::size_t stop = std::min(line.find(';', start), line.size());
-            f.push_back(trimmed(line.substr(start, stop - start)));
-            start = stop + 1;
-        }
-        const Limit from = parse_limit(f[2]), to = parse_limit(f[3]);
+    for (const PublicIntegral& row : public_integrals(count > 2 ? words[2] : "tests/quadrature/public_integrals.txt")) {
+        const Limit from = parse_limit(row.from), to = parse_limit(row.to);
         if (from.infinite || to.infinite) continue;
         IntegralOptions options;
         options.digits = digits;
-        const ExpressionPtr e = parse_expression(f[1]);
+        const ExpressionPtr e = parse_expression(row.formula);
         bool ours = false, arb = false;
         const double t = milliseconds([&] { ours = integrate(e, from, to, options).status == Status::certified; });
         const double a = milliseconds([&] { arb = by_arb(Integrand(e, {from, to, Map::finite}), digits); });
         (ours && arb ? both : ours ? ours_alone : arb ? arb_alone : neither) += 1;
         if (ours && arb) ratios.push_back(t / a);
-        std::printf("%-14s ours %9.2f ms%s  acb_calc_integrate %9.2f ms%s\n", f[0].c_str(), t, ours ? "" : " (refused)", a,
+        std::printf("%-14s ours %9.2f ms%s  acb_calc_integrate %9.2f ms%s\n", row.name.c_str(), t, ours ? "" : " (refused)", a,
                     arb ? "" : " (fails)");
     }
     std::sort(ratios.begin(), ratios.end());

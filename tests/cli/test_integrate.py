@@ -72,10 +72,22 @@ class Integrate(unittest.TestCase):
             self.assertIn("diverges", message)
             self.assertIn(place, message)
 
+    def test_json_says_that_it_diverges(self):
+        code, j = as_json("1/(1-x)", "0", "1")
+        self.assertEqual((code, j["status"], j["value"], j["digits"], j["error"]), (65, "divergent", None, 0, None))
+        self.assertIn("x = 1", j["reason"])
+
+    def test_kinks_where_no_exact_number_is(self):
+        for text, value in (("abs(exp(x)-2)", 0.49087055069882647), ("sign(cos(x)-x)", 0.4781702664303213), ("floor(exp(3*x))", 5.888127846415505), ("abs(sqrt(x)-0.3)", 0.38466666666666666), ("max(x,exp(-x))", 0.7720309536617979)):
+            code, j = as_json(text, "0", "1", "--digits", "40")
+            self.assertEqual((code, j["status"]), (0, "certified"), text)
+            self.assertAlmostEqual(float(j["value"]), value, 9, text)
+
     def test_what_is_not_proved_is_undecided_with_its_place(self):
         self.assertIn("0.707", self.refused(2, "1/(x^2-1/2)", "0", "1"))
         self.assertIn("inf", self.refused(2, "exp(x)", "0", "inf"))
-        self.assertIn("inf", self.refused(2, "sin(x)/x", "0", "inf"))
+        self.assertIn("inf", self.refused(2, "sin(x)", "0", "inf"))
+        self.assertIn("inf", self.refused(2, "cos(x)*x^0.1", "1", "inf"))
         self.refused(2, "1/(x*log(x))", "0", "1/2")
 
     def test_options_out_of_domain(self):

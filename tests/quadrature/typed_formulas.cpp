@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a typed formula is made of: parser, exact constants, exact expansions, cuts; and that each says no where it must.
 #include "touchstone/quadrature/integrate.hpp"
+#include "touchstone/quadrature/oscillation.hpp"
+#include "touchstone/quadrature/substitution.hpp"
 
 #include <doctest/doctest.h>
 
@@ -29,9 +31,16 @@ std::optional<ExactSeries> series(const char* formula, const ExactSum& centre, i
     return expand(*parse_expression(formula), centre, direction);
 }
 
+IntegralOptions with_digits(long digits)
+{
+    IntegralOptions o;
+    o.digits = digits;
+    return o;
+}
+
 Integral integral(const char* formula, const char* from, const char* to, long digits = 30)
 {
-    return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), {.digits = digits});
+    return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), with_digits(digits));
 }
 
 } // namespace
@@ -179,5 +188,85 @@ TEST_CASE("both rules agree where both serve")
         CHECK(other.parts.at(0).rule == "tanh-sinh");
         CHECK(other.status == Status::certified);
         CHECK(one.value.overlaps(other.value));
+    }
+}
+
+TEST_CASE("a sum of waves is recognised, whatever else oscillates is not")
+{
+    const auto count = [](const char* formula) {
+        const auto w = waves(parse_expression(formula));
+        return w ? w->size() : 0;
+    };
+    CHECK(count("sin(x)/x") == 1);
+    CHECK(count("sin(x)^2/x^2") == 2);
+    CHECK(count("sinc(2*x+1)*cos(x)") == 2);
+    CHECK(count("besselj(0,x)*x+cos(3*x)") == 2);
+    for (const char* formula :
+         {"exp(-x)", "sin(x^2)", "besselj(0,x)*sin(x)", "1/(2+sin(x))", "sin(x)^2.5", "exp(sin(x))/x", "sin(x+sqrt(2))*sin(x)"}) {
+        CAPTURE(formula);
+        CHECK(count(formula) == 0);
+    }
+}
+
+TEST_CASE("the path is turned only where the amplitude is proved to vanish in the quadrant")
+{
+    const auto proved = [](const char* formula) {
+        const auto w = waves(parse_expression(formula));
+        return w && supremum_in_quadrant(w->at(0), 0, 16).has_value();
+    };
+    CHECK(proved("sin(x)/x"));
+    CHECK(proved("sin(x)*log(x)^3/x^0.1"));
+    CHECK(proved("sin(x)/log(x+2)"));
+    CHECK(proved("cos(x)*atan(x)/sqrt(1+x^2)"));
+    CHECK(proved("besselj(1,x)*x^0.4"));
+    CHECK(!proved("sin(x)"));
+    CHECK(!proved("sin(x)*x^0.1"));
+    CHECK(!proved("sin(x)*log(x)"));
+    CHECK(!proved("besselj(1,x)*x^0.6"));
+    CHECK(!proved("sin(x)*exp(x)/x"));
+    CHECK(!proved("sin(x)/(x^2+1000)")); // a pole that the enclosure of the quadrant still has in it
+    CHECK(!proved("sin(x)*sqrt(abs(x-100))/x"));
+}
+
+TEST_CASE("tails that oscillate against their closed forms")
+{
+    const struct {
+        const char *formula, *from, *to, *value;
+    } cases[] = {{"sin(x)/x", "0", "inf", "pi/2"},
+                 {"sin(x)/x", "-inf", "inf", "pi"},
+                 {"cos(x)/(1+x^2)", "-inf", "inf", "pi/e"},
+                 {"x*sin(x)/(1+x^2)", "0", "inf", "pi/(2*e)"},
+                 {"sin(x)^3/x^3", "0", "inf", "3*pi/8"},
+                 {"cos(3*x)/sqrt(x)", "0", "inf", "sqrt(pi/6)"},
+                 {"sin(2*x)/x^(1/3)", "0", "inf", "2^(-2/3)*gamma(2/3)*sin(pi/3)"},
+                 {"besselj(0,2*x)", "0", "inf", "1/2"},
+                 {"besselj(0,x)/sqrt(1+x^2)", "0", "inf", "besseli(0,1/2)*besselk(0,1/2)"},
+                 {"besselj(1/2,x)/sqrt(x)", "1", "inf", "sqrt(2/pi)*(pi/2-si(1))"},
+                 {"sin(1/x)/x", "0", "1", "pi/2-si(1)"},
+                 {"cos(x)/x", "1", "inf", "-ci(1)"},
+                 {"sin(x)/(x-1)", "-inf", "0", "pi*cos(1)/2-cos(1)*si(1)+sin(1)*ci(1)"}};
+    for (const auto& c : cases) {
+        CAPTURE(c.formula);
+        const Integral i = integral(c.formula, c.from, c.to, 20);
+        CHECK_MESSAGE(i.status == Status::certified, i.reason);
+        const WorkingPrecision precision(300);
+        CHECK_MESSAGE(i.value.overlaps(parse_limit(c.value).ball()), i.value.to_string(20), " is not ",
+                      parse_limit(c.value).ball().to_string(20));
+    }
+}
+
+TEST_CASE("changes of variable are exact")
+{
+    const WorkingPrecision precision(200);
+    for (const char* formula : {"exp(-1/x)/x^2", "sin(1/(x-1))*log(x)", "sqrt(2*x-2)+x^3", "1/(1/x+1/x^2)", "atan(x)^(-1/2)"}) {
+        CAPTURE(formula);
+        const auto e = parse_expression(formula);
+        const Rational at(3, 2), t = 1 / (at - 1);
+        const auto far = about_infinity(e, ExactSum(1), 1);
+        REQUIRE(far);
+        CHECK((evaluate_at(**far, Ball(t)) * Ball(t) * Ball(t)).overlaps(evaluate_at(*e, Ball(at))));
+        const auto moved = shifted(e, ExactSum(1), -1);
+        REQUIRE(moved);
+        CHECK(evaluate_at(**moved, Ball(Rational(-1, 2))).overlaps(evaluate_at(*e, Ball(at))));
     }
 }

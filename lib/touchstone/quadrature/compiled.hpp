@@ -65,6 +65,8 @@ struct Point {
 /// What evaluation needs to know of the range.
 struct Place {
     const Range* range = nullptr;
+    /// Whether the point is on the real line and an enclosure of the values there is wanted, analytic or not: kinks and steps are taken.
+    bool on_the_line = false;
     /// The point whose distance to one end is exactly s.
     template <class V>
     Point<V> at_distance(Side side, const V& s) const;

@@ -65,6 +65,20 @@ N<V> sum(const Node& node, const Point<V>& p, const Place& place)
     return r;
 }
 
+bool has_kinks(Op op) { return op == Op::abs || op == Op::sign || op == Op::floor || op == Op::ceil; }
+
+/// All values that a function with kinks or steps takes on the ball.
+Ball values_on_the_line(Op op, const Ball& x)
+{
+    Ball y;
+    switch (op) {
+    case Op::abs: return touchstone::abs(x);
+    case Op::sign: arb_sgn(y.get(), x.get()); return y;
+    case Op::floor: arb_floor(y.get(), x.get(), WorkingPrecision::bits()); return y;
+    default: arb_ceil(y.get(), x.get(), WorkingPrecision::bits()); return y;
+    }
+}
+
 template <class V>
 N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
 {
@@ -85,7 +99,10 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
             return pow(arg(0), exponent.factor().real());
     }
     case Kind::general_power: return function_of(Op::exp, N<V>(arg(1) * log(arg(0))));
-    case Kind::function: return function_of(node.op, arg(0));
+    case Kind::function:
+        if constexpr (std::same_as<V, ComplexBall>)
+            if (place.on_the_line && has_kinks(node.op)) return N<V>(ComplexBall(values_on_the_line(node.op, arg(0).value().real())));
+        return function_of(node.op, arg(0));
     case Kind::ordered_function: {
         const N<V> order = arg(0);
         if constexpr (std::same_as<V, Ball>)

@@ -73,6 +73,17 @@ Ball evaluate_at(const Expression& e, const Ball& x)
     return compiled::evaluate(*compiled::compile(shared, nowhere), p, nowhere).value();
 }
 
+PlainFormula::PlainFormula(const ExpressionPtr& e)
+    : root_(compiled::compile(e, Place{}))
+{
+}
+
+ComplexBall PlainFormula::at(const ComplexBall& z) const
+{
+    const EndpointNumber<ComplexBall> nowhere(ComplexBall::indeterminate());
+    return compiled::evaluate(*root_, Point<ComplexBall>{z, nowhere, nowhere, std::nullopt}, Place{}).value();
+}
+
 struct Integrand::Body {
     Range range;
     Place place;
@@ -106,15 +117,20 @@ EndpointNumber<ComplexBall> Integrand::at(const EndpointNumber<ComplexBall>& x, 
     return compiled::evaluate(*body_->root, Point<ComplexBall>{x, left, right, body_->place.exp_x(left, right)}, body_->place);
 }
 
-ComplexBall Integrand::in_plane(const ComplexBall& z) const
+ComplexBall Integrand::in_plane(const ComplexBall& z) const { return about_an_end(z, false); }
+ComplexBall Integrand::on_the_line(const ComplexBall& z) const { return about_an_end(z, arb_is_zero(acb_imagref(z.get())) != 0); }
+
+ComplexBall Integrand::about_an_end(const ComplexBall& z, bool on_the_line) const
 {
+    Place place = body_->place;
+    place.on_the_line = on_the_line;
     const ComplexBall from_left = z - ComplexBall(body_->range.from.ball()), from_right = ComplexBall(body_->range.to.ball()) - z;
     const double l =
         mag_get_d(arb_radref(acb_realref(from_left.get()))) + std::fabs(arf_get_d(arb_midref(acb_realref(from_left.get())), ARF_RND_NEAR));
     const Side side = l < body_->width / 2 ? Side::left : Side::right;
     const compiled::Disc disc(side, side == Side::left ? from_left : from_right);
-    const Point<ComplexBall> p = compiled::point_about(side, disc, side == Side::left ? from_left : from_right, body_->place);
-    return compiled::evaluate(*body_->root, p, body_->place).value();
+    const Point<ComplexBall> p = compiled::point_about(side, disc, side == Side::left ? from_left : from_right, place);
+    return compiled::evaluate(*body_->root, p, place).value();
 }
 
 bool Integrand::is_regular_at_ends() const

@@ -49,6 +49,20 @@ struct Range {
 /// \throws DomainError if the value is no number (log(-1))
 Ball evaluate_at(const Expression&, const Ball& x);
 
+namespace compiled {
+struct Node;
+}
+
+/// A formula at points of the plane, no end in sight: non-finite unless analytic on the whole ball.
+class PlainFormula {
+public:
+    explicit PlainFormula(const ExpressionPtr&);
+    ComplexBall at(const ComplexBall& z) const;
+
+private:
+    std::shared_ptr<const compiled::Node> root_;
+};
+
 class Integrand {
 public:
     Integrand(const ExpressionPtr&, Range);
@@ -60,11 +74,14 @@ public:
                                    const EndpointNumber<ComplexBall>& right) const;
     /// At a point of the plane: non-finite unless analytic on the whole ball. For finite ranges.
     ComplexBall in_plane(const ComplexBall& z) const;
+    /// The values on a real ball (z without imaginary part), across kinks and steps too.
+    ComplexBall on_the_line(const ComplexBall& z) const;
     /// Whether it is analytic and bounded on a neighbourhood of each end of the finite range.
     bool is_regular_at_ends() const;
     const Range& range() const;
 
 private:
+    ComplexBall about_an_end(const ComplexBall& z, bool on_the_line) const;
     struct Body;
     std::unique_ptr<Body> body_;
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/integrate.hpp"
 
+#include "touchstone/quadrature/oscillation.hpp"
+#include "touchstone/quadrature/substitution.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -29,27 +32,30 @@ struct Attempt {
 };
 
 /// Arb's adaptive Gauss-Legendre quadrature: each panel by a rule with a bound from an ellipse on which the formula is proved analytic.
-std::optional<Attempt> by_gauss_legendre(const Integrand& f, long digits)
+/// Across `kinks` panels are halved down to the tolerance, where an enclosure of the values is enough.
+std::optional<Attempt> by_gauss_legendre(const Integrand& f, long digits, bool kinks)
 {
     struct Call {
         const Integrand* f;
         long evaluations = 0;
     } call{&f};
-    const slong bits = bits_for_digits(digits);
+    constexpr slong for_kinks = 16; // each kink adds an enclosure as wide as the tolerance
+    const slong bits = bits_for_digits(digits) + (kinks ? for_kinks : 0);
     const WorkingPrecision precision(bits);
-    const auto evaluate = [](acb_ptr out, const acb_t z, void* data, slong, slong working) -> int {
+    const auto evaluate = [](acb_ptr out, const acb_t z, void* data, slong order, slong working) -> int {
         auto& c = *static_cast<Call*>(data);
         ++c.evaluations;
         const WorkingPrecision here(working);
         ComplexBall argument;
         acb_set(argument.get(), z);
-        acb_set(out, c.f->in_plane(argument).get());
+        acb_set(out, (order == 0 ? c.f->on_the_line(argument) : c.f->in_plane(argument)).get());
         return 0;
     };
     acb_calc_integrate_opt_t options;
     acb_calc_integrate_opt_init(options);
-    options->eval_limit = 4000 + 200 * digits; // beyond it tanh-sinh, with a proof of its own, may still do better
-    options->depth_limit = 200;
+    // beyond these limits tanh-sinh, with a proof of its own, may still do better; each kink takes as many halvings as there are bits
+    options->eval_limit = (4000 + 200 * digits) * (kinks ? 16 : 1);
+    options->depth_limit = kinks ? 2 * bits : 200;
     mag_t tolerance;
     mag_init(tolerance);
     mag_set_ui_2exp_si(tolerance, 1, -bits);
@@ -117,6 +123,13 @@ bool names_exponential(const Expression& e)
     return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return names_exponential(*a); });
 }
 
+/// Whether the formula has branches that may lie where no exact number is.
+bool has_kinks(const Expression& e)
+{
+    if (e.op == Op::abs || e.op == Op::sign || e.op == Op::floor || e.op == Op::ceil || e.op == Op::max || e.op == Op::min) return true;
+    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return has_kinks(*a); });
+}
+
 /// Whether something that abs, sign, max, min, a root or a logarithm is taken of vanishes there, exactly.
 bool changes_branch(const Expression& e, const ExactSum& at)
 {
@@ -134,9 +147,10 @@ bool changes_branch(const Expression& e, const ExactSum& at)
 
 class Integration {
 public:
-    Integration(const ExpressionPtr& e, const IntegralOptions& o)
+    Integration(const ExpressionPtr& e, const IntegralOptions& o, bool substituted = false)
         : e_(e)
         , options_(o)
+        , substituted_(substituted)
     {
     }
     Integral run(const Limit& from, const Limit& to);
@@ -145,12 +159,16 @@ private:
     /// Parts between neighbouring cuts; false with a reason if one fails.
     bool add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
     bool add_cut(const Limit& from, const Limit& to, const ExactSum& at, long digits, int depth, Integral& out);
+    bool add_oscillating_tail(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
+    bool add_about_infinity(const Limit& from, const Limit& to, bool left, long digits, int depth, Integral& out);
+    bool add_of_another(const ExpressionPtr& e, const Limit& from, const Limit& to, const std::string& in, long digits, Integral& out);
     Attempt attempt(const Limit& from, const Limit& to, long digits) const;
     std::optional<ExactSum> named_point(double x, const Limit& from, const Limit& to) const;
     bool diverges(const Limit& end, int direction, Integral& out) const;
 
     ExpressionPtr e_;
     const IntegralOptions& options_;
+    bool substituted_; // one change of variable is enough
 };
 
 /// Whether an exact expansion at the end shows an exponent of -1 or less.
@@ -186,10 +204,13 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
     Attempt first;
     for (const Map map : maps) {
         const auto f = std::make_shared<const Integrand>(e_, Range{from, to, map});
-        if (options_.gauss_legendre && f->is_regular_at_ends())
-            if (auto a = by_gauss_legendre(*f, digits)) return *a;
+        const bool regular = f->is_regular_at_ends(), kinks = has_kinks(*e_);
+        if (options_.gauss_legendre && regular)
+            if (auto a = by_gauss_legendre(*f, digits, kinks)) return *a;
         Attempt a = by_tanh_sinh(f, digits);
         if (a.value.is_finite()) return a;
+        if (options_.gauss_legendre && !regular && kinks && map == Map::finite)
+            if (auto b = by_gauss_legendre(*f, digits, kinks)) return *b;
         if (map == maps.front()) first = std::move(a);
     }
     return first;
@@ -204,7 +225,7 @@ std::optional<ExactSum> Integration::named_point(double x, const Limit& from, co
         return (from.infinite || arb_gt(v.get(), from.ball().get())) && (to.infinite || arb_lt(v.get(), to.ball().get()));
     };
     for (const bool with_pi : {false, true})
-        for (long den = 1; den <= 12; ++den) {
+        for (const long den : {1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L, 12L, 16L, 20L, 25L, 32L, 50L, 64L, 100L, 1000L}) {
             const double unit = (with_pi ? M_PI : 1.0) / static_cast<double>(den);
             const double n = std::round(x / unit);
             if (std::fabs(n) > 1e6 || std::fabs(n * unit - x) > 2e-2 * scale / static_cast<double>(den)) continue;
@@ -235,6 +256,97 @@ bool Integration::add_cut(const Limit& from, const Limit& to, const ExactSum& at
     return add_part(from, middle, digits, depth + 1, out) && add_part(middle, to, digits, depth + 1, out);
 }
 
+/// The parts of another formula's integral; `in` says what its variable is.
+bool Integration::add_of_another(const ExpressionPtr& e, const Limit& from, const Limit& to, const std::string& in, long digits,
+                                 Integral& out)
+{
+    IntegralOptions options;
+    options.digits = digits;
+    options.gauss_legendre = options_.gauss_legendre;
+    Integral other = Integration(e, options, true).run(from, to);
+    if (!other.value.is_finite()) return false;
+    for (Part& p : other.parts) {
+        p.rule += in;
+        out.parts.push_back(std::move(p));
+    }
+    return true;
+}
+
+/// f as a sum of waves on [from, oo): the ordinary integral up to X, from there along X + is (oscillation.hpp).
+bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
+{
+    if (from.infinite && !to.infinite && to.exact && !substituted_) {
+        const auto mirrored = shifted(e_, ExactSum(0), -1);
+        if (!mirrored || !waves(*mirrored)) return false;
+        IntegralOptions options;
+        options.digits = digits;
+        Integral other;
+        const ExactSum start = -*to.exact;
+        if (!Integration(*mirrored, options, true)
+                 .add_oscillating_tail(limit_at(start, text_of(start)), parse_limit("inf"), digits, depth, other))
+            return false;
+        for (Part& p : other.parts) {
+            p.rule += " in -x";
+            out.parts.push_back(std::move(p));
+        }
+        return true;
+    }
+    if (!to.infinite || from.infinite) return false;
+    const auto all = waves(e_);
+    if (!all) return false;
+    const double start = to_double(from.ball());
+    constexpr double farthest_start = 1e9;
+    if (!(std::fabs(start) < farthest_start)) return false;
+    const long base = static_cast<long>(std::ceil(start));
+    constexpr long farthest = 4096;
+    for (long distance = 1; distance <= farthest; distance *= 2) {
+        std::vector<std::pair<const Wave*, Ball>> turned;
+        ExpressionPtr steady;
+        bool proved = true;
+        for (const Wave& w : *all) {
+            if (w.kernel == Op::number) {
+                steady = steady ? make(Op::add, {steady, w.amplitude}) : w.amplitude;
+                continue;
+            }
+            const auto supremum = supremum_in_quadrant(w, base, distance);
+            if (!(proved = supremum.has_value())) break;
+            turned.emplace_back(&w, *supremum);
+        }
+        if (!proved) continue;
+        const ExactSum x(base + distance);
+        const Limit middle = limit_at(x, text_of(x));
+        Integral whole = out;
+        for (const auto& [wave, supremum] : turned) {
+            const auto t = tail(*wave, base, distance, supremum, digits);
+            if (!t) return false;
+            whole.parts.push_back({middle.text, middle.text + "+i*inf", "gauss-legendre on a turned path", t->value, {}, t->evaluations});
+        }
+        if (steady && !add_of_another(steady, middle, to, "", digits, whole)) return false;
+        if (!add_part(from, middle, digits, depth + 1, whole)) return false;
+        out = std::move(whole);
+        return true;
+    }
+    return false;
+}
+
+/// The half beside a singular end in t = 1/(distance to it), which makes exp(-1/x) an exponential and sin(1/x) a wave; the rest as it is.
+bool Integration::add_about_infinity(const Limit& from, const Limit& to, bool left, long digits, int depth, Integral& out)
+{
+    const Limit &end = left ? from : to, &other = left ? to : from;
+    if (substituted_ || !end.exact || (!other.infinite && !other.exact)) return false;
+    const ExactSum half = other.infinite ? *end.exact + ExactSum(left ? 1 : -1) : (*from.exact + *to.exact) * ExactSum(Rational(1, 2));
+    const auto start = (left ? half - *end.exact : *end.exact - half).inverse();
+    const auto f = about_infinity(e_, *end.exact, left ? 1 : -1);
+    if (!start || !f) return false;
+    const Limit middle = limit_at(half, text_of(half));
+    Integral whole = out;
+    const std::string in = left ? (" in 1/(x-" + end.text + ")") : (" in 1/(" + end.text + "-x)");
+    if (!add_of_another(*f, limit_at(*start, text_of(*start)), parse_limit("inf"), in, digits, whole)) return false;
+    if (!(left ? add_part(middle, to, digits, depth + 1, whole) : add_part(from, middle, digits, depth + 1, whole))) return false;
+    out = std::move(whole);
+    return true;
+}
+
 bool Integration::add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
 {
     if (diverges(from, 1, out) || diverges(to, -1, out)) return false;
@@ -247,6 +359,11 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
         return true;
     }
     constexpr int deepest = 4;
+    if (add_oscillating_tail(from, to, digits, depth, out)) return true;
+    for (const bool left : {true, false})
+        if (depth <= deepest && a.reason.find(left ? "left end" : "right end") != std::string::npos && !(left ? from : to).infinite &&
+            add_about_infinity(from, to, left, digits, depth, out))
+            return true;
     if (depth < deepest) {
         if (a.at)
             if (const auto cut = named_point(*a.at, from, to)) return add_cut(from, to, *cut, digits, depth, out);
@@ -262,8 +379,10 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
     }
     if (a.reason.find(" end ") != std::string::npos) // what can be done about an end
         a.reason += from.infinite || to.infinite
-                        ? " (a tail that oscillates or decays like exp(-x^p), p < 1, is not taken: substitute, or damp it)"
-                        : " (if it oscillates or is like exp(-1/x) there, substitute x = 1/t)";
+                        ? " (a tail that oscillates must be a sum of products of sin, cos, besselj of a linear argument with what tends to "
+                          "0 as a power; "
+                          "one like exp(-x^p), p < 1, is not taken: substitute x = t^(1/p))"
+                        : " (if it is singular there in another way than powers, logarithms and exp(-1/x), substitute)";
     out.reason = "not proved on [" + from.text + ", " + to.text + "]" + (a.at ? " near x = " + short_number(*a.at) : "") + ": " + a.reason;
     return false;
 }

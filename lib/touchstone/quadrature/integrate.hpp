@@ -11,6 +11,9 @@
 ///   Gauss-Legendre   where the formula is analytic about both ends: Arb's acb_calc_integrate (Petras's algorithm), each panel with its
 ///   ellipse; tanh-sinh        else, and on infinite ranges: tanh_sinh.hpp;
 ///
+/// turned path       sums of waves with a decaying amplitude on half-lines: oscillation.hpp;
+///
+/// at an end with an essential singularity the variable 1/(distance to the end) takes over (substitution.hpp),
 /// and the balls are added at the precision of the digits asked for. Parts that cancel are repeated with more digits.
 ///
 /// Errors: `certified` means that the digits asked for are proven (or |error| <= tolerance, if one is given); `undecided` is a proven

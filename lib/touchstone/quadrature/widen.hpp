@@ -5,25 +5,21 @@
 
 #include "touchstone/scalar/ball.hpp"
 
+#include <concepts>
+
 namespace touchstone::quadrature {
 
-/// x +- by
-inline void widen(Ball& x, const Ball& by)
+/// The ball x +- by; of a complex x, the square of that half side.
+template <class V>
+void widen(V& x, const Ball& by)
 {
     mag_t m;
     mag_init(m);
     arb_get_mag(m, by.get());
-    arb_add_error_mag(x.get(), m);
-    mag_clear(m);
-}
-
-/// The square about z of that half side.
-inline void widen(ComplexBall& z, const Ball& by)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, by.get());
-    acb_add_error_mag(z.get(), m);
+    if constexpr (std::same_as<V, ComplexBall>)
+        acb_add_error_mag(x.get(), m);
+    else
+        arb_add_error_mag(x.get(), m);
     mag_clear(m);
 }
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/substitution.hpp"
+
+#include "touchstone/quadrature/exact_series.hpp"
+#include "touchstone/quadrature/polynomial.hpp"
+
+namespace touchstone::quadrature {
+namespace {
+
+ExpressionPtr number(const Rational& q) { return make_number(q); }
+
+bool is_number(const Expression& e, long n) { return e.op == Op::number && e.number == n; }
+
+ExpressionPtr product(const ExpressionPtr& a, const ExpressionPtr& b)
+{
+    if (is_number(*a, 1)) return b;
+    if (is_number(*b, 1)) return a;
+    return make(Op::multiply, {a, b});
+}
+
+/// a/b with quotients of quotients cleared.
+ExpressionPtr quotient(const ExpressionPtr& a, const ExpressionPtr& b)
+{
+    if (is_number(*b, 1)) return a;
+    if (b->op == Op::divide) return quotient(product(a, b->args[1]), b->args[0]);
+    return make(Op::divide, {a, b});
+}
+
+/// (1/b)^e = 1/b^e for b > 0.
+ExpressionPtr power(const ExpressionPtr& base, const ExpressionPtr& exponent)
+{
+    if (base->op != Op::divide || !is_number(*base->args[0], 1)) return make(Op::power, {base, exponent});
+    return quotient(number(1), make(Op::power, {base->args[1], exponent}));
+}
+
+/// Every x replaced; `linear` gives what a polynomial of degree 1 becomes, if it is better than that.
+template <class Linear>
+ExpressionPtr replaced(const ExpressionPtr& e, const ExpressionPtr& x, const Linear& linear)
+{
+    if (!depends_on_x(*e)) return e;
+    if (const auto better = linear(*e)) return *better;
+    if (e->op == Op::variable) return x;
+    std::vector<ExpressionPtr> args;
+    for (const ExpressionPtr& a : e->args) args.push_back(replaced(a, x, linear));
+    if (e->op == Op::divide) return quotient(args[0], args[1]);
+    if (e->op == Op::power) return power(args[0], args[1]);
+    return make(e->op, std::move(args));
+}
+
+} // namespace
+
+std::optional<ExpressionPtr> formula_of(const ExactSum& c)
+{
+    if (const auto q = c.rational()) return number(*q);
+    if (const auto q = c.times_pi()) return product(number(*q), make(Op::pi, {}));
+    return std::nullopt;
+}
+
+std::optional<ExpressionPtr> shifted(const ExpressionPtr& e, const ExactSum& centre, int direction)
+{
+    const auto c = formula_of(centre);
+    if (!c) return std::nullopt;
+    const ExpressionPtr step = product(number(direction), make_variable());
+    const auto as_it_is = [](const Expression&) -> std::optional<ExpressionPtr> { return std::nullopt; };
+    return replaced(e, centre.is_zero() ? step : make(Op::add, {*c, step}), as_it_is);
+}
+
+std::optional<ExpressionPtr> about_infinity(const ExpressionPtr& e, const ExactSum& end, int direction)
+{
+    const auto c = formula_of(end);
+    if (!c) return std::nullopt;
+    const ExpressionPtr step = quotient(number(direction), make_variable());
+    const auto linear = [&](const Expression& a) -> std::optional<ExpressionPtr> { // k (x - end) is k direction/x
+        const auto p = polynomial(a);
+        if (!p || p->size() != 2 || !value(*p, end).is_zero()) return std::nullopt;
+        const auto slope = formula_of((*p)[1] * ExactSum(direction));
+        return slope ? std::optional(quotient(*slope, make_variable())) : std::nullopt;
+    };
+    const ExpressionPtr f = replaced(e, end.is_zero() ? step : make(Op::add, {*c, step}), linear);
+    return quotient(f, make(Op::power, {make_variable(), number(2)}));
+}
+
+} // namespace touchstone::quadrature
