@@ -14,7 +14,7 @@ namespace touchstone::program {
 namespace {
 
 struct IntegrateOptions {
-    std::string formula, from, to, at, tolerance;
+    std::string formula, from, to, at, principal_value, tolerance;
     long digits = 30;
     bool json = false, explain = false;
 };
@@ -56,12 +56,12 @@ quadrature::Limit limit_of(const std::string& text, const char* what)
     }
 }
 
-std::vector<quadrature::Limit> points_of(const std::string& text)
+std::vector<quadrature::Limit> points_of(const std::string& text, const char* what)
 {
     std::vector<quadrature::Limit> points;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t comma = std::min(text.find(',', start), text.size());
-        points.push_back(limit_of(text.substr(start, comma - start), "break point"));
+        points.push_back(limit_of(text.substr(start, comma - start), what));
         start = comma + 1;
     }
     return points;
@@ -129,11 +129,12 @@ std::string bare(const std::string& text)
 
 int integrate_and_print(IntegrateOptions o)
 {
-    for (std::string* text : {&o.formula, &o.from, &o.to, &o.at, &o.tolerance}) *text = bare(*text);
+    for (std::string* text : {&o.formula, &o.from, &o.to, &o.at, &o.principal_value, &o.tolerance}) *text = bare(*text);
     if (o.digits < 1 || o.digits > 10000) throw Failure(bad_input, fmt::format("--digits {}: between 1 and 10000", o.digits));
     quadrature::IntegralOptions options;
     options.digits = o.digits;
-    options.at = points_of(o.at);
+    options.at = points_of(o.at, "break point");
+    options.principal_value = points_of(o.principal_value, "pole");
     if (!o.tolerance.empty()) {
         options.tolerance = parse_rational(o.tolerance);
         if (!options.tolerance)
@@ -192,6 +193,7 @@ void add_integrate(CLI::App& app, Run& run)
     command->add_option("from", o->from, "Lower end: 0, 1/3, pi/2, log(2), -inf")->required();
     command->add_option("to", o->to, "Upper end, inf too")->required();
     command->add_option("--at", o->at, "Points where the formula changes, separated by commas");
+    command->add_option("--principal-value", o->principal_value, "Poles inside, separated by commas, about which Cauchy's principal value is meant");
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000")->capture_default_str();
     command->add_option("--tolerance", o->tolerance, "An absolute error that is enough (for an integral that may be 0)");
     command->add_flag("--json", o->json, "One JSON object");

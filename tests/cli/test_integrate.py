@@ -83,6 +83,15 @@ class Integrate(unittest.TestCase):
             self.assertEqual((code, j["status"]), (0, "certified"), text)
             self.assertAlmostEqual(float(j["value"]), value, 9, text)
 
+    def test_principal_values(self):
+        code, j = as_json("exp(x)/x", "-1", "1", "--principal-value", "0")
+        self.assertEqual((code, j["status"]), (0, "certified"))
+        self.assertAlmostEqual(float(j["value"]), 2.1145017507514571, 14)
+        self.assertEqual(as_json("1/x", "-1", "2", "--principal-value", "0")[1]["value"][:20], "0.693147180559945309")
+        self.assertIn("--principal-value 0", self.refused(65, "1/x", "-1", "1"))
+        self.assertIn("not inside", self.refused(65, "1/x", "-1", "1", "--principal-value", "2"))
+        self.assertIn("diverges", self.refused(65, "1/x^2", "-1", "2", "--principal-value", "0"))
+
     def test_what_is_not_proved_is_undecided_with_its_place(self):
         self.assertIn("0.707", self.refused(2, "1/(x^2-1/2)", "0", "1"))
         self.assertIn("inf", self.refused(2, "exp(x)", "0", "inf"))

@@ -57,11 +57,15 @@ N<V> factored(const Node& node, const Point<V>& p)
     return r;
 }
 
+bool is_exactly_zero(const Ball& x) { return arb_is_zero(x.get()) != 0; }
+bool is_exactly_zero(const ComplexBall& z) { return acb_is_zero(z.get()) != 0; }
+
 template <class V>
 N<V> sum(const Node& node, const Point<V>& p, const Place& place)
 {
     N<V> r = evaluate(*node.args[0], p, place);
     for (std::size_t i = 1; i < node.args.size(); ++i) r = r + evaluate(*node.args[i], p, place);
+    if (is_exactly_zero(r.factor())) return N<V>(0); // whatever its orders: 1/x + 1/(-x)
     return r;
 }
 

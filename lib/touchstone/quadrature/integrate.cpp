@@ -180,6 +180,7 @@ bool Integration::diverges(const Limit& end, int direction, Integral& out) const
     out.divergent = true;
     out.reason = "the integral diverges at x = " + end.text + ": the formula behaves there like |x - " + end.text + "|^" +
                  (s->valuation.get_den() == 1 ? s->valuation.get_str() : "(" + s->valuation.get_str() + ")");
+    if (s->valuation == -1) out.reason += " (inside the range, --principal-value " + end.text + " gives Cauchy's value)";
     return true;
 }
 
@@ -426,46 +427,58 @@ Integral Integration::run(const Limit& from, const Limit& to)
         cuts.insert(cuts.begin(), from);
         cuts.push_back(to);
     }
-    const double wanted = static_cast<double>(options_.digits) * bits_per_digit + 1;
-    long digits = options_.digits;
-    for (int round = 0; round < 4; ++round) {
-        out.parts.clear();
-        bool all = true;
-        for (std::size_t i = 0; all && i + 1 < cuts.size(); ++i) all = add_part(cuts[i], cuts[i + 1], digits, 0, out);
-        if (!all) return out;
+    return with_enough_digits(options_, [&](long digits, Integral& whole) {
+        whole.parts.clear();
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+            if (!add_part(cuts[i], cuts[i + 1], digits, 0, whole)) {
+                whole.value = Ball::indeterminate();
+                return false;
+            }
         const WorkingPrecision precision(bits_for_digits(digits) + 64);
-        out.value = Ball(0);
-        for (const Part& p : out.parts) out.value += p.value;
-        if (options_.tolerance) {
-            Ball radius;
-            arf_set_mag(arb_midref(radius.get()), arb_radref(out.value.get()));
-            if (arb_le(radius.get(), Ball(*options_.tolerance).get())) break;
-        }
-        const double shortfall = wanted - static_cast<double>(out.value.relative_bits());
-        if (shortfall <= 0) break;
-        digits += std::min<long>(static_cast<long>(shortfall / bits_per_digit) + 3, 2 * options_.digits + 20);
-    }
-    const double have = static_cast<double>(out.value.relative_bits());
-    out.digits =
-        out.value.is_exact() ? options_.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options_.digits);
-    bool enough = out.digits == options_.digits;
-    if (options_.tolerance && !enough) {
-        Ball radius;
-        arf_set_mag(arb_midref(radius.get()), arb_radref(out.value.get()));
-        enough = arb_le(radius.get(), Ball(*options_.tolerance).get()) != 0;
-    }
-    out.status = enough ? Status::certified : Status::undecided;
-    if (!enough)
-        out.reason = (out.digits == 0 ? std::string("none") : "only " + std::to_string(out.digits)) + " of " +
-                     std::to_string(options_.digits) + " digits proven: the integral lies in " + out.value.to_string(3) +
-                     (out.value.contains_zero() ? ", which may be 0: ask for an absolute error with --tolerance" : "");
-    return out;
+        whole.value = Ball(0);
+        for (const Part& p : whole.parts) whole.value += p.value;
+        return true;
+    });
+}
+
+/// Whether the error is within the tolerance, if there is one.
+bool is_within_tolerance(const Ball& value, const IntegralOptions& options)
+{
+    if (!options.tolerance) return false;
+    Ball radius;
+    arf_set_mag(arb_midref(radius.get()), arb_radref(value.get()));
+    return arb_le(radius.get(), Ball(*options.tolerance).get()) != 0;
 }
 
 } // namespace
 
+Integral with_enough_digits(const IntegralOptions& options, const std::function<bool(long, Integral&)>& attempt)
+{
+    Integral out;
+    const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
+    long digits = options.digits;
+    constexpr int most_rounds = 4; // parts that cancel are repeated with more digits
+    for (int round = 0; round < most_rounds; ++round) {
+        if (!attempt(digits, out)) return out;
+        const double shortfall = wanted - static_cast<double>(out.value.relative_bits());
+        if (shortfall <= 0 || is_within_tolerance(out.value, options)) break;
+        digits += std::min<long>(static_cast<long>(shortfall / bits_per_digit) + 3, 2 * options.digits + 20);
+    }
+    const double have = static_cast<double>(out.value.relative_bits());
+    out.digits =
+        out.value.is_exact() ? options.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options.digits);
+    const bool enough = out.digits == options.digits || is_within_tolerance(out.value, options);
+    out.status = enough ? Status::certified : Status::undecided;
+    if (!enough)
+        out.reason = (out.digits == 0 ? std::string("none") : "only " + std::to_string(out.digits)) + " of " +
+                     std::to_string(options.digits) + " digits proven: the integral lies in " + out.value.to_string(3) +
+                     (out.value.contains_zero() ? ", which may be 0: ask for an absolute error with --tolerance" : "");
+    return out;
+}
+
 Integral integrate(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options)
 {
+    if (!options.principal_value.empty()) return principal_value(e, from, to, options);
     return Integration(e, options).run(from, to);
 }
 

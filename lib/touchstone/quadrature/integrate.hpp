@@ -24,11 +24,14 @@
 #include "touchstone/quadrature/integrand.hpp"
 #include "touchstone/quadrature/tanh_sinh.hpp"
 
+#include <functional>
+
 namespace touchstone::quadrature {
 
 struct IntegralOptions {
     long digits = 30;
     std::vector<Limit> at;             ///< points where the range is to be cut
+    std::vector<Limit> principal_value; ///< poles about which Cauchy's principal value is meant
     std::optional<Rational> tolerance; ///< an absolute error that is enough
     bool gauss_legendre = true;        ///< whether that rule may be chosen
 };
@@ -50,6 +53,13 @@ struct Integral {
     std::vector<Part> parts;
 };
 
+/// Errors: DomainError for a break point or pole that is not inside.
 Integral integrate(const ExpressionPtr&, const Limit& from, const Limit& to, const IntegralOptions& = {});
+
+/// Used by integrate where `principal_value` names poles.
+Integral principal_value(const ExpressionPtr&, const Limit& from, const Limit& to, const IntegralOptions&);
+
+/// The attempt repeated with more digits until the value has those asked for, at most a few times, and what the result then is.
+Integral with_enough_digits(const IntegralOptions&, const std::function<bool(long digits, Integral&)>& attempt);
 
 } // namespace touchstone::quadrature

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Cauchy principal values: about a named pole c the integrand is folded, PV integral over |x - c| <= R of f = integral_0^R of
+// f(c + s) + f(c - s) ds. That is the definition; nothing is assumed of the pole. Its cancellation is exact (exact_series.hpp).
+#include "touchstone/quadrature/integrate.hpp"
+#include "touchstone/quadrature/substitution.hpp"
+
+#include <algorithm>
+
+namespace touchstone::quadrature {
+namespace {
+
+struct Piece {
+    ExpressionPtr formula;
+    Limit from, to;
+    std::string in;
+};
+
+bool less(const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; }
+
+const ExactSum& exact_end(const Limit& end)
+{
+    if (!end.exact)
+        throw DomainError("a principal value needs ends that are rational numbers or multiples of pi, or infinite: not " + end.text);
+    return *end.exact;
+}
+
+/// How far the range about a pole may reach: to the ends and half way to its neighbours, at most 1 if it is free on both sides.
+ExactSum reach(const std::vector<Limit>& poles, std::size_t i, const Limit& from, const Limit& to)
+{
+    const ExactSum half(Rational(1, 2)), &c = *poles[i].exact;
+    std::optional<ExactSum> least;
+    const auto consider = [&](const ExactSum& d) {
+        if (!least || less(d, *least)) least = d;
+    };
+    if (i > 0)
+        consider((c - *poles[i - 1].exact) * half);
+    else if (!from.infinite)
+        consider(c - exact_end(from));
+    if (i + 1 < poles.size())
+        consider((*poles[i + 1].exact - c) * half);
+    else if (!to.infinite)
+        consider(exact_end(to) - c);
+    return least ? *least : ExactSum(1);
+}
+
+std::vector<Piece> folded(const ExpressionPtr& e, const Limit& from, const Limit& to, std::vector<Limit> poles)
+{
+    const auto inside = [&](const ExactSum& c) {
+        return (from.infinite || less(exact_end(from), c)) && (to.infinite || less(c, exact_end(to)));
+    };
+    for (const Limit& c : poles)
+        if (c.infinite || !inside(exact_end(c)))
+            throw DomainError("the pole " + c.text + " is not inside the range from " + from.text + " to " + to.text);
+    std::sort(poles.begin(), poles.end(), [](const Limit& a, const Limit& b) { return less(*a.exact, *b.exact); });
+    std::vector<Piece> pieces;
+    Limit cursor = from;
+    for (std::size_t i = 0; i < poles.size(); ++i) {
+        const ExactSum &c = *poles[i].exact, r = reach(poles, i, from, to);
+        if (r.is_zero()) throw DomainError("the pole " + poles[i].text + " is named twice");
+        const auto right = shifted(e, c, 1), left = shifted(e, c, -1);
+        if (!right || !left) throw DomainError("a pole must be a rational number or a rational multiple of pi: not " + poles[i].text);
+        const ExactSum below = c - r, above = c + r;
+        if (!cursor.exact || !(*cursor.exact == below)) pieces.push_back({e, cursor, limit_at(below, poles[i].text + " - reach"), ""});
+        pieces.push_back(
+            {make(Op::add, {*right, *left}), parse_limit("0"), limit_at(r, r.ball().to_string(10)), ", folded about " + poles[i].text});
+        cursor = limit_at(above, poles[i].text + " + reach");
+    }
+    if (to.infinite || !(*cursor.exact == *to.exact)) pieces.push_back({e, cursor, to, ""});
+    return pieces;
+}
+
+} // namespace
+
+Integral principal_value(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options)
+{
+    const std::vector<Piece> pieces = [&] {
+        const WorkingPrecision precision(256);
+        return folded(e, from, to, options.principal_value);
+    }();
+    IntegralOptions each = options;
+    each.principal_value.clear();
+    each.at.clear();
+    if (each.tolerance) *each.tolerance /= static_cast<long>(pieces.size());
+    const auto add = [&](long digits, Integral& out) {
+        each.digits = digits;
+        out = {};
+        out.value = Ball(0);
+        for (const Piece& p : pieces) {
+            Integral part = integrate(p.formula, p.from, p.to, each);
+            if (!part.value.is_finite()) {
+                out.value = Ball::indeterminate();
+                out.reason = part.reason + p.in;
+                out.divergent = part.divergent;
+                return false;
+            }
+            const WorkingPrecision precision(bits_for_digits(digits) + 64);
+            out.value += part.value;
+            for (Part& q : part.parts) {
+                q.rule += p.in;
+                out.parts.push_back(std::move(q));
+            }
+        }
+        return true;
+    };
+    return with_enough_digits(options, add);
+}
+
+} // namespace touchstone::quadrature
