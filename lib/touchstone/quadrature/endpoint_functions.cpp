@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/endpoint_functions.hpp"
 
+#include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #include <cmath>
@@ -43,7 +44,7 @@ Complex growing(const Complex& x, Side s, double kappa)
 {
     if (!(std::fabs(kappa) < 1e9)) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
     const Exponent k(static_cast<long>(std::ceil(kappa * static_cast<double>(grain))), grain);
-    const Ball bound = exp(-touchstone::abs(k.ball()) * log(Ball(1) - exp(-least_rho(x, s))));
+    const Ball bound = lemma::far_factor(k.ball(), least_rho(x, s));
     const Order own{-k, 0};
     return {x.frame(), s == Side::left ? own : Order{}, s == Side::right ? own : Order{}, disc(bound)};
 }
@@ -143,7 +144,7 @@ Complex logarithm(const Complex& x)
         if (own.logs.is_zero()) continue;
         if (!x.frame()->reaches(s) || !arb_ge(least_rho(x, s).get(), Ball(1).get()))
             return {x.frame(), {}, {}, ComplexBall::indeterminate()};
-        const Ball most = hull(Ball(0), Ball(4) * exp(Ball(-1))) * own.logs.ball();
+        const Ball most = hull(Ball(0), lemma::logarithm_over_fourth_root()) * own.logs.ball();
         const Order quarter{0, Exponent(1, 4)};
         grown = grown + Complex(x.frame(), s == Side::left ? quarter : Order{}, s == Side::left ? Order{} : quarter, ComplexBall(most));
     }

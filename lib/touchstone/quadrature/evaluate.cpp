@@ -2,6 +2,8 @@
 #include "touchstone/quadrature/compiled.hpp"
 
 #include "touchstone/quadrature/endpoint_functions.hpp"
+#include "touchstone/quadrature/lemmas.hpp"
+#include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #include <cmath>
@@ -23,19 +25,6 @@ Ball kept(const Node& node, std::size_t i, const ExactSum& exact)
     arb_set_round(r.get(), k.value.get(), bits);
     return r;
 }
-
-Ball upper_ball(const Ball& x)
-{
-    Ball r;
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, x.get());
-    arf_set_mag(arb_midref(r.get()), m);
-    mag_clear(m);
-    return r;
-}
-Ball upper_size(const ComplexBall& z) { return upper_ball(touchstone::abs(z)); }
-Ball upper_size(const Ball& x) { return upper_ball(x); }
 
 double log2_size(const Ball& x)
 {
@@ -126,10 +115,8 @@ V series(const Node& node, const Zero& zero, std::size_t first_kept, const V& s)
 {
     V r(kept(node, first_kept + zero.c.size() - 1, zero.c.back()));
     for (std::size_t i = zero.c.size() - 1; i-- > 0;) r = r * s + V(kept(node, first_kept + i, zero.c[i]));
-    const Ball q = upper_size(s) / Ball::exactly(zero.radius);
-    Ball tail;
-    arb_pow_ui(tail.get(), q.get(), static_cast<ulong>(zero.c.size()), 53);
-    widen(r, zero.bound * tail / (Ball(1) - q));
+    const Ball q = upper_ball(s) / Ball::exactly(zero.radius);
+    widen(r, lemma::remainder(zero.bound, q, static_cast<long>(zero.c.size())));
     return r;
 }
 
@@ -140,23 +127,16 @@ Ball middle_of(const Ball& s)
     return m;
 }
 ComplexBall middle_of(const ComplexBall& s) { return {middle_of(s.real()), middle_of(s.imag())}; }
-Ball radius_of(const Ball& s)
-{
-    Ball r;
-    arf_set_mag(arb_midref(r.get()), arb_radref(s.get()));
-    return r;
-}
-Ball radius_of(const ComplexBall& s) { return radius_of(s.real()) + radius_of(s.imag()); }
 
 /// How many bits the ball knows of its number, at most those at work.
 template <class V>
 double bits_known(const V& s)
 {
-    return std::clamp(log2_size(upper_size(s)) - log2_size(radius_of(s)), 1.0, static_cast<double>(WorkingPrecision::bits()));
+    return std::clamp(log2_size(upper_ball(s)) - log2_size(radius_of(s)), 1.0, static_cast<double>(WorkingPrecision::bits()));
 }
 
 /// T where s is too far for the series and too near for a quotient at the working precision: at the exact midpoint of s with the bits that
-/// cancel added, then over the ball by |T'| <= sup|T|/(R - |s|) <= 2 sup|T|/R for |s| <= R/4 (Cauchy).
+/// cancel added, then over the ball by the bound of T' for |s| <= R/4 (lemma::slope).
 template <class V>
 V at_midpoint(const Node& node, const Zero& zero, Side side, const V& s, const Place& place)
 {
@@ -165,11 +145,11 @@ V at_midpoint(const Node& node, const Zero& zero, Side side, const V& s, const P
     V t;
     {
         const double lost =
-            static_cast<double>(zero.order + 2) * std::max(1.0, -log2_size(upper_size(middle))); // what the terms of the sum have in common
+            static_cast<double>(zero.order + 2) * std::max(1.0, -log2_size(upper_ball(middle))); // what the terms of the sum have in common
         const WorkingPrecision more(bits + static_cast<slong>(lost) + 20);
         t = ordinary(node, place.at_distance(side, middle), place).value() / analytic::integer_power(middle, zero.order);
     }
-    widen(t, Ball(2) * zero.bound / Ball::exactly(zero.radius) * radius_of(s));
+    widen(t, lemma::slope(zero.bound, Ball::exactly(zero.radius), radius_of(s)));
     return t;
 }
 
@@ -195,7 +175,7 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
         const auto& zero = node.zero[s == Side::left ? 0 : 1];
         if (!zero) continue;
         const V distance = p.distance(s).value();
-        const Ball size = upper_size(distance);
+        const Ball size = upper_ball(distance);
         if (!within(size, zero->radius, 2)) continue;
         const double halvings = (bits_known(distance) + 10) / static_cast<double>(zero->c.size());
         V t = within(size, zero->radius, std::max(2.0, halvings)) || bits_known(distance) < least_known

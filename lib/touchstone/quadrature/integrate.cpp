@@ -341,7 +341,8 @@ bool Integration::add_about_infinity(const Limit& from, const Limit& to, bool le
     if (!start || !f) return false;
     const Limit middle = limit_at(half, text_of(half));
     Integral whole = out;
-    const std::string in = left ? (" in 1/(x-" + end.text + ")") : (" in 1/(" + end.text + "-x)");
+    const std::string in =
+        left ? std::string(" in 1/(x-").append(end.text).append(")") : std::string(" in 1/(").append(end.text).append("-x)");
     if (!add_of_another(*f, limit_at(*start, text_of(*start)), parse_limit("inf"), in, digits, whole)) return false;
     if (!(left ? add_part(middle, to, digits, depth + 1, whole) : add_part(from, middle, digits, depth + 1, whole))) return false;
     out = std::move(whole);

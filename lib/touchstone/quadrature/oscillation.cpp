@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/oscillation.hpp"
 
+#include "touchstone/quadrature/lemmas.hpp"
+#include "touchstone/quadrature/quadrant.hpp"
 #include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/quadrature/widen.hpp"
@@ -147,47 +149,6 @@ Waves split(const ExpressionPtr& e)
     }
 }
 
-/// z in {Re (z - base) >= distance, Im z >= 0}, r = 1/(1 + z - base): r lies in the lower half of the disc that has [0, 1/(1 + distance)]
-/// for a diameter, its principal logarithm between -i pi/2 and 0. Here rho = -log|r| >= log(1 + distance).
-class Quadrant : public Frame<ComplexBall> {
-public:
-    explicit Quadrant(long distance)
-        : largest_(Ball(1) / Ball(1 + distance))
-        , least_rho_(log(Ball(1 + distance)))
-        , r_(hull(Ball(0), largest_), hull(-largest_ / Ball(2), Ball(0)))
-    {
-    }
-    ComplexBall distance(Side s) const override { return s == Side::right ? r_ : ComplexBall(1) - r_; }
-    ComplexBall logarithm(Side s) const override
-    {
-        return s == Side::right ? ComplexBall::indeterminate() : analytic::log(ComplexBall(1) - r_);
-    }
-    bool reaches(Side s) const override { return s == Side::right; }
-    ComplexBall vanishing(Side s, const Ball& e, const Exponent& k) const override
-    {
-        if (s != Side::right) return ComplexBall::indeterminate();
-        return disc_of_powers(e, k);
-    }
-    ComplexBall logarithm_over_rho(Side s) const override
-    {
-        if (s != Side::right) return ComplexBall::indeterminate();
-        return {Ball(-1), hull(-pi<Ball>() / Ball(2) / least_rho_, Ball(0))};
-    }
-
-private:
-    /// |r^e rho^k| = exp(-e rho) rho^k has its supremum at the least rho or at k/e.
-    ComplexBall disc_of_powers(const Ball& e, const Exponent& k) const
-    {
-        const Ball exponent = k.ball();
-        const auto size = [&](const Ball& rho) { return exp(exponent * log(rho) - e * rho); };
-        if (arb_is_zero(e.get())) return Exponent(0) < k ? ComplexBall::indeterminate() : ComplexBall(hull(Ball(0), size(least_rho_)));
-        if (!arb_is_positive(e.get())) return ComplexBall::indeterminate();
-        return disc(Exponent(0) < k ? size(at_least(exponent / e, least_rho_)) : size(least_rho_));
-    }
-    Ball largest_, least_rho_;
-    ComplexBall r_;
-};
-
 Limit plain_limit(long at)
 {
     Limit l; // no exact end: nothing is expanded there
@@ -198,15 +159,6 @@ Limit plain_limit(long at)
 
 bool is_bessel(const Wave& w) { return w.kernel == Op::bessel_j || w.kernel == Op::bessel_y; }
 
-/// |R| of K_n(z) = (pi/(2z))^(1/2) exp(-z) (1 + R) for |z| >= least: DLMF 10.40.10 to 12 with one term. `variation` |z| bounds the total
-/// variation of 1/t from z to oo: 1 for |arg z| <= pi/2, pi/2 for |arg z| < pi.
-Ball bessel_remainder(const Ball& order, const Ball& least, const Ball& variation)
-{
-    const Ball spread = touchstone::abs(order * order - Ball(1) / Ball(4)); // a_1 is half of it
-    const Ball v = variation / least;
-    return spread * v * exp(spread * v);
-}
-
 /// K_n over the ball by its asymptotic form, whose enclosure is not much wider than the function varies.
 ComplexBall bessel_k_by_its_size(const Ball& order, const ComplexBall& z)
 {
@@ -214,7 +166,7 @@ ComplexBall bessel_k_by_its_size(const Ball& order, const ComplexBall& z)
     const Ball size = touchstone::abs(z);
     arb_get_lbound_arf(arb_midref(least.get()), size.get(), strip_bits);
     const ComplexBall front = analytic::sqrt(ComplexBall(pi<Ball>() / Ball(2)) / z) * analytic::exp(-z);
-    return front * (ComplexBall(1) + disc(bessel_remainder(order, least, pi<Ball>() / Ball(2))));
+    return front * (ComplexBall(1) + disc(lemma::bessel_remainder(order, least, pi<Ball>() / Ball(2))));
 }
 
 /// K_n: at the middle of a small ball, over it by K_n' = -(K_(n-1) + K_(n+1))/2. The value is made of I_n and I_-n, exp(2 Re z) larger, so
@@ -292,7 +244,7 @@ std::optional<Ball> supremum_in_quadrant(const Wave& wave, long base, long dista
         const Ball order = evaluate_at(*wave.order, Ball(0)), w = wave.frequency.ball(), least = w * Ball(base + distance);
         if (!arb_is_positive(least.get())) return std::nullopt;
         g = g / sqrt(p.x);
-        factor = sqrt(Ball(2) / (pi<Ball>() * w)) * (Ball(1) + bessel_remainder(order, least, Ball(1)));
+        factor = sqrt(Ball(2) / (pi<Ball>() * w)) * (Ball(1) + lemma::bessel_remainder(order, least, Ball(1)));
     }
     const Order& order = g.right();
     const bool decays = Exponent(0) < order.power || (order.power.is_zero() && order.logs < Exponent(0));
@@ -330,7 +282,7 @@ std::optional<Tail> tail(const Wave& wave, long base, long distance, const Ball&
     acb_calc_integrate(value.get(), evaluate, &turned, from.get(), to.get(), bits, tolerance, options, bits + spare);
     mag_clear(tolerance);
     if (!value.is_finite()) return std::nullopt;
-    widen(value, supremum * exp(-w * Ball::exactly(length)) / w);
+    widen(value, lemma::beyond(supremum, w, Ball::exactly(length)));
     const bool imaginary = wave.kernel == Op::sin || wave.kernel == Op::bessel_y;
     return Tail{imaginary ? value.imag() : value.real(), turned.evaluations};
 }

@@ -1,403 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/tanh_sinh.hpp"
 
+#include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/nodes.hpp"
-#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/strip_proof.hpp"
+#include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
-#include <tuple>
 
-namespace touchstone::quadrature {
-
-std::string to_string(Status s)
-{
-    switch (s) {
-    case Status::certified: return "certified";
-    case Status::undecided: return "undecided";
-    case Status::indeterminate: break;
-    }
-    return "indeterminate";
-}
-
-// ---------------------------------------------------------------- intervals
-
-void Interval::prepare()
-{
-    start_ = a_.ball();
-    end_ = b_.ball();
-    width_ = a_.exact() && b_.exact() ? Ball(Rational(*b_.exact() - *a_.exact())) : end_ - start_;
-}
-
-bool Interval::is_proper() const
-{
-    return start_.is_finite() && (kind_ != Kind::finite || (end_.is_finite() && arb_is_positive(width_.get())));
-}
-
-std::string Interval::to_string() const
-{
-    const auto text = [](const Endpoint& e) { return e.exact() ? e.exact()->get_str() : e.ball().to_string(15); };
-    switch (kind_) {
-    case Kind::finite: return "[" + text(a_) + ", " + text(b_) + "]";
-    case Kind::ray_algebraic:
-    case Kind::ray_exponential: return (mirrored_ ? "(-oo, " + text(a_) + "]" : "[" + text(a_) + ", oo)") + (kind_ == Kind::ray_algebraic ? " algebraic" : " exponential");
-    case Kind::line_algebraic: return "(-oo, oo) algebraic";
-    case Kind::line_exponential: return "(-oo, oo) exponential";
-    }
-    return {};
-}
-
-// ---------------------------------------------------------------- certificates
-
+namespace touchstone::quadrature::detail {
 namespace {
-
-Ball sum(const std::vector<Panel>& panels, Ball Panel::*term)
-{
-    const WorkingPrecision precision(strip_bits);
-    Ball total(0);
-    for (const Panel& p : panels) total += p.*term;
-    return total;
-}
-
-double upper(const Ball& x)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, x.get());
-    const double d = mag_get_d(m);
-    mag_clear(m);
-    return d;
-}
-
-/// log2 of an upper bound of |x|, which may be far outside the range of double.
-double log2_upper(const Ball& x)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, x.get());
-    const double d = mag_is_inf(m) ? std::numeric_limits<double>::infinity() : mag_is_zero(m) ? -1e18 : mag_get_d_log2_approx(m);
-    mag_clear(m);
-    return d;
-}
-
-/// An upper bound as a short decimal, rounded up: "1.3e-105".
-std::string bound_text(const Ball& x)
-{
-    if (!x.is_finite()) return "null";
-    const double l = log2_upper(x) * M_LN2 / M_LN10;
-    if (l < -1e15) return "0";
-    const double e = std::floor(l);
-    std::ostringstream out;
-    out.precision(2);
-    out << std::fixed << std::ceil((std::pow(10.0, l - e) + 1e-6) * 100) / 100 << "e" << static_cast<long>(e);
-    return out.str();
-}
-
-} // namespace
-
-Ball Certificate::discretisation() const { return sum(panels, &Panel::discretisation); }
-Ball Certificate::truncation() const { return sum(panels, &Panel::truncation); }
-Ball Certificate::rounding() const { return sum(panels, &Panel::rounding); }
-long Certificate::points() const
-{
-    long n = 0;
-    for (const Panel& p : panels) n += p.left_nodes + p.right_nodes + 1;
-    return n;
-}
-
-std::string Certificate::to_json() const
-{
-    std::ostringstream out;
-    out << "{\"method\":\"tanh-sinh\",\"interval\":\"" << interval << "\",\"digits\":" << digits << ",\"precision_bits\":" << precision
-        << ",\"points\":" << points() << ",\"discretisation\":" << bound_text(discretisation()) << ",\"truncation\":" << bound_text(truncation())
-        << ",\"rounding\":" << bound_text(rounding()) << ",\"panels\":[";
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        const Panel& p = panels[i];
-        out << (i ? "," : "") << "{\"u\":[\"" << p.from << "\",\"" << p.to << "\"],\"alpha\":\"" << p.alpha.to_string() << "\",\"beta\":\""
-            << p.beta.to_string() << "\",\"d\":" << p.strip << ",\"K\":[" << bound_text(p.bound_left) << "," << bound_text(p.bound_right)
-            << "],\"strip_integral\":" << bound_text(p.strip_integral) << ",\"step\":\"log(2)/" << p.m << "\",\"points\":[" << p.left_nodes << ","
-            << p.right_nodes << "],\"pieces\":" << p.pieces << ",\"discretisation\":" << bound_text(p.discretisation)
-            << ",\"truncation\":" << bound_text(p.truncation) << ",\"rounding\":" << bound_text(p.rounding) << "}";
-    }
-    out << "]}";
-    return out.str();
-}
-
-// ---------------------------------------------------------------- the proof
-
-namespace detail {
-namespace {
-
-/// x with pi sinh(x) cos(d) >= depth, up to rounding (only efficiency depends on it).
-double edge(double depth, double d) { return std::ceil(std::asinh(depth / (M_PI * std::cos(d))) * 64) / 64; }
-
-/// One end of the strip: what holds for |Re t| >= edge, 0 <= Im t <= d.
-struct End {
-    bool proved = false;
-    double edge = 0;
-    Ball depth;         // A: |distance| <= exp(-A)/(1 - exp(-A))
-    Exponent here, far; // F = c pi cosh t here^... : exponents at this end and at the other
-    Ball bound;         // |c|
-};
-
-class StripProof {
-public:
-    StripProof(const PanelFunction<ComplexBall>& f, long budget) : f_(f), budget_(budget) {}
-
-    /// Fill alpha, beta, strip, bounds, strip_integral, scale. False if nothing was proved.
-    bool run(Panel& panel, double bits);
-
-    std::string reason;
-    double failure_u = 0.5; // fraction of the panel where the proof stopped; negative: at an end
-    long pieces = 0;
-    End left, right;        // the ends at the chosen height
-
-private:
-    EndpointNumber<ComplexBall> value(const StripPiece& p) { ++pieces; return f_(p); }
-    bool constant(Panel& panel, double bits);
-    End end(Side side, double d);
-    bool layer(Side side, double x1, double x2, double y1, double y2, double smallest);
-    Ball line(Side side, double x1, double x2, double d, int depth, const Ball* whole);
-    Ball piece_bound(Side side, double x1, double x2, double d);
-    Ball tail(const End& e, double d) const;
-    Ball strip_integral(double d, const End& left, const End& right);
-    Ball strip_integral_by_pieces(double d, const End& left, const End& right);
-    void fail(const StripPiece& piece, const char* what);
-
-    const PanelFunction<ComplexBall>& f_;
-    long budget_;
-    bool is_constant_ = false;
-    double slack_ = 0.5; // how much a bisection must sharpen a bound of the strip integral to be worth while
-    EndpointNumber<ComplexBall> constant_;
-};
-
-Ball upper_ball(const ComplexBall& z)
-{
-    Ball b = touchstone::abs(z);
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, b.get());
-    Ball r;
-    arf_set_mag(arb_midref(r.get()), m);
-    mag_clear(m);
-    return r;
-}
-
-Ball upper_ball(const Ball& x)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, x.get());
-    Ball r;
-    arf_set_mag(arb_midref(r.get()), m);
-    mag_clear(m);
-    return r;
-}
-
-void StripProof::fail(const StripPiece& piece, const char* what)
-{
-    const ComplexBall u = piece.distance(Side::left);
-    failure_u = arf_get_d(arb_midref(acb_realref(u.get())), ARF_RND_NEAR);
-    reason = what;
-}
-
-End StripProof::end(Side side, double d)
-{
-    End e;
-    for (const double depth : {4.0, 10.0, 24.0, 60.0}) {
-        e.proved = false;
-        e.edge = edge(depth, d);
-        const StripPiece piece = StripPiece::at(side, e.edge, std::numeric_limits<double>::infinity(), 0, d);
-        const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
-        e.depth = piece.depth();
-        const Order own = c.order(side);
-        e.here = own.power + Exponent(1);
-        e.far = c.order(side == Side::left ? Side::right : Side::left).power + Exponent(1);
-        if (!c.factor().is_finite()) continue;
-        e.bound = upper_ball(c.factor());
-        if (!own.logs.is_zero()) { // rho^k <= (sup of |u|^epsilon rho^k) |u|^-epsilon
-            const Exponent epsilon = Exponent(0) < own.logs ? e.here * Exponent(1, 32) : Exponent(0);
-            e.bound = e.bound * upper_ball(piece.vanishing(side, epsilon.ball(), own.logs));
-            e.here = e.here - epsilon;
-        }
-        if (!e.bound.is_finite()) continue;
-        e.proved = true;
-        if (Exponent(0) < e.here) break; // else farther out the exponent may be better: where a growing factor bounds it
-    }
-    return e;
-}
-
-bool StripProof::layer(Side side, double x1, double x2, double y1, double y2, double smallest)
-{
-    const StripPiece piece = StripPiece::at(side, x1, x2, y1, y2);
-    if (pieces >= budget_) { fail(piece, "the integrand was not proved analytic within the proof budget"); return false; }
-    if (value(piece).factor().is_finite()) return true;
-    const double width = x2 - x1, height = y2 - y1;
-    if (width <= smallest && height <= smallest) {
-        fail(piece, "the integrand is not proved analytic");
-        return false;
-    }
-    if (width > height) {
-        const double x = (x1 + x2) / 2;
-        return layer(side, x1, x, y1, y2, smallest) && layer(side, x, x2, y1, y2, smallest);
-    }
-    const double y = (y1 + y2) / 2;
-    return layer(side, x1, x2, y1, y, smallest) && layer(side, x1, x2, y, y2, smallest);
-}
-
-/// Upper bound of the integral of |F| over the piece of the line Im t = d.
-Ball StripProof::piece_bound(Side side, double x1, double x2, double d)
-{
-    const StripPiece piece = StripPiece::at(side, x1, x2, d, d);
-    const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
-    const Ball exponent = (c.left().power + Exponent(1)).ball() * piece.logarithm(Side::left).real()
-                          + (c.right().power + Exponent(1)).ball() * piece.logarithm(Side::right).real();
-    return upper_ball(upper_ball(c.factor()) * exp(exponent) * piece.stretch() * Ball::exactly(x2 - x1));
-}
-
-Ball StripProof::line(Side side, double x1, double x2, double d, int depth, const Ball* whole)
-{
-    const Ball own = whole ? *whole : piece_bound(side, x1, x2, d);
-    const double x = (x1 + x2) / 2;
-    const Ball a = piece_bound(side, x1, x, d), b = piece_bound(side, x, x2, d);
-    const Ball both = a + b;
-    if (depth == 0 || pieces >= budget_) return arb_lt(both.get(), own.get()) ? both : own;
-    // sharper bounds only matter through their logarithm
-    if (both.is_finite() && upper(both) > slack_ * upper(own)) return both;
-    return line(side, x1, x, d, depth - 1, &a) + line(side, x, x2, d, depth - 1, &b);
-}
-
-/// The integral of |F| over |Re t| >= edge on the line Im t = d, for every d up to the end's own:
-/// c (1 - exp(-A))^-(|alpha|+|beta|) exp(-alpha A) / (alpha cos d).
-Ball StripProof::tail(const End& e, double d) const
-{
-    const Ball alpha = e.here.ball();
-    const Ball spread = touchstone::abs(alpha) + touchstone::abs(e.far.ball());
-    return upper_ball(e.bound * exp(-alpha * e.depth - spread * log(Ball(1) - exp(-e.depth))) / (alpha * cos(Ball::exactly(d))));
-}
-
-Ball StripProof::strip_integral(double d, const End& left, const End& right)
-{
-    if (!is_constant_) return strip_integral_by_pieces(d, left, right);
-    // |c| times an integral that depends on the exponents alone: keep it for the next integrand of this kind
-    using Key = std::tuple<long, long, long, long, double, double, double, double>;
-    thread_local std::map<Key, Ball> known;
-    const auto& p = constant_.left().power;
-    const auto& q = constant_.right().power;
-    const Key key{p.num(), p.den(), q.num(), q.den(), d, left.edge, right.edge, slack_};
-    const Ball size = upper_ball(constant_.factor());
-    if (const auto found = known.find(key); found != known.end()) return upper_ball(size * found->second);
-    if (known.size() > 1000) known.clear();
-    const EndpointNumber<ComplexBall> own = constant_;
-    constant_ = EndpointNumber<ComplexBall>(own.frame(), own.left(), own.right(), ComplexBall(1));
-    End unit_left = left, unit_right = right;
-    unit_left.bound = unit_right.bound = Ball(1);
-    const Ball unit = strip_integral_by_pieces(d, unit_left, unit_right);
-    constant_ = own;
-    known[key] = unit;
-    return upper_ball(size * unit);
-}
-
-Ball StripProof::strip_integral_by_pieces(double d, const End& left, const End& right)
-{
-    const Ball half = line(Side::left, 0, left.edge, d, 12, nullptr) + line(Side::right, 0, right.edge, d, 12, nullptr) + tail(left, d) + tail(right, d);
-    return upper_ball(half);
-}
-
-bool StripProof::run(Panel& panel, double bits)
-{
-    const WorkingPrecision precision(strip_bits);
-    slack_ = std::exp2(-std::max(0.6, bits / 100));
-    {
-        const EndpointNumber<ComplexBall> c = value(StripPiece::everywhere());
-        if (c.factor().is_finite()) {
-            is_constant_ = true;
-            constant_ = c;
-        }
-    }
-    const auto report_end = [&](const End& e, Side side) {
-        std::ostringstream out;
-        out << "at the " << (side == Side::left ? "left" : "right") << " end ";
-        if (!e.proved) out << "the integrand is not proved to be a power times a bounded analytic function";
-        else out << "the exponent " << (e.here - Exponent(1)).to_string() << " is all that is proved, and the integral needs one above -1";
-        reason = out.str();
-        failure_u = -1;
-    };
-    struct Candidate { double d; End left, right; };
-    const long total = budget_;
-    const auto holds = [&](Candidate& c, double below, long allowance) {
-        for (const Side s : {Side::left, Side::right}) {
-            End& e = s == Side::left ? c.left : c.right;
-            e = end(s, c.d);
-            if (!e.proved || !(Exponent(0) < e.here)) { report_end(e, s); return false; }
-        }
-        budget_ = std::min(total, pieces + allowance);
-        const double smallest = (c.d - below) / 32;
-        const bool yes = is_constant_ || (layer(Side::left, 0, c.left.edge, below, c.d, smallest) && layer(Side::right, 0, c.right.edge, below, c.d, smallest));
-        budget_ = total;
-        return yes;
-    };
-    // What a piece costs against a node at this precision: the proof may cost about as much as the nodes it saves.
-    const double nodes_cost = 1.1 * bits * (1 + std::pow(bits / 500, 1.3));
-    std::vector<Candidate> proved;
-    double failed = 1.5;
-    const auto descend = [&](double from, double to, long allowance) {
-        for (double d = from; proved.empty() && d >= to; d /= 2) {
-            Candidate c{d, {}, {}};
-            if (holds(c, 0, allowance)) proved.push_back(c);
-            else failed = d;
-        }
-    };
-    descend(1, 1.0 / 64, 150 + static_cast<long>(nodes_cost / 4));
-    // lower: a singularity may be close; or a factor such as cos x, which grows with the height of the strip, needs a low one
-    if (proved.empty()) descend(failure_u >= 0 ? 0.125 : 1.0 / 128, failure_u >= 0 ? 1e-4 : 1e-3, total);
-    if (proved.empty()) return false;
-    while (proved.size() < 6) {
-        const double d0 = proved.back().d, d = (d0 + failed) / 2;
-        const double gain = nodes_cost * (d - d0) / d0;
-        if (!is_constant_ && (gain < 150 || (d - d0) / d0 < 0.04)) break;
-        Candidate c{d, {}, {}};
-        if (holds(c, d0, static_cast<long>(gain))) proved.push_back(c);
-        else if ((failed = d) - d0 < 0.1 * d0) break;
-    }
-
-    // scale: the integral of |F| over the real line
-    const Candidate& lowest = proved.front();
-    panel.scale = strip_integral(0, lowest.left, lowest.right);
-    if (!panel.scale.is_finite()) { reason = "the integral of |f| was not bounded within the proof budget"; return false; }
-    const double wanted = std::max(1.0, bits);
-    double best = 0;
-    const auto consider = [&](const Candidate& c) {
-        const Ball n = Ball(2) * strip_integral(c.d, c.left, c.right);
-        if (!n.is_finite()) return true;
-        const double rate = c.d / (wanted + 4 + std::max(0.0, log2_upper(n) - log2_upper(panel.scale)));
-        if (rate <= best) return false;
-        best = rate;
-        panel.strip = c.d;
-        panel.strip_integral = n;
-        panel.alpha = c.left.here;
-        panel.beta = c.right.here;
-        panel.bound_left = c.left.bound;
-        panel.bound_right = c.right.bound;
-        left = c.left;
-        right = c.right;
-        return true;
-    };
-    for (auto c = proved.rbegin(); c != proved.rend(); ++c)
-        if (!consider(*c)) break;
-    // F may grow so fast away from the line that a part of the proved strip serves better.
-    for (double d = lowest.d / 2; d > lowest.d / 100; d /= 2) {
-        Candidate c{d, end(Side::left, d), end(Side::right, d)};
-        if (best > 0 && best >= d / (wanted + 4)) break; // nothing to gain even with N_d = scale
-        if (!c.left.proved || !c.right.proved || !consider(c)) break;
-    }
-    if (best == 0) { reason = "the integral of |F| along the strip was not bounded"; return false; }
-    return true;
-}
-
 
 /// Bound of h sum |F(kh)| over the nodes beyond the n-th, from the End's bounds on the real line:
 /// c (1 - exp(-A))^-|beta| exp(-alpha pi sinh(n h)) / alpha, if n h >= edge and alpha pi sinh(n h) >= 1.
@@ -411,8 +26,7 @@ Ball truncation_bound(const End& e, long n, long m)
     const Ball alpha = e.here.ball();
     const Ball power = alpha * pi<Ball>() * s;
     if (!arb_ge(power.get(), Ball(1).get())) return Ball::indeterminate();
-    const Ball spread = touchstone::abs(e.far.ball());
-    return upper_ball(e.bound * exp(-power - spread * log(Ball(1) - exp(-e.depth))) / alpha);
+    return upper_ball(lemma::truncation(e.bound, alpha, e.far.ball(), e.depth, pi<Ball>() * s));
 }
 
 /// The least n whose truncation_bound is below 2^log2_tolerance (found in double, so: about).
@@ -435,18 +49,9 @@ long rounded_step(double m)
 /// exp(2 pi d / h) - 1 divides N_d.
 Ball discretisation_bound(const Panel& p)
 {
-    Ball log2, e;
+    Ball log2;
     arb_const_log2(log2.get(), strip_bits);
-    const Ball exponent = Ball(2) * pi<Ball>() * Ball::exactly(p.strip) * Ball(p.m) / log2;
-    arb_expm1(e.get(), exponent.get(), strip_bits);
-    return upper_ball(p.strip_integral / e);
-}
-
-Ball radius(const Ball& x)
-{
-    Ball r;
-    arf_set_mag(arb_midref(r.get()), arb_radref(x.get()));
-    return r;
+    return upper_ball(lemma::discretisation(p.strip_integral, Ball::exactly(p.strip), log2 / Ball(p.m)));
 }
 
 struct ProvedPanel {
@@ -472,7 +77,8 @@ Ball evaluate(ProvedPanel& proved, double log2_tolerance, slong& precision)
     const double octaves = static_cast<double>(std::max(p.left_nodes, p.right_nodes)) / static_cast<double>(p.m);
     const slong bits = std::max<slong>(64, static_cast<slong>(std::ceil(log2_largest - log2_tolerance + octaves)) + 12);
     precision = std::max(precision, bits);
-    const auto table = NodeTable::get(p.m, std::max(p.left_nodes, p.right_nodes), bits, std::min({1.0, p.alpha.to_double(), p.beta.to_double()}));
+    const auto table =
+        NodeTable::get(p.m, std::max(p.left_nodes, p.right_nodes), bits, std::min({1.0, p.alpha.to_double(), p.beta.to_double()}));
 
     const WorkingPrecision full(bits);
     proved.f.prepare();
@@ -491,7 +97,7 @@ Ball evaluate(ProvedPanel& proved, double log2_tolerance, slong& precision)
     Ball log2;
     arb_const_log2(log2.get(), bits);
     sum *= pi<Ball>() * log2 / Ball(p.m);
-    p.rounding = radius(sum);
+    p.rounding = radius_of(sum);
     widen(sum, p.discretisation);
     widen(sum, p.truncation);
     return sum;
@@ -519,15 +125,18 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
         std::ostringstream text;
         text.precision(8);
         text << proof.reason;
-        if (at >= 0) text << " near the fraction " << from.get_d() + (to.get_d() - from.get_d()) * at << " of the interval";
-        else if (from != 0 || to != 1) text << " of the part from fraction " << from.get_d() << " to " << to.get_d();
+        if (at >= 0)
+            text << " near the fraction " << from.get_d() + (to.get_d() - from.get_d()) * at << " of the interval";
+        else if (from != 0 || to != 1)
+            text << " of the part from fraction " << from.get_d() << " to " << to.get_d();
         return text.str();
     };
     if ((!proved || p.panel.strip < 0.2) && depth < options.bisections && at > 1e-3 && at < 1 - 1e-3) {
         const Rational cut = from + (to - from) * Rational(static_cast<long>(std::lround(at * 1024)), 1024);
         std::vector<ProvedPanel> parts;
         std::string why;
-        if (prove_panels(make, from, cut, options, depth + 1, bits, parts, why, stopped) && prove_panels(make, cut, to, options, depth + 1, bits, parts, why, stopped)) {
+        if (prove_panels(make, from, cut, options, depth + 1, bits, parts, why, stopped) &&
+            prove_panels(make, cut, to, options, depth + 1, bits, parts, why, stopped)) {
             std::move(parts.begin(), parts.end(), std::back_inserter(out));
             return true;
         }
@@ -607,7 +216,8 @@ try {
         result.reason = std::string("declared exponent ") + e->get_str() + " at the " + end + " end, proved only " + proved.to_string();
         return false;
     };
-    if (!declared(options.left_exponent, panels.front().panel.alpha, "left") || !declared(options.right_exponent, panels.back().panel.beta, "right"))
+    if (!declared(options.left_exponent, panels.front().panel.alpha, "left") ||
+        !declared(options.right_exponent, panels.back().panel.beta, "right"))
         return refuse(result.reason);
 
     Ball scale(0);
@@ -617,7 +227,8 @@ try {
     }
     double log2_tolerance = log2_upper(scale) - wanted - 2 - std::log2(static_cast<double>(panels.size()));
     for (int attempt = 0;; ++attempt) {
-        const double bits = std::max(bits_against(panels) - log2_tolerance, log2_upper(scale)); // the bound of |f| may itself be all there is
+        const double bits =
+            std::max(bits_against(panels) - log2_tolerance, log2_upper(scale)); // the bound of |f| may itself be all there is
         if (!(bits <= most_bits_per_bit * wanted + most_spare_bits)) {
             if (attempt > 0) break;
             std::ostringstream why;
@@ -644,7 +255,8 @@ try {
     result.digits = std::clamp(digits_of(result.value), 0L, options.digits);
     result.status = result.digits == options.digits ? Status::certified : Status::undecided;
     if (result.status == Status::undecided)
-        result.reason = digits_text(result.digits, options.digits) + ": the error is at most " + bound_text(radius(result.value)) + ", where |f| integrates to at most " + bound_text(scale);
+        result.reason = digits_text(result.digits, options.digits) + ": the error is at most " + bound_text(radius_of(result.value)) +
+                        ", where |f| integrates to at most " + bound_text(scale);
     return result;
 }
 catch (const DomainError& error) { // an exponent that Exponent cannot hold
@@ -654,5 +266,4 @@ catch (const DomainError& error) { // an exponent that Exponent cannot hold
     return refused;
 }
 
-} // namespace detail
-} // namespace touchstone::quadrature
+} // namespace touchstone::quadrature::detail

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/tanh_sinh.hpp"
+#include "touchstone/quadrature/upper.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace touchstone::quadrature {
+
+std::string to_string(Status s)
+{
+    switch (s) {
+    case Status::certified: return "certified";
+    case Status::undecided: return "undecided";
+    case Status::indeterminate: break;
+    }
+    return "indeterminate";
+}
+
+/// An upper bound as a short decimal, rounded up: "1.3e-105".
+std::string bound_text(const Ball& x)
+{
+    if (!x.is_finite()) return "null";
+    const double l = log2_upper(x) * M_LN2 / M_LN10;
+    if (l < -1e15) return "0";
+    const double e = std::floor(l);
+    std::ostringstream out;
+    out.precision(2);
+    out << std::fixed << std::ceil((std::pow(10.0, l - e) + 1e-6) * 100) / 100 << "e" << static_cast<long>(e);
+    return out.str();
+}
+
+namespace {
+
+Ball sum(const std::vector<Panel>& panels, Ball Panel::*term)
+{
+    const WorkingPrecision precision(strip_bits);
+    Ball total(0);
+    for (const Panel& p : panels) total += p.*term;
+    return total;
+}
+
+} // namespace
+
+Ball Certificate::discretisation() const { return sum(panels, &Panel::discretisation); }
+Ball Certificate::truncation() const { return sum(panels, &Panel::truncation); }
+Ball Certificate::rounding() const { return sum(panels, &Panel::rounding); }
+long Certificate::points() const
+{
+    long n = 0;
+    for (const Panel& p : panels) n += p.left_nodes + p.right_nodes + 1;
+    return n;
+}
+
+std::string Certificate::to_json() const
+{
+    std::ostringstream out;
+    out << "{\"method\":\"tanh-sinh\",\"interval\":\"" << interval << "\",\"digits\":" << digits << ",\"precision_bits\":" << precision
+        << ",\"points\":" << points() << ",\"discretisation\":" << bound_text(discretisation())
+        << ",\"truncation\":" << bound_text(truncation()) << ",\"rounding\":" << bound_text(rounding()) << ",\"panels\":[";
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const Panel& p = panels[i];
+        out << (i ? "," : "") << "{\"u\":[\"" << p.from << "\",\"" << p.to << "\"],\"alpha\":\"" << p.alpha.to_string() << "\",\"beta\":\""
+            << p.beta.to_string() << "\",\"d\":" << p.strip << ",\"K\":[" << bound_text(p.bound_left) << "," << bound_text(p.bound_right)
+            << "],\"strip_integral\":" << bound_text(p.strip_integral) << ",\"step\":\"log(2)/" << p.m << "\",\"points\":[" << p.left_nodes
+            << "," << p.right_nodes << "],\"pieces\":" << p.pieces << ",\"discretisation\":" << bound_text(p.discretisation)
+            << ",\"truncation\":" << bound_text(p.truncation) << ",\"rounding\":" << bound_text(p.rounding) << "}";
+    }
+    out << "]}";
+    return out.str();
+}
+
+} // namespace touchstone::quadrature

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The bounds of this folder's proofs, each a lemma with its constants, proved in tanh_sinh.md under the same name and held against the
+/// function that attains it in tests/quadrature/lemmas.cpp: no constant can be smaller.
+#pragma once
+
+#include "touchstone/scalar/ball.hpp"
+
+namespace touchstone::quadrature::lemma {
+
+/// Discretisation: |integral F - h sum F(kh)| <= N_d/(exp(2 pi d/h) - 1).
+inline Ball discretisation(const Ball& strip_integral, const Ball& d, const Ball& h)
+{
+    Ball e;
+    const Ball exponent = Ball(2) * pi<Ball>() * d / h;
+    arb_expm1(e.get(), exponent.get(), WorkingPrecision::bits());
+    return strip_integral / e;
+}
+
+/// Far factor: |1 + E|^-k <= (1 - exp(-A))^-|k| for |E| <= exp(-A).
+inline Ball far_factor(const Ball& k, const Ball& A) { return exp(-touchstone::abs(k) * log(Ball(1) - exp(-A))); }
+
+/// Truncation: h sum over k > n of K (1 - exp(-A))^-|beta| pi cosh(kh) exp(-alpha pi sinh(kh)), where alpha pi sinh(nh) >= 1.
+inline Ball truncation(const Ball& K, const Ball& alpha, const Ball& beta, const Ball& A, const Ball& pi_sinh)
+{
+    return K * exp(-alpha * pi_sinh) * far_factor(beta, A) / alpha;
+}
+
+/// Strip's tail: integral over x > T of K |u|^alpha |r|^beta pi cosh x dx at height d, A = pi sinh(T) cos d.
+inline Ball strip_tail(const Ball& K, const Ball& alpha, const Ball& beta, const Ball& A, const Ball& d)
+{
+    return K * exp(-alpha * A) * far_factor(touchstone::abs(alpha) + touchstone::abs(beta), A) / (alpha * cos(d));
+}
+
+/// Remainder: T(s) less its first n terms, |s| = q R, |T| <= bound for |s| <= R (Cauchy).
+inline Ball remainder(const Ball& bound, const Ball& q, long n)
+{
+    Ball power;
+    arb_pow_ui(power.get(), q.get(), static_cast<ulong>(n), WorkingPrecision::bits());
+    return bound * power / (Ball(1) - q);
+}
+
+/// Slope: |T(s) - T(m)|, |T| <= bound for |s| <= R, at |s|, |m| <= R/4: |T'| <= (bound/R)/(1 - |s/R|^2) (Schwarz and Pick).
+inline Ball slope(const Ball& bound, const Ball& R, const Ball& distance) { return Ball(16) / Ball(15) * bound / R * distance; }
+
+/// Logarithm: log(rho) <= (4/e) rho^(1/4) for rho >= 1, with equality at e^4.
+inline Ball logarithm_over_fourth_root() { return Ball(4) * exp(Ball(-1)); }
+
+/// Bessel remainder: |R| of K_n(z) = (pi/(2z))^(1/2) exp(-z) (1 + R), |z| >= least; variation 1 for |arg z| <= pi/2, pi/2 for |arg z| < pi.
+inline Ball bessel_remainder(const Ball& order, const Ball& least, const Ball& variation)
+{
+    const Ball spread = touchstone::abs(order * order - Ball(1) / Ball(4)); // 2 |a_1|
+    const Ball v = spread * variation / least;
+    return v * exp(v);
+}
+
+/// Turned path: |integral of g exp(iwz)| from X + iS upwards, |g| <= supremum.
+inline Ball beyond(const Ball& supremum, const Ball& w, const Ball& S) { return supremum * exp(-w * S) / w; }
+
+} // namespace touchstone::quadrature::lemma

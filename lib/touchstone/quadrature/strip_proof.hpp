@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The proof of a panel: how high a strip it is analytic on, with which exponents, and bounds of it there (tanh_sinh.md, sections 2 and 3).
+#pragma once
+
+#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/tanh_sinh.hpp"
+
+namespace touchstone::quadrature::detail {
+
+/// One end of the strip: what holds for |Re t| >= edge, 0 <= Im t <= d.
+struct End {
+    bool proved = false;
+    double edge = 0;
+    Ball depth;         // A: |distance| <= exp(-A)/(1 - exp(-A))
+    Exponent here, far; // F = c pi cosh t here^... : exponents at this end and at the other
+    Ball bound;         // |c|
+};
+
+class StripProof {
+public:
+    StripProof(const PanelFunction<ComplexBall>& f, long budget)
+        : f_(f)
+        , budget_(budget)
+    {
+    }
+
+    /// Fill alpha, beta, strip, bounds, strip_integral, scale. False if nothing was proved.
+    bool run(Panel& panel, double bits);
+
+    std::string reason;
+    double failure_u = 0.5; // fraction of the panel where the proof stopped; negative: at an end
+    long pieces = 0;
+    End left, right; // the ends at the chosen height
+
+private:
+    EndpointNumber<ComplexBall> value(const StripPiece& p)
+    {
+        ++pieces;
+        return f_(p);
+    }
+    bool constant(Panel& panel, double bits);
+    End end(Side side, double d);
+    bool layer(Side side, double x1, double x2, double y1, double y2, double smallest);
+    Ball line(Side side, double x1, double x2, double d, int depth, const Ball* whole);
+    Ball piece_bound(Side side, double x1, double x2, double d);
+    Ball tail(const End& e, double d) const;
+    Ball strip_integral(double d, const End& left, const End& right);
+    Ball strip_integral_by_pieces(double d, const End& left, const End& right);
+    void fail(const StripPiece& piece, const char* what);
+
+    const PanelFunction<ComplexBall>& f_;
+    long budget_;
+    bool is_constant_ = false;
+    double slack_ = 0.5; // how much a bisection must sharpen a bound of the strip integral to be worth while
+    EndpointNumber<ComplexBall> constant_;
+};
+
+} // namespace touchstone::quadrature::detail

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Every constant of the proofs in lib/touchstone/quadrature/lemmas.hpp and endpoint_functions.cpp, held against the function that attains
+// it: the bound holds, and a bound smaller by the share named here would not. So each constant that is weakened turns a test red.
+#include "touchstone/quadrature/endpoint_functions.hpp"
+#include "touchstone/quadrature/lemmas.hpp"
+#include "touchstone/quadrature/oscillation.hpp"
+#include "touchstone/quadrature/quadrant.hpp"
+#include "touchstone/quadrature/strip.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+/// The truth is within the bound, and above that share of it.
+void attains(const Ball& truth, const Ball& bound, const Rational& share)
+{
+    CHECK_MESSAGE(arb_le(truth.get(), bound.get()), truth.to_string(10), " is over ", bound.to_string(10));
+    const Ball less = bound * Ball(share);
+    CHECK_MESSAGE(arb_ge(truth.get(), less.get()), truth.to_string(10), " is far below ", bound.to_string(10));
+}
+
+Ball decimal(const char* text) { return Ball(*parse_rational(text)); }
+
+using Complex = EndpointNumber<ComplexBall>;
+
+/// rho c, rho = |Re w|, on the piece {Re t >= x1, 0 <= Im t <= d}.
+Complex grown(const StripPiece& piece, const ComplexBall& c, const Exponent& logs = 1) { return {&piece, {}, {0, logs}, c}; }
+
+/// sup |f| as enclosed, as a multiple of |r|^power where that is the power it shows.
+Ball size_of(const Complex& f)
+{
+    Ball top;
+    const Ball size = abs(f.factor());
+    arb_get_ubound_arf(arb_midref(top.get()), size.get(), 53);
+    return top;
+}
+
+} // namespace
+
+TEST_CASE("discretisation: exp(-t^2) attains N_d/(exp(2 pi d/h) - 1) at d = pi/h")
+{
+    const WorkingPrecision precision(200);
+    const Ball h = decimal("0.7"), d = pi<Ball>() / h;
+    const Ball N = Ball(2) * sqrt(pi<Ball>()) * exp(d * d);
+    Ball sum(0);
+    for (long k = -60; k <= 60; ++k) sum += h * exp(-(h * Ball(k)) * (h * Ball(k)));
+    attains(sum - sqrt(pi<Ball>()), lemma::discretisation(N, d, h), Rational(999, 1000));
+}
+
+TEST_CASE("truncation: what the lemma sums, by a fine step")
+{
+    const WorkingPrecision precision(100);
+    const Ball alpha = decimal("0.3"), h = decimal("0.0005"), pi_ = pi<Ball>();
+    const auto at = [&](long k) {
+        Ball s, c;
+        arb_sinh_cosh(s.get(), c.get(), (h * Ball(k)).get(), 100);
+        return std::pair(s, c);
+    };
+    const long n = 2000; // alpha pi sinh 1 > 1
+    Ball sum(0);
+    for (long k = n + 1; k < n + 8000; ++k) {
+        const auto [s, c] = at(k);
+        sum += h * pi_ * c * exp(-alpha * pi_ * s);
+    }
+    attains(sum, lemma::truncation(Ball(1), alpha, Ball(0), Ball(3), pi_ * at(n).first), Rational(99, 100));
+}
+
+TEST_CASE("strip's tail: the integral of the lemma, by a fine step")
+{
+    const WorkingPrecision precision(100);
+    const Ball alpha = decimal("0.3"), d = decimal("0.8"), h = decimal("0.0005"), pi_ = pi<Ball>();
+    Ball sum(0), A;
+    for (long k = 2000; k < 10000; ++k) {
+        Ball s, c;
+        arb_sinh_cosh(s.get(), c.get(), (h * (Ball(k) + Ball(1) / Ball(2))).get(), 100);
+        sum += h * pi_ * c * exp(-alpha * pi_ * s * cos(d));
+    }
+    arb_sinh(A.get(), Ball(1).get(), 100);
+    A = A * pi_ * cos(d);
+    const Ball factor = lemma::far_factor(alpha, A);
+    attains(sum * factor, lemma::strip_tail(Ball(1), alpha, Ball(0), A, d), Rational(99, 100));
+}
+
+TEST_CASE("far factor: E = -exp(-A) attains it")
+{
+    const WorkingPrecision precision(100);
+    for (const char* k : {"0.7", "-0.7"}) {
+        const Ball A = decimal("0.9"), E = k[0] == '-' ? exp(-A) : -exp(-A);
+        attains(exp(-decimal(k) * log(Ball(1) + E)), lemma::far_factor(decimal(k), A) * (Ball(1) + decimal("1e-20")),
+                k[0] == '-' ? Rational(6, 10) : Rational(999, 1000));
+    }
+}
+
+TEST_CASE("remainder: (s/R)^n attains Cauchy's bound; slope: a Moebius map attains that of Schwarz and Pick")
+{
+    const WorkingPrecision precision(100);
+    const Ball q = decimal("0.001");
+    attains(decimal("5") * q * q * q, lemma::remainder(Ball(5), q, 3), Rational(99, 100));
+    // T(s) = 5 (s/R - a)/(1 - a s/R), a = 1/4: T'(R/4) = 5/(R (1 - 1/16))
+    const Ball R = decimal("2"), a = decimal("0.25"), step = decimal("1e-12");
+    const auto T = [&](const Ball& s) { return Ball(5) * (s / R - a) / (Ball(1) - a * s / R); };
+    const Ball at = R / Ball(4);
+    attains(T(at) - T(at - step), lemma::slope(Ball(5), R, step), Rational(999, 1000));
+}
+
+TEST_CASE("logarithm: e^4 attains (4/e) rho^(1/4), and the enclosure on a piece has it")
+{
+    const WorkingPrecision precision(100);
+    const Ball rho = exp(Ball(4));
+    attains(log(rho) / exp(Ball(1)), lemma::logarithm_over_fourth_root() * (Ball(1) + decimal("1e-20")), Rational(999999, 1000000));
+    const StripPiece piece = StripPiece::at(Side::right, 1, std::numeric_limits<double>::infinity(), 0, 0.5);
+    const Complex l = function_of(Op::log, grown(piece, ComplexBall(1)));
+    CHECK(l.right().logs == Exponent(1, 4));
+    attains(Ball(4) * exp(Ball(-1)), size_of(l), Rational(99, 100));
+}
+
+TEST_CASE("exponentials on a piece: the power of the distance is the one they have, the factor no smaller than it is")
+{
+    const WorkingPrecision precision(100);
+    const double x1 = 0.25, d = 0.5;
+    const StripPiece piece = StripPiece::at(Side::right, x1, std::numeric_limits<double>::infinity(), 0, d);
+    const Ball A = piece.depth();
+    // exp(-rho) = |r| |1 + E|, exp(rho) = |r|^-1 |1 + E|^-1
+    const Complex falls = function_of(Op::exp, grown(piece, ComplexBall(-1))), rises = function_of(Op::exp, grown(piece, ComplexBall(1)));
+    CHECK(falls.right().power == Exponent(1));
+    CHECK(rises.right().power == Exponent(-1));
+    attains(Ball(1) + exp(-A), size_of(falls), Rational(1, 3));
+    attains(Ball(1) / (Ball(1) - exp(-A)), size_of(rises), Rational(1, 2));
+    // the exponent is rounded up: exp(rho/3) is never smaller than what is claimed of it, however far out
+    const Complex third = function_of(Op::exp, grown(piece, ComplexBall(Rational(1, 3))));
+    CHECK(!(Exponent(-1, 3) < third.right().power));
+    CHECK(Exponent(-1, 3) - Exponent(1, 2000) < third.right().power);
+    // exp(-rho^2) at the least rho is exp(-A^2) = |r|^A |1 + E|^A
+    const Complex gaussian = function_of(Op::exp, grown(piece, ComplexBall(-1), 2));
+    const Ball power = gaussian.right().power.ball();
+    CHECK(arb_le(power.get(), A.get()));
+    CHECK(arb_ge((power + decimal("0.001")).get(), A.get()));
+    // |cos| <= 1 on the real axis, exp(|Im|) off it
+    const Complex wave = function_of(Op::cos, grown(piece, ComplexBall(1)));
+    CHECK(wave.right().power == Exponent(0));
+    CHECK(arb_ge(size_of(wave).get(), Ball(1).get()));
+    CHECK(function_of(Op::sin, grown(piece, ComplexBall(Ball(1), Ball(Rational(1, 4))))).right().power == Exponent(-1, 4));
+}
+
+TEST_CASE("erfc, Ai and K on a piece: at the least rho they are as large as is claimed")
+{
+    const WorkingPrecision precision(100);
+    const auto piece_from = [](double x1) { return StripPiece::at(Side::right, x1, std::numeric_limits<double>::infinity(), 0, 0.0625); };
+    // two discs were multiplied, each as the square about it: 2^(3/2) of what the lemma says
+    const auto claimed = [](const Complex& f, const Ball& A) {
+        return size_of(f) * exp(-f.right().power.ball() * A) / (Ball(2) * sqrt(Ball(2))) * (Ball(1) + decimal("1e-10"));
+    };
+    {
+        const StripPiece piece = piece_from(0.03125);
+        const Ball A = piece.depth();
+        const Ball truth = special_function(Op::erfc, A);
+        const Complex f = function_of(Op::erfc, grown(piece, ComplexBall(1)));
+        attains(truth, claimed(f, A), Rational(7, 10));
+    }
+    {
+        const StripPiece piece = piece_from(1.5);
+        const Ball A = piece.depth();
+        attains(special_function(Op::airy_ai, A), claimed(function_of(Op::airy_ai, grown(piece, ComplexBall(1))), A), Rational(9, 10));
+        for (const long order : {0L, 2L})
+            attains(special_function(Op::bessel_k, Ball(order), A),
+                    claimed(function_of(Op::bessel_k, Ball(order), grown(piece, ComplexBall(1))), A), Rational(9, 10));
+    }
+}
+
+TEST_CASE("Bessel remainder: K_n less its leading term, near and far")
+{
+    const WorkingPrecision precision(100);
+    const auto remainder = [](const Ball& order, const ComplexBall& z) {
+        ComplexBall k, root;
+        acb_hypgeom_bessel_k(k.get(), ComplexBall(order).get(), z.get(), 200);
+        const ComplexBall front = analytic::sqrt(ComplexBall(pi<Ball>() / Ball(2)) / z) * analytic::exp(-z);
+        return abs(k / front - ComplexBall(1));
+    };
+    for (const char* order : {"0", "1", "2.5", "7"})
+        for (const char* size : {"1", "10", "1000"})
+            for (const long eighths : {0L, 1L, 2L, 3L}) {
+                const Ball r = decimal(size), angle = pi<Ball>() * Ball(eighths) / Ball(8) * Ball(Rational(999, 1000));
+                const Ball truth = remainder(decimal(order), ComplexBall(r * cos(angle), r * sin(angle)));
+                CHECK(arb_le(truth.get(), lemma::bessel_remainder(decimal(order), r, Ball(1)).get()));
+            }
+    // |R| -> |a_1|/|z|: half of what is claimed, the other half is 2 |a_1|
+    attains(Ball(2) * remainder(Ball(7), ComplexBall(decimal("1e8"))), lemma::bessel_remainder(Ball(7), decimal("1e8"), Ball(1)),
+            Rational(99, 100));
+}
+
+TEST_CASE("turned path: a constant amplitude attains what lies beyond; the quadrant has all of 1/(1 + z)")
+{
+    const WorkingPrecision precision(100);
+    const Ball w = decimal("1.7"), S = decimal("3");
+    attains(exp(-w * S) / w, lemma::beyond(Ball(1), w, S) * (Ball(1) + decimal("1e-20")), Rational(999999, 1000000));
+    const auto supremum = [](const char* formula, long base, long distance) {
+        const auto all = waves(parse_expression(formula));
+        REQUIRE(all);
+        const auto s = supremum_in_quadrant(all->at(0), base, distance);
+        REQUIRE(s);
+        return *s;
+    };
+    // at z = X the amplitude is largest
+    attains(decimal("0.1"), supremum("sin(x)/x", 0, 10), Rational(6, 10));
+    attains(exp(log(decimal("13")) * decimal("-0.5")), supremum("cos(x)/sqrt(x)", 3, 10), Rational(1, 10));
+    attains(log(decimal("21")) / decimal("21"), supremum("cos(x)*log(1+x)/(1+x)", 0, 20), Rational(1, 4));
+    // the argument of log z grows to pi/2: |log z| there, not on the axis
+    CHECK(arb_ge(supremum("cos(x)/log(1+x)", 0, 20).get(), (Ball(1) / log(Ball(21))).get()));
+}
+
+TEST_CASE("quadrant: r = 1/(1 + z), its logarithm and its powers are enclosed, and reach the edges of what encloses them")
+{
+    const WorkingPrecision precision(100);
+    const long distance = 6;
+    const Quadrant quadrant(distance);
+    const ComplexBall r = quadrant.distance(Side::right), slope = quadrant.logarithm_over_rho(Side::right);
+    Ball least_imaginary(0), least_angle(0);
+    for (const char* x : {"0", "0.5", "3", "1000"})
+        for (const char* y : {"0", "1", "7", "100", "1e9", "1e40"}) {
+            const ComplexBall z(Ball(distance) + decimal(x), decimal(y)), at = ComplexBall(1) / (ComplexBall(1) + z);
+            CHECK(acb_overlaps(r.get(), at.get()));
+            const ComplexBall l = analytic::log(at);
+            const Ball rho = -log(abs(at));
+            CHECK(acb_overlaps(slope.get(), (l / ComplexBall(rho)).get()));
+            for (const Exponent& e : {Exponent(1, 3), Exponent(2)})
+                for (const Exponent& k : {Exponent(-1), Exponent(0), Exponent(5)}) {
+                    const Ball size = exp(-e.ball() * rho + k.ball() * log(rho));
+                    Ball most = quadrant.vanishing(Side::right, e.ball(), k).real();
+                    arb_get_ubound_arf(arb_midref(most.get()), most.get(), 53);
+                    mag_zero(arb_radref(most.get()));
+                    CHECK(arb_le(size.get(), (most * (Ball(1) + decimal("1e-12"))).get()));
+                }
+            if (arb_lt(at.imag().get(), least_imaginary.get())) least_imaginary = at.imag();
+            const Ball angle = l.imag() / Ball(1);
+            if (arb_lt(angle.get(), least_angle.get())) least_angle = angle;
+        }
+    attains(-least_imaginary, Ball(1) / Ball(2 * (1 + distance)) * (Ball(1) + decimal("1e-12")), Rational(99, 100)); // z = D + i(1 + D)
+    attains(-least_angle, pi<Ball>() / Ball(2) * (Ball(1) + decimal("1e-12")), Rational(99, 100));
+    const Ball lower = slope.imag();
+    Ball most;
+    arb_get_lbound_arf(arb_midref(most.get()), lower.get(), 53);
+    attains(pi<Ball>() / Ball(2) / log(Ball(1 + distance)), -most, Rational(999, 1000));
+    // exp(-rho/3) rho^5 is largest at rho = 15
+    Ball top = quadrant.vanishing(Side::right, Ball(1) / Ball(3), Exponent(5)).real();
+    arb_get_ubound_arf(arb_midref(top.get()), top.get(), 53);
+    mag_zero(arb_radref(top.get()));
+    attains(exp(Ball(-5) + Ball(5) * log(Ball(15))), top, Rational(999, 1000));
+}
