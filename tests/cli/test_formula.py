@@ -7,11 +7,18 @@ usage: test_formula.py TOUCHSTONE LIBRARY_FORMS
 import json
 import math
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+from fractions import Fraction
+
+try:
+    import sympy
+except ImportError:
+    sympy = None
 
 PROGRAM, LIBRARY_FORMS = sys.argv.pop(1), sys.argv.pop(1)
 # quantities whose formula takes the inputs of a table, and how many those are
@@ -35,6 +42,45 @@ def formula(quantity, language, *words):
 
 def name_of(quantity):
     return quantity.replace(".", "_")
+
+
+def fpcore_value(source, inputs):
+    """The first FPCore of a text at binary64 inputs: just enough of the standard to know what was written."""
+    words = re.findall(r'"[^"]*"|[()\[\]]|[^\s()\[\]]+', re.sub(r"^;.*$", "", source, flags=re.M))
+
+    def read():
+        word = words.pop(0)
+        if word not in "([":
+            return word
+        group = []
+        while words[0] not in ")]":
+            group.append(read())
+        words.pop(0)
+        return group
+
+    def value(e, at):
+        if isinstance(e, str):
+            return at[e] if e in at else math.pi if e == "PI" else float(Fraction(e))
+        operation, *rest = e
+        if operation == "if":
+            return value(rest[1 if value(rest[0], at) else 2], at)
+        if operation == "let*":
+            at = dict(at)
+            for name, bound in rest[0]:
+                try:
+                    at[name] = value(bound, at)
+                except (ValueError, ZeroDivisionError):
+                    at[name] = math.nan
+            return value(rest[1], at)
+        a = [value(x, at) for x in rest]
+        if operation == "-" and len(a) == 1:
+            return -a[0]
+        known = {"+": lambda x, y: x + y, "-": lambda x, y: x - y, "*": lambda x, y: x * y, "/": lambda x, y: x / y, "<": lambda x, y: x < y, "fmin": min, "fmax": max, "tgamma": math.gamma}
+        return known.get(operation, getattr(math, operation, None))(*a)
+
+    _, names, *_, body = read()
+    assert len(names) == len(inputs), (names, inputs)
+    return value(body, dict(zip(names, inputs)))
 
 
 class Formula(unittest.TestCase):
@@ -149,6 +195,65 @@ class Formula(unittest.TestCase):
                     if not (language == "octave" and opening == "["):
                         self.assertEqual(text.count(opening), text.count(closing), (quantity, language))
         self.assertTrue(formula("peaks.f", "fpcore").splitlines()[1].startswith("(FPCore (x)"))
+
+    def telling_rows(self, quantity):
+        """A few rows of a stored table away from edges, where a form that only mathematics makes right keeps most of its digits in binary64 too."""
+        lines = [line.split() for line in (TABLES / f"{name_of(quantity)}.txt").read_text().splitlines() if not line.startswith("#")]
+        count = INPUTS[quantity]
+        good = [(list(map(float, row[:count])), row[count]) for row in lines if float(row[-1]) < 100 and all(0.02 <= abs(float(w)) <= 50 for w in row[:count])]
+        self.assertGreater(len(good), 5, quantity)
+        return good[::len(good) // 5]
+
+    SCALES = ("peaks.iterate", "segments.max_half_width", "archard.area")
+
+    def scale_30(self, quantity):
+        point = {"load": 0.625, "G": 3.0}
+        r = run("eval", quantity, "n=30", *(f"{k}={v!r}" for k, v in point.items()), "--digits", "30", "--json")
+        return point, json.loads(r.stdout)["value"]
+
+    def test_size_grows_with_the_operations(self):
+        """Each part used twice would double the text at each scale: 3^30 of them."""
+        for quantity in self.SCALES:
+            for language in ("latex", "fpcore", "sympy", "c", "fortran", "python", "julia", "octave"):
+                six, nine, twelve = (len(formula(quantity, language, f"n={n}")) for n in (6, 9, 12))
+                self.assertLess(twelve - nine, 1.3 * (nine - six), (quantity, language))
+                self.assertLess(len(formula(quantity, language, "n=30")), 11000, (quantity, language))
+
+    def test_fpcore_means_the_quantity(self):
+        for quantity in INPUTS:
+            for inputs, value in self.telling_rows(quantity):
+                found = fpcore_value(formula(quantity, "fpcore"), inputs)
+                self.assertTrue(math.isclose(found, float(value), rel_tol=1e-9), (quantity, inputs, found, value))
+        for quantity in self.SCALES:
+            point, value = self.scale_30(quantity)
+            self.assertTrue(math.isclose(fpcore_value(formula(quantity, "fpcore", "n=30"), list(point.values())), float(value), rel_tol=1e-12), quantity)
+
+    @unittest.skipUnless(sympy, "no SymPy")
+    def test_sympy_means_the_quantity(self):
+        def close(quantity, scope, point, value):
+            known = {scope[k]: sympy.Float(v, 60) for k, v in point.items() if k in scope}
+            for part, expression in scope.get(f"{name_of(quantity)}_parts", []):
+                known[part] = expression.xreplace(known).evalf(60)
+            found = scope[name_of(quantity)].xreplace(known).evalf(60)
+            self.assertLessEqual(abs(found - sympy.Rational(value)), 1e-18 * abs(sympy.Rational(value)), (quantity, point, found, value))
+        for quantity in INPUTS:
+            scope = {}
+            exec(formula(quantity, "sympy"), scope)
+            names = [q["inputs"] for q in json.loads(run("list", "--json").stdout) if q["name"] == quantity][0]
+            for inputs, value in self.telling_rows(quantity):
+                close(quantity, scope, dict(zip(names, inputs)), value)
+        for quantity in self.SCALES:
+            scope = {}
+            exec(formula(quantity, "sympy", "n=30"), scope)
+            close(quantity, scope, *self.scale_30(quantity))
+
+    @unittest.skipUnless(shutil.which("blahtexml"), "no blahtexml")
+    def test_latex_is_read(self):
+        for quantity, words in [(q, ()) for q in INPUTS] + [(q, ("n=10",)) for q in self.SCALES]:
+            for text in formula(quantity, "latex", *words).split("% ")[1:]:
+                r = subprocess.run(["blahtexml", "--mathml"], input=text.partition("\n")[2], capture_output=True, text=True)
+                self.assertNotIn("<error>", r.stdout, (quantity, text))
+                self.assertIn("<mathml>", r.stdout)
 
     def test_brackets_open_at_once(self):
         """C99 promises 63, CPython takes 100, clang and Octave 256: a series of 110 terms must not nest them all."""

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "touchstone/formula/formulas.hpp"
+#include "touchstone/formula/mathematics.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -211,18 +211,11 @@ std::string broken_lines(const std::string& text)
     return out;
 }
 
-std::string c_name(const std::string& quantity)
-{
-    std::string name = quantity;
-    std::replace(name.begin(), name.end(), '.', '_');
-    return name;
-}
-
 std::string code(const Formula& f, std::string_view name)
 {
     const Language& l = language(name);
     std::set<std::string> called, done;
-    const std::string name_here = c_name(f.name);
+    const std::string name_here = identifier(f.name);
     std::string functions = fmt::format("{} free of cancellation\n", l.comment) + function_text(name, name_here, f.inputs, f.stable, false, called);
     if (f.printed) functions += fmt::format("\n{} as the paper prints it: loses digits at edges\n", l.comment) + function_text(name, name_here + "_as_printed", f.inputs, *f.printed, false, called);
     std::string before;
@@ -250,126 +243,6 @@ std::string code(const Formula& f, std::string_view name)
     const bool special = name == "julia" && functions.find("gamma(") != std::string::npos;
     if (name == "octave") return first + functions + (before.empty() ? "" : "\n" + before); // the file's first function is the one that is called
     return first + (special ? "using SpecialFunctions: gamma\n" : l.prelude) + "\n" + before + functions;
-}
-
-// ---- mathematics
-
-std::string latex(const Term& given, bool inside);
-
-std::string latex_name(const std::string& input)
-{
-    static const std::map<std::string, std::string> names{{"load", "\\tilde p"}, {"gamma", "\\gamma"}};
-    const auto found = names.find(input);
-    return found == names.end() ? input : found->second;
-}
-
-std::string latex_call(const Term& t)
-{
-    const auto plain = [&](std::size_t k) { return latex(t->arguments[k], false); };
-    if (t->text == "sqrt") return fmt::format("\\sqrt{{{}}}", plain(0));
-    if (t->text == "pow") return fmt::format("{}^{{{}}}", latex(t->arguments[0], true), plain(1));
-    if (t->text == "exp") return fmt::format("e^{{{}}}", plain(0));
-    if (t->text == "gamma") return fmt::format("\\Gamma\\left({}\\right)", plain(0));
-    if (t->text == "atan2") return fmt::format("\\operatorname{{arctan2}}\\left({}, {}\\right)", plain(0), plain(1));
-    if (t->text == "min" || t->text == "max") return fmt::format("\\{}\\left({}, {}\\right)", t->text, plain(0), plain(1));
-    if (t->text == "asin" || t->text == "acos") return fmt::format("\\arc{}\\left({}\\right)", t->text.substr(1), plain(0));
-    return fmt::format("\\{}\\left({}\\right)", t->text, plain(0));
-}
-
-/// \param inside of a product or power: a sum needs brackets
-std::string latex(const Term& given, bool inside)
-{
-    const Term t = mathematical(given);
-    if (t.id() != given.id()) return latex(t, inside);
-    const auto bracketed = [inside](const std::string& text) { return inside ? "\\left(" + text + "\\right)" : text; };
-    const auto part = [&](std::size_t k, bool in) { return latex(t->arguments[k], in); };
-    switch (t->op) {
-    case Op::number: return t->q != 1 ? fmt::format("\\frac{{{}}}{{{}}}", t->p, t->q) : t->p < 0 ? bracketed(std::to_string(t->p)) : std::to_string(t->p);
-    case Op::literal: return t->text;
-    case Op::pi: return "\\pi";
-    case Op::input: return latex_name(t->text);
-    case Op::negate: return bracketed("-" + part(0, true));
-    case Op::add: return bracketed(part(0, false) + " + " + part(1, false));
-    case Op::subtract: return bracketed(part(0, false) + " - " + part(1, true));
-    case Op::multiply: return part(0, true) + " \\, " + part(1, true);
-    case Op::divide: return fmt::format("\\frac{{{}}}{{{}}}", part(0, false), part(1, false));
-    case Op::call: return latex_call(t);
-    case Op::select:
-        return fmt::format("\\begin{{cases}} {} & {} < {} \\\\ {} & \\text{{else}} \\end{{cases}}", part(2, false), part(0, false), part(1, false), part(3, false));
-    }
-    return "";
-}
-
-std::string fpcore(const Term& given)
-{
-    const Term t = mathematical(given);
-    if (t.id() != given.id()) return fpcore(t);
-    std::vector<std::string> parts;
-    for (const Term& a : t->arguments) parts.push_back(fpcore(a));
-    const std::string joined = fmt::format("{}", fmt::join(parts, " "));
-    switch (t->op) {
-    case Op::number: return t->q == 1 ? std::to_string(t->p) : fmt::format("{}/{}", t->p, t->q);
-    case Op::literal: return t->text;
-    case Op::pi: return "PI";
-    case Op::input: return t->text;
-    case Op::negate: return fmt::format("(- {})", joined);
-    case Op::add: return fmt::format("(+ {})", joined);
-    case Op::subtract: return fmt::format("(- {})", joined);
-    case Op::multiply: return fmt::format("(* {})", joined);
-    case Op::divide: return fmt::format("(/ {})", joined);
-    case Op::call: {
-        const std::string name = t->text == "min" || t->text == "max" ? "f" + t->text : t->text == "gamma" ? "tgamma" : t->text;
-        return fmt::format("({} {})", name, joined);
-    }
-    case Op::select: return fmt::format("(if (< {} {}) {} {})", parts[0], parts[1], parts[2], parts[3]);
-    }
-    return "";
-}
-
-std::string sympy(const Term& given)
-{
-    const Term t = mathematical(given);
-    if (t.id() != given.id()) return sympy(t);
-    std::vector<std::string> parts;
-    for (const Term& a : t->arguments) parts.push_back(sympy(a));
-    const auto infix = [&](const char* sign) { return fmt::format("({} {} {})", parts[0], sign, parts[1]); };
-    switch (t->op) {
-    case Op::number: return t->q == 1 ? fmt::format("sympy.Integer({})", t->p) : fmt::format("sympy.Rational({}, {})", t->p, t->q);
-    case Op::literal: return t->text;
-    case Op::pi: return "sympy.pi";
-    case Op::input: return t->text;
-    case Op::negate: return fmt::format("(-{})", parts[0]);
-    case Op::add: return infix("+");
-    case Op::subtract: return infix("-");
-    case Op::multiply: return infix("*");
-    case Op::divide: return infix("/");
-    case Op::call: {
-        static const std::map<std::string, std::string> names{{"min", "Min"}, {"max", "Max"}, {"pow", "Pow"}};
-        const auto found = names.find(t->text);
-        return fmt::format("sympy.{}({})", found == names.end() ? t->text : found->second, fmt::join(parts, ", "));
-    }
-    case Op::select: return fmt::format("sympy.Piecewise(({}, {} < {}), ({}, True))", parts[2], parts[0], parts[1], parts[3]);
-    }
-    return "";
-}
-
-std::string mathematics(const Formula& f, std::string_view name)
-{
-    const std::string here = c_name(f.name);
-    std::string text;
-    for (const bool printed : {false, true}) {
-        if (printed && !f.printed) break;
-        const Term& t = printed ? *f.printed : f.stable;
-        const std::string what = printed ? "as the paper prints it" : "free of cancellation";
-        const std::string id = here + (printed ? "_as_printed" : "");
-        if (name == "latex") text += fmt::format("% {}, {}\n{}\n", f.name, what, latex(t, false));
-        if (name == "fpcore") text += fmt::format("; {}, {}\n(FPCore ({})\n :name \"{}\"\n :precision binary64\n {})\n", f.name, what, fmt::join(f.inputs, " "), id, fpcore(t));
-        if (name == "sympy") text += fmt::format("{0} = {1}  # {2}\n", id, sympy(t), what);
-    }
-    if (name != "sympy") return text;
-    std::string names;
-    for (const auto& input : f.inputs) names += fmt::format("{0} = sympy.Symbol(\"{0}\", positive=True)\n", input);
-    return "import sympy\n\n" + names + text;
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace touchstone::formula {
@@ -154,6 +155,12 @@ const std::map<std::string, Helper>& helpers()
     return all;
 }
 
+std::string identifier(std::string quantity)
+{
+    std::replace(quantity.begin(), quantity.end(), '.', '_');
+    return quantity;
+}
+
 Term mathematical(const Term& t)
 {
     if (t->op != Op::call) return t;
@@ -170,10 +177,10 @@ Term mathematical(const Term& t)
     if (t->text == "sqrt_pi_square_minus") return root_of(at_least(square(pi<Term>() * a[0]) - a[1], Term(0)));
     if (t->text == "sqrt_sin_pi_square_minus") return root_of(at_least(square(sin(pi<Term>() * a[0])) - a[1], Term(0)));
     if (t->text == "pow_product") return pow(a[0], a[1] * a[2]);
-    if (t->text == "series_2_6") return (a[0] + (1 - a[0]) * log(1 - a[0])) / square(a[0]);
+    if (t->text == "series_2_6") return select(Term(0), a[0], (a[0] + (1 - a[0]) * log(1 - a[0])) / square(a[0]), ratio<1, 2, Term>());
     if (t->text == "series_3_15") { // artanh by its logarithm
         const Term s = sqrt(a[0]), artanh = log((1 + s) / (1 - s)) / 2;
-        return ((1 - 1 / a[0]) * artanh / s + 1 / a[0]) / 2;
+        return select(Term(0), a[0], ((1 - 1 / a[0]) * artanh / s + 1 / a[0]) / 2, ratio<1, 3, Term>());
     }
     if (t->text == "hypot") return root_of(square(a[0]) + square(a[1]));
     return t;

@@ -36,6 +36,9 @@ inline const std::vector<std::string>& languages()
 /// Code has binary64 arithmetic and gives the library's own accuracy; latex, fpcore and sympy are the mathematics.
 std::string emit(const Formula&, std::string_view language);
 
+/// The name of a quantity as languages take it: westergaard_pressure.
+std::string identifier(std::string quantity);
+
 /// The helper functions that formulas call, each as an expression in its parameters (scalar.hpp's compound operations for `double`).
 struct Helper {
     std::vector<std::string> parameters; ///< names, in order
