@@ -163,8 +163,9 @@ std::string diagnosis(const Case& c)
         text += fmt::format("  answer/true: median {:.10g}, the middle half from {:.10g} to {:.10g} ({} rows)\n", d.ratio.median,
                             d.ratio.lower, d.ratio.upper, d.ratio.rows);
     if (d.mixup) {
-        text += fmt::format("  likely mistake: {} (explains {:.0f} % of the rows that tell, to {:.2g} of the value)\n", d.mixup->name,
-                            100 * d.mixup->explains, d.mixup->to);
+        text += fmt::format("  likely mistake: {} (explains {:.0f} % of the {}rows that tell, to {:.2g} of the value)\n", d.mixup->name,
+                            100 * d.mixup->explains, d.mixup->ordinary_only ? "ordinary " : "", d.mixup->to);
+        if (d.mixup->ordinary_only) text += "  rows that are not ordinary are wrong in another way too\n";
         if (d.mixup->remains > 0) text += fmt::format("  wrong even with that put right: {} of the rows tried\n", d.mixup->remains);
     }
     else if (j.failed > 0) {
@@ -265,7 +266,8 @@ Json as_json(const Case& c)
     out["worst"] = std::move(worst);
     const auto& d = j.diagnosis;
     out["mixup"] = d.mixup
-                       ? Json{{"name", d.mixup->name}, {"explains", d.mixup->explains}, {"to", d.mixup->to}, {"remains", d.mixup->remains}}
+                       ? Json{{"name", d.mixup->name}, {"explains", d.mixup->explains}, {"to", d.mixup->to}, {"remains", d.mixup->remains},
+                              {"of", d.mixup->ordinary_only ? "ordinary rows" : "all rows"}}
                        : Json(nullptr);
     out["ratio"] = d.ratio.rows > 0
                        ? Json{{"rows", d.ratio.rows}, {"median", d.ratio.median}, {"quartiles", {d.ratio.lower, d.ratio.upper}}}

@@ -86,27 +86,35 @@ RowsReader::Format format_for(const Quantity& q)
     return format;
 }
 
+/// Rows whose evaluations are held at once: they take twice the memory of what is kept of them.
+constexpr std::size_t rows_at_once = 20'000;
+
 /// Certified values on all threads; what has none is left out.
 void certify(const Quantity& q, const std::vector<std::vector<double>>& grid, JudgedFile& file, std::vector<double>& answers)
 {
-    TableSpec spec;
-    spec.name = "rows";
-    spec.quantity = q.name;
-    spec.grid = [&grid] { return grid; };
     Progress progress("certifying rows", grid.size());
-    const Table table = compute(spec, row_digits, std::max(1u, std::thread::hardware_concurrency()),
-                                [&progress](std::size_t done, std::size_t) { progress.done(done); });
-    std::vector<double> kept;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        const Evaluation& e = table.rows[i].result;
-        if (e.status != Status::exact && e.status != Status::certified) {
-            if (file.left_out++ == 0) file.why_left_out = e.note.empty() ? std::string(to_string(e.status)) : e.note;
-            continue;
+    std::size_t kept = 0; // of the answers
+    const std::size_t step = oracle::of_the_recursion(q) ? grid.size() : rows_at_once; // rows of the recursion share their discretisation
+    file.questions.reserve(grid.size());
+    for (std::size_t begin = 0; begin < grid.size(); begin += step) {
+        const std::size_t end = std::min(grid.size(), begin + step);
+        TableSpec spec;
+        spec.name = "rows";
+        spec.quantity = q.name;
+        spec.grid = [&] { return std::vector(grid.begin() + static_cast<long>(begin), grid.begin() + static_cast<long>(end)); };
+        const Table table = compute(spec, row_digits, std::max(1u, std::thread::hardware_concurrency()),
+                                    [&](std::size_t done, std::size_t) { progress.done(begin + done); });
+        for (std::size_t i = begin; i < end; ++i) {
+            const Evaluation& e = table.rows[i - begin].result;
+            if (e.status != Status::exact && e.status != Status::certified) {
+                if (file.left_out++ == 0) file.why_left_out = e.note.empty() ? std::string(to_string(e.status)) : e.note;
+                continue;
+            }
+            file.questions.push_back({grid[i], e.value, {*parse_rational(e.value), *parse_rational(e.error_bound)}, false});
+            if (!answers.empty()) answers[kept++] = answers[i];
         }
-        file.questions.push_back({grid[i], e.value, {*parse_rational(e.value), *parse_rational(e.error_bound)}, false});
-        if (!answers.empty()) kept.push_back(answers[i]);
     }
-    answers = std::move(kept);
+    if (!answers.empty()) answers.resize(kept);
 }
 
 } // namespace

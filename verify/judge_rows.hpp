@@ -42,6 +42,6 @@ struct JudgedFile {
 /// have read it; D and gamma may stand for G. At most `most_judged_rows` of those that `where` lets through.
 /// \throws BadRows, Failure
 JudgedFile read_rows(const Quantity&, const std::string& file, const std::map<std::string, Rational>& fixed, const Where&);
-inline constexpr std::size_t most_judged_rows = 100'000;
+inline constexpr std::size_t most_judged_rows = 1'000'000;
 
 } // namespace touchstone::program

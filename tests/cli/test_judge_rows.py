@@ -163,6 +163,31 @@ class Rows(unittest.TestCase):
         self.assertGreater(j["mixup"]["remains"], 10)
         self.assertIn("wrong even with that put right", run("westergaard.pressure", "--rows", self.folder / "rows.txt").stdout)
 
+    def test_a_factor_seen_away_from_the_edge_alone(self):
+        """The gap as twice the gap by its textbook form, which has no digit right beside the edge: most rows of the table lie there."""
+        def gap(x, load):
+            square = math.sin(math.pi * abs(x)) ** 2
+            if load >= 1 or square <= load:
+                return 0.0
+            root = math.sqrt(square - load)
+            return 2 * (math.sqrt(square) * root - load * math.log((math.sqrt(square) + root) / math.sqrt(load)))
+        table = pathlib.Path(options.tables, "westergaard_gap.txt")
+        rows = [line.split() for line in table.read_text().splitlines() if not line.startswith("#")]
+        path = self.folder / "answers.txt"
+        path.write_text("".join(f"{2 * gap(float(x), float(load))!r}\n" for x, load, *_ in rows))
+        r = run(table, "--answers", path)
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("likely mistake: factor 2", r.stdout)
+        self.assertRegex(r.stdout, "explains 100 % of the ordinary rows")
+        self.assertIn("not ordinary are wrong in another way", r.stdout)
+        # three rows of four beside the edge, and noise there: a sample of every fourth row would see one kind alone
+        grid = [(half_width(load) * (1 + 1e-3 * (k + 0.5) / 64) if k % 4 else half_width(load) + (0.5 - half_width(load)) * (k + 0.5) / 64, load)
+                for load in (0.02, 0.1, 0.3, 0.5, 0.7, 0.9) for k in range(64)]
+        beside = {g for i, g in enumerate(grid) if i % 4}
+        m = self.mixup(lambda x, load: 2 * gap(x, load) * (self.noisy(0.5) + 0.5 if (x, load) in beside else 1), quantity="westergaard.gap", grid=grid)["mixup"]
+        self.assertEqual((m["name"].split(":")[0], m["of"]), ("factor 2", "ordinary rows"))
+        self.assertEqual(self.mixup(lambda x, load: 2 * gap(x, load), quantity="westergaard.gap", grid=[g for g in grid if g not in beside])["mixup"]["of"], "all rows")
+
     def test_numbers_by_their_looks(self):
         j = self.mixup(lambda x, load: repr(single(pressure(x, load))))
         self.assertIn("float32", " ".join(j["findings"]))
@@ -254,7 +279,7 @@ class Rows(unittest.TestCase):
             threading.Thread(target=feed, daemon=True).start()
             r = run("westergaard.half_width", "--rows", pipe)
             self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stderr)
-            self.assertRegex(r.stderr, "no line end within|more than 100000 rows")
+            self.assertRegex(r.stderr, "no line end within|more than 1000000 rows")
             pipe.unlink()
 
 

@@ -118,8 +118,8 @@ void find_order_violations(const std::vector<Question>& questions, Judgement& re
             }
             for (const std::size_t a : line) {
                 if (!(input(a) > 0)) continue;
-                const auto mirror = std::find_if(line.begin(), line.end(), [&](std::size_t b) { return input(b) == -input(a); });
-                if (mirror == line.end()) continue;
+                const auto mirror = std::lower_bound(line.begin(), line.end(), -input(a), [&](std::size_t b, double x) { return input(b) < x; });
+                if (mirror == line.end() || input(*mirror) != -input(a)) continue;
                 const double x = result.rows[a].answer, y = result.rows[*mirror].answer;
                 const Rational& u = questions[a].truth.value;
                 const Rational& v = questions[*mirror].truth.value;

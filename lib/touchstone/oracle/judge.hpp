@@ -31,6 +31,7 @@ struct MixUp {
     double explains = 0;        ///< share of the telling rows it gives, 0 to 1
     double to = 0;              ///< relative difference up to which they are the same
     std::size_t remains = 0;    ///< telling rows tried that it does not give
+    bool ordinary_only = false; ///< of the ordinary rows alone (regime.hpp): the others are wrong in another way
 };
 
 /// answer/truth over all rows where both are numbers and the truth is not zero.

@@ -2,6 +2,7 @@
 #include "touchstone/oracle/mixup.hpp"
 
 #include "touchstone/oracle/mistakes.hpp"
+#include "touchstone/oracle/regime.hpp"
 #include "touchstone/rounding/decimal.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
 namespace touchstone::oracle {
 namespace {
@@ -49,11 +52,24 @@ bool alike(const Candidate& c, double factor, const Tolerance& t)
     return off <= t.relative || off * std::fabs(c.value * factor) <= t.absolute;
 }
 
-std::vector<Evidence> evidence(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers)
+/// At most `most_rows` of them in their order, by multiples of the golden section: every k-th row of a grid may all be of one kind.
+std::vector<std::size_t> spread(const std::vector<std::size_t>& all)
+{
+    if (all.size() <= most_rows) return all;
+    std::vector<std::size_t> some;
+    for (std::size_t k = 0; k < most_rows; ++k) {
+        const double turns = static_cast<double>(k) / std::numbers::phi;
+        some.push_back(all[static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(all.size()))]);
+    }
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+    return some;
+}
+
+std::vector<Evidence> evidence(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const std::vector<std::size_t>& chosen)
 {
     std::vector<Evidence> rows;
-    const std::size_t stride = std::max<std::size_t>(1, (questions.size() + most_rows - 1) / most_rows);
-    for (std::size_t i = 0; i < questions.size(); i += stride)
+    for (const std::size_t i : spread(chosen))
         if (std::isfinite(answers[i])) rows.push_back({exact_inputs(q, questions[i].inputs), Ball(questions[i].truth.value), Ball::exactly(answers[i])});
     return rows;
 }
@@ -244,11 +260,11 @@ std::optional<MixUp> best_at(const Explanations& explanations, const Tolerance& 
     return best.name.empty() ? std::nullopt : std::optional(best);
 }
 
-/// Over all rows: where truth and answer are numbers other than zero.
-Ratio ratio_of(const std::vector<Question>& questions, const std::vector<double>& answers)
+/// Where truth and answer are numbers other than zero.
+Ratio ratio_of(const std::vector<Question>& questions, const std::vector<double>& answers, const std::vector<std::size_t>& chosen)
 {
     std::vector<double> ratios;
-    for (std::size_t i = 0; i < questions.size(); ++i)
+    for (const std::size_t i : chosen)
         if (std::isfinite(answers[i]) && questions[i].truth.value != 0) ratios.push_back(nearest_double(Rational(exact_rational(answers[i]) / questions[i].truth.value)));
     if (ratios.empty()) return {};
     return {ratios.size(), quantile(ratios, 0.5), quantile(ratios, 0.25), quantile(ratios, 0.75)};
@@ -284,24 +300,49 @@ void look_at_the_numbers(const std::vector<Question>& questions, const std::vect
         findings.push_back("answers are single-precision numbers (float32, 24 bits): somewhere on the way they were rounded to that");
 }
 
+/// Some of the rows, and what would explain them.
+class Part {
+public:
+    Part(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const std::vector<std::size_t>& chosen)
+        : rows_(evidence(q, questions, answers, chosen))
+    {
+        if (!empty()) explanations_.emplace(q, questions, rows_, ratio_of(questions, answers, chosen));
+    }
+    bool empty() const { return rows_.size() < fewest_rows; }
+    /// From tight to loose the first candidate that gives at least this share of the telling rows.
+    std::optional<MixUp> best(const Tolerance& asked, double least) const
+    {
+        if (empty()) return std::nullopt;
+        for (const double close : closeness) {
+            if (least == partial && close > loosest_partial) break;
+            if (auto found = best_at(*explanations_, {std::max(close, asked.relative), asked.absolute}, least)) return found;
+        }
+        return std::nullopt;
+    }
+
+private:
+    std::vector<Evidence> rows_;
+    std::optional<Explanations> explanations_;
+};
+
 } // namespace
 
 Diagnosis diagnose(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Tolerance& asked, bool look_for_mixup)
 {
     Diagnosis d;
-    d.ratio = ratio_of(questions, answers);
+    std::vector<std::size_t> all(questions.size()), ordinary;
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    d.ratio = ratio_of(questions, answers, all);
     look_at_the_numbers(questions, answers, d.findings);
     if (!look_for_mixup) return d;
     const WorkingPrecision precision(bits);
-    const auto rows = evidence(q, questions, answers);
-    if (rows.size() < fewest_rows) return d;
-    const Explanations explanations(q, questions, rows, d.ratio);
-    for (const double least : {enough, partial})
-        for (const double close : closeness) {
-            const Tolerance t{std::max(close, asked.relative), asked.absolute};
-            if (d.mixup || (least == partial && close > loosest_partial)) break;
-            d.mixup = best_at(explanations, t, least);
-        }
+    std::copy_if(all.begin(), all.end(), std::back_inserter(ordinary), [&](std::size_t i) { return regime_of(q, questions[i]) == "ordinary"; });
+    const Part every(q, questions, answers, all);
+    d.mixup = every.best(asked, enough);
+    if (d.mixup || every.empty()) return d;
+    const Part usual(q, questions, answers, ordinary.size() < all.size() ? ordinary : std::vector<std::size_t>{});
+    if ((d.mixup = usual.best(asked, enough))) d.mixup->ordinary_only = true;
+    else if (!(d.mixup = every.best(asked, partial)) && (d.mixup = usual.best(asked, partial))) d.mixup->ordinary_only = true;
     return d;
 }
 
