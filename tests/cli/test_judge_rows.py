@@ -198,6 +198,21 @@ class Rows(unittest.TestCase):
         self.assertIn("factor 2", j["mixup"]["name"])
         self.assertEqual(self.mixup(lambda x, load: pressure(x, load) * self.noisy(1e-12))["findings"], [])
 
+    def test_one_answer_to_everything(self):
+        """A plateau of some other load would seem to explain a constant."""
+        grid = [(0.1 * k, load) for load in (0.2, 0.5, 0.9, 1.5) for k in range(1, 20)]
+        j = self.mixup(lambda p, load: 0.5, quantity="westergaard.exceedance", grid=grid, columns="p load")
+        self.assertIsNone(j["mixup"])
+        self.assertEqual(j["findings"], ["all 76 answers are 0.5, whatever is asked"])
+
+    def test_tension_outside_the_contact(self):
+        grid = [(2 * x, load) for x, load in GRID]  # to the valleys
+        j = self.mixup(lambda x, load: load - 1 + 2 * math.cos(math.pi * x) ** 2, grid=grid)
+        self.assertIn("nothing keeps the pressure from tension", j["mixup"]["name"])
+        self.assertEqual((j["mixup"]["of"], j["mixup"]["remains"]), ("all rows", 0))
+        j = self.mixup(lambda x, load: max(load - 1 + 2 * math.cos(math.pi * x) ** 2, 0), grid=grid)
+        self.assertIn("cut off at zero", j["mixup"]["name"])
+
     def test_regimes(self):
         j = self.mixup(lambda x, load: 0 if load >= 1 else pressure(x, load))
         full = next(r for r in j["regimes"] if r["name"] == "full contact")
@@ -246,7 +261,7 @@ class Rows(unittest.TestCase):
     def test_bad_rows(self):
         for text, expected in (("# load answer\n0.5\n", "rows.txt:2: row 1: 1 columns"), ("# load answer\n0.5 x\n", "the answer 'x' is not one number"),
                                ("# load answer\nnan 1\n", "load = 'nan'"), ("# lod answer\n1 1\n", "unknown column 'lod'"), ("# load answer\n2 1\n", "row 1: load = 2"),
-                               ("# load answer\n-1 1\n", "row 1: load = -1"), ("# load answer\n1e400 1\n", "row 1"), ("", "no rows"), ("# answer load load\n1 1 1\n", "twice")):
+                               ("# load answer\n-1 1\n", "row 1: load = -1"), ("# load answer\n1e400 1\n", "row 1"), ("", "no rows"), ("# answer load load\n1 1 1\n", "twice"), ("# load;answer\n1;1\n", "not by ';'")):
             path = self.folder / "rows.txt"
             path.write_text(text)
             r = run("westergaard.half_width", "--rows", path)

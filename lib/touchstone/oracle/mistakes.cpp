@@ -145,6 +145,8 @@ std::vector<OtherFormula> other_formulas(const Quantity& q)
         {"westergaard.pressure", {"the Hertzian pressure (2.6)", [](const Inputs& in) { return hertz::pressure(in.ball("x"), in.ball("load")); }}},
         {"westergaard.pressure", {"(2.2) cut off at zero: the full-contact pressure where contact is partial",
          [](const Inputs& in) { return at_least(westergaard::pressure_full(in.ball("x"), in.ball("load")), Ball(0)); }}},
+        {"westergaard.pressure", {"(2.2) of full contact where contact is partial: nothing keeps the pressure from tension",
+         [](const Inputs& in) { return westergaard::pressure_full(in.ball("x"), in.ball("load")); }}},
         {"hertz.half_width", {"Westergaard's half-width (2.5)", [](const Inputs& in) { return westergaard::half_width(in.ball("load")); }}},
         {"hertz.pressure", {"Westergaard's pressure (2.4)", [](const Inputs& in) { return westergaard::pressure(in.ball("x"), in.ball("load")); }}},
     };

@@ -248,13 +248,16 @@ std::optional<MixUp> best_at(const Explanations& explanations, const Tolerance& 
     const Trial trial(explanations.truth(), t);
     MixUp best;
     int cost = 0;
+    std::size_t matched = 0;
     for (const Explanation& e : explanations.all()) {
         const Score s = trial.score(e);
         const double share = s.share();
         if (share < (e.fitted ? enough : least) || share < 2 * trial.right()) continue;
-        if (share > best.explains + tie || (share > best.explains - tie && e.cost < cost)) {
+        const bool simpler = e.cost < cost || (e.cost == cost && s.matched > matched); // or it speaks of more rows
+        if (share > best.explains + tie || (share > best.explains - tie && simpler)) {
             best = {e.name, share, t.relative, s.telling - s.matched};
             cost = e.cost;
+            matched = s.matched;
         }
     }
     return best.name.empty() ? std::nullopt : std::optional(best);
@@ -300,6 +303,18 @@ void look_at_the_numbers(const std::vector<Question>& questions, const std::vect
         findings.push_back("answers are single-precision numbers (float32, 24 bits): somewhere on the way they were rounded to that");
 }
 
+/// A code that answers one number whatever it is asked: any candidate with a plateau would seem to explain it.
+bool one_answer_to_all(const std::vector<Question>& questions, const std::vector<double>& answers)
+{
+    const auto other = [&](std::size_t i) { return questions[i].truth.value != questions.front().truth.value; };
+    bool asked_more = false;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        if (answers[i] != answers.front()) return false;
+        asked_more = asked_more || other(i);
+    }
+    return asked_more;
+}
+
 /// Some of the rows, and what would explain them.
 class Part {
 public:
@@ -333,6 +348,10 @@ Diagnosis diagnose(const Quantity& q, const std::vector<Question>& questions, co
     std::vector<std::size_t> all(questions.size()), ordinary;
     std::iota(all.begin(), all.end(), std::size_t{0});
     d.ratio = ratio_of(questions, answers, all);
+    if (look_for_mixup && answers.size() >= fewest_rows && one_answer_to_all(questions, answers)) {
+        d.findings.push_back(fmt::format("all {} answers are {}, whatever is asked", answers.size(), shortest(answers.front())));
+        return d;
+    }
     look_at_the_numbers(questions, answers, d.findings);
     if (!look_for_mixup) return d;
     const WorkingPrecision precision(bits);

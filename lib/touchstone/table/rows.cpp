@@ -150,7 +150,8 @@ void RowsReader::name_columns(std::string_view line, std::size_t at)
         const std::string& name = columns_[k];
         const bool any_name = format_.free_last && k > 0 && k + 1 == columns_.size();
         if (!any_name && !among(format_.known, name) && !among(format_.ignored, name))
-            throw wrong(fmt::format("unknown column {}; columns may be {}", quoted(name), fmt::join(format_.known, ", ")));
+            throw wrong(fmt::format("unknown column {}; columns may be {}{}", quoted(name), fmt::join(format_.known, ", "),
+                                    name.find(';') == std::string::npos ? "" : ", separated by blanks or commas and not by ';'"));
         if (std::find(columns_.begin(), columns_.begin() + static_cast<long>(k), name) != columns_.begin() + static_cast<long>(k))
             throw wrong(fmt::format("column '{}' is there twice", name));
     }
