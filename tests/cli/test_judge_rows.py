@@ -261,7 +261,8 @@ class Rows(unittest.TestCase):
     def test_bad_rows(self):
         for text, expected in (("# load answer\n0.5\n", "rows.txt:2: row 1: 1 columns"), ("# load answer\n0.5 x\n", "the answer 'x' is not one number"),
                                ("# load answer\nnan 1\n", "load = 'nan'"), ("# lod answer\n1 1\n", "unknown column 'lod'"), ("# load answer\n2 1\n", "row 1: load = 2"),
-                               ("# load answer\n-1 1\n", "row 1: load = -1"), ("# load answer\n1e400 1\n", "row 1"), ("", "no rows"), ("# answer load load\n1 1 1\n", "twice"), ("# load;answer\n1;1\n", "not by ';'")):
+                               ("# load answer\n-1 1\n", "row 1: load = -1"), ("# load answer\n1e400 1\n", "row 1"), ("", "no rows"), ("# answer load load\n1 1 1\n", "twice"),
+                               ("load;answer\n1;1\n", "not by ';'")):
             path = self.folder / "rows.txt"
             path.write_text(text)
             r = run("westergaard.half_width", "--rows", path)
