@@ -26,22 +26,27 @@ double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
 } // namespace
 
 Defects::Defects(const Rules& rules_, const Layer& V_, int levels_, double tolerance_, bool monotone_)
-    : rules(rules_), V(V_), levels(levels_), columns(V_.count), tolerance(tolerance_), monotone(monotone_), first_check(rules.orders.terms + (monotone ? 7 : 19), 4),
-      defect(V.panels.size() * static_cast<std::size_t>(columns)), by_monotony(V.panels.size()), holes(static_cast<std::size_t>(levels))
+    : rules(rules_), V(V_), levels(levels_), columns(V_.count), tolerance(tolerance_), monotone(monotone_), smallest_part(std::clamp(std::pow(tolerance / 64, 2.0 / 3), 1e-14, 1e-6)),
+      first_check(rules.orders.terms + (monotone ? 7 : 19), 4), defect(V.panels.size() * static_cast<std::size_t>(columns)), by_monotony(V.panels.size()), holes(static_cast<std::size_t>(levels))
 {
     for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {1.0, 4.0}}) checks.emplace_back(static_cast<int>(rules.orders.terms * share) + 7, rho);
 }
 
-void Defects::add_hole(int m, const Real& low, const Real& high, double defect_, bool on_average)
+void Defects::add_hole(int m, const Real& low, const Real& high, double defect_, Known known)
 {
     const std::lock_guard lock(holes_mutex);
-    holes[static_cast<std::size_t>(m)].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_ <= infinite ? defect_ : infinite, on_average});
+    holes[static_cast<std::size_t>(m)].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_ <= infinite ? defect_ : infinite, known});
 }
 
-void Defects::found(int m, const Real& low, const Real& high, double panel_width, double& of_panel, double defect_)
+void Defects::found(int m, const Real& low, const Real& high, std::size_t panel, double defect_, Known known)
 {
-    if (!monotone && defect_ > tolerance / 16 && double(high - low) < 0.3 * panel_width) add_hole(m, low, high, defect_);
-    else raise(of_panel, defect_);
+    const auto [left, right] = domain_of(panel);
+    // what increases is bounded below the first panel by what is known all over that one
+    const double kept_apart = monotone ? tolerance : tolerance / 16; // a few large ones
+    const bool apart = !(monotone && panel == 0) && defect_ > kept_apart && double(high - low) < 0.3 * size_of(right - left);
+    if (apart) return add_hole(m, low, high, defect_, known);
+    raise(defect[at(panel, m)], defect_);
+    if (known == Known::by_monotony) by_monotony[panel] = 1;
 }
 
 std::pair<Real, Real> Defects::domain_of(std::size_t i) const
@@ -74,7 +79,7 @@ void Defects::prove_first(const First& first, std::size_t i)
         waiting.pop_back();
         const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
         const bool share = monotone;
-        const double x_ = double(x), h = size_of(half), r = h * check.spread, small = max(share ? 1e-6 * width : 0, 2 * narrowest * x_);
+        const double x_ = double(x), h = size_of(half), r = h * check.spread, small = max(share ? smallest_part * width : 0, 2 * narrowest * x_);
         if (low < 1 && high > 1) { // what is on either side need not be one analytic function
             waiting.emplace_back(low, Real(1));
             waiting.emplace_back(Real(1), high);
@@ -94,12 +99,12 @@ void Defects::prove_first(const First& first, std::size_t i)
                 raise(most, size_of(v - V.value(i, 0, local(at))) + error);
             }
         }
-        if (most < infinite) found(0, low, high, width, D, margin * (check.lebesgue * (most + 2 * rounding) + bound));
+        if (most < infinite) found(0, low, high, i, margin * (check.lebesgue * (most + 2 * rounding) + bound));
         else if (h > small) {
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
         }
-        else if (!share) add_hole(0, low, high, first.weight_on(double(low), double(high - low), V.size[i * columns]), true);
+        else if (!share) add_hole(0, low, high, first.weight_on(double(low), double(high - low), V.size[i * columns]), Known::on_average);
         else { // increasing, between its ends
             double change = 0;
             for (int k = 1; k < rules.orders.terms; ++k) change += V.magnitude(i, k, 0) * k * k;
@@ -107,7 +112,7 @@ void Defects::prove_first(const First& first, std::size_t i)
             const Real v = V.value(i, 0, local(low));
             const auto [least, least_error] = value(low * Real{1, -4 * u});
             const auto [most, most_error] = value(high * Real{1, 4 * u});
-            raise(D, margin * (size_of(most - v) + size_of(v - least) + least_error + most_error + change + 2 * rounding));
+            found(0, low, high, i, margin * (size_of(most - v) + size_of(v - least) + least_error + most_error + change + 2 * rounding));
         }
     }
 }
@@ -197,7 +202,7 @@ void Defects::prove_panel(std::size_t i, const std::vector<double>& overlap_defe
             return true;
         };
         std::vector<double> bounds(static_cast<std::size_t>(levels));
-        const double small = max(share ? 1e-6 * width : 0, 2 * narrowest * x_);
+        const double small = max(share ? smallest_part * width : 0, 2 * narrowest * x_);
         const Check* check = nullptr;
         for (const Check& c : checks) { // the fewest points first
             const double r = h * c.spread;
@@ -233,7 +238,6 @@ void Defects::prove_panel(std::size_t i, const std::vector<double>& overlap_defe
             continue;
         }
         if (!check) { // B_m is increasing: between its values at the ends
-            by_monotony[i] = 1;
             V.apply(low * Real{1, -4 * u}, a);
             V.apply(high * Real{1, 4 * u}, b);
             for (int m = 1; m < levels; ++m) {
@@ -242,7 +246,7 @@ void Defects::prove_panel(std::size_t i, const std::vector<double>& overlap_defe
                 const double change = margin * min(slope * double(high * high - low * low) / half_z, 2 * V.size[at(i, m)]);
                 const Real v = V.value(i, m, (low * low - p.centre) / p.half);
                 const double off = size_of(b.value[m - 1] - v) + size_of(v - a.value[m - 1]);
-                raise(D[m], margin * (off + change + a.error[m - 1] + b.error[m - 1] + 2 * rounding[at(i, m)]));
+                found(m, low, high, i, margin * (off + change + a.error[m - 1] + b.error[m - 1] + 2 * rounding[at(i, m)]), Known::by_monotony);
             }
             continue;
         }
@@ -260,7 +264,7 @@ void Defects::prove_panel(std::size_t i, const std::vector<double>& overlap_defe
             double outside = 0;
             for (const End& e : ends)
                 if (e.panel >= 0) outside += e.outside * overlap_defect[at(e.panel, m - 1)];
-            found(m, low, high, width, D[m], margin * (check->lebesgue * (most[m] + outside) + outside + bounds[m]));
+            found(m, low, high, i, margin * (check->lebesgue * (most[m] + outside) + outside + bounds[m]));
         }
     }
 }
@@ -310,9 +314,12 @@ void Defects::add_up()
     // where monotony of B_m was used, T V_{m-1} stood for T B_{m-1}
     double so_far = 0;
     for (int m = 0; m < levels; ++m) {
-        if (m > 0)
+        if (m > 0 && monotone) {
             for (std::size_t i = 0; i < V.panels.size(); ++i)
                 if (by_monotony[i]) defect[at(i, m)] += margin * so_far;
+            for (Hole& h : holes[static_cast<std::size_t>(m)])
+                if (h.known == Known::by_monotony) h.defect += margin * so_far;
+        }
         sum_of_effects.push_back(so_far); // of the levels before m, for effect(m)
         sum_of_effects.back() = so_far += effect(m, infinite);
     }
@@ -325,7 +332,7 @@ std::vector<Part> Defects::parts(int m, double reach) const
     for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
         found.push_back({defect[i * columns + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1, false});
     for (const Hole& h : holes[m])
-        if (double(h.low) <= reach) found.push_back({h.defect, h.width, h.low * Real{1, -2 * u}, h.high * Real{1, 2 * u}, h.on_average});
+        if (double(h.low) <= reach) found.push_back({h.defect, h.width, h.low * Real{1, -2 * u}, h.high * Real{1, 2 * u}, h.known == Known::on_average});
     std::sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.defect > b.defect; });
     return found;
 }

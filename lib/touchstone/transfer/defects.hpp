@@ -70,11 +70,13 @@ public:
     std::vector<Part> parts(int m, double reach) const;
 
 private:
+    /// From an analytic function's values; of what increases, from those at the ends, of T V_(m-1) where T B_(m-1) is meant; or only what counts for a bound.
+    enum class Known { by_values, by_monotony, on_average };
     /// Where |B_m - T V_(m-1)| is not bounded by `defect`. In all else a panel.
     struct Hole {
         Real low, high;
         double width, defect;
-        bool on_average;
+        Known known;
     };
 
     std::size_t at(std::size_t panel, int m) const { return panel * static_cast<std::size_t>(columns) + static_cast<std::size_t>(m); }
@@ -83,15 +85,16 @@ private:
     void prove_first(const First&, std::size_t panel);
     std::vector<double> overlaps() const;
     void prove_panel(std::size_t panel, const std::vector<double>& overlap_defect);
-    void add_hole(int m, const Real& low, const Real& high, double defect, bool on_average = false);
-    /// What is known on a part of a panel: of densities, what is large is kept apart, for the part may be much narrower.
-    void found(int m, const Real& low, const Real& high, double panel_width, double& of_panel, double defect);
+    void add_hole(int m, const Real& low, const Real& high, double defect, Known = Known::by_values);
+    /// What is known on a part of a panel: what is large is kept apart where the part is much narrower.
+    void found(int m, const Real& low, const Real& high, std::size_t panel, double defect, Known = Known::by_values);
 
     const Rules& rules;
     const Layer& V;
     int levels, columns;
     double tolerance;
     bool monotone;
+    double smallest_part;               ///< of a panel's width; what increases changes by that much on it, and counts with the root of its width
     std::vector<Check> checks;
     Check first_check;                  ///< of B_0, whose bound on a disc may be far above its size
     std::vector<double> defect;         ///< [panel * columns + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|
