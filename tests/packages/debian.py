@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 """The Debian packages are built from a copy of the clone, accepted by lintian, unpacked where nothing else is, and used.
 
-usage: debian.py SOURCE
+usage: debian.py SOURCE [--built FOLDER]   the second form looks at packages that were built before, in a minute and not an hour
 Needs dpkg-dev, debhelper, help2man and lintian; nothing is installed on the system: the packages are unpacked into a folder.
 """
+import argparse
 import os
 import pathlib
 import shutil
@@ -20,12 +21,8 @@ def run(*words, **options):
     return r.stdout
 
 
-source = pathlib.Path(sys.argv[1]).resolve()
-for tool in ("dpkg-buildpackage", "dh", "lintian", "help2man"):
-    if shutil.which(tool) is None:
-        sys.exit(f"{tool} is not there: apt-get install dpkg-dev debhelper help2man lintian")
-with tempfile.TemporaryDirectory() as scratch:
-    tree = pathlib.Path(scratch) / "touchstone"
+def build(source, scratch):
+    tree = scratch / "touchstone"
     tree.mkdir()
     for name in run("git", "-C", source, "ls-files", "-z").split("\0"):
         if name and (source / name).exists():
@@ -33,7 +30,19 @@ with tempfile.TemporaryDirectory() as scratch:
             shutil.copy2(source / name, tree / name)
     options = {"cwd": tree, "env": {**os.environ, "DEB_BUILD_OPTIONS": "nocheck parallel=2"}}
     run("dpkg-buildpackage", "-us", "-uc", "-b", "-d", **options)
-    packages = sorted(pathlib.Path(scratch).glob("*.deb"))
+
+
+arguments = argparse.ArgumentParser()
+arguments.add_argument("source", type=pathlib.Path)
+arguments.add_argument("--built", type=pathlib.Path)
+given = arguments.parse_args()
+for tool in ("dpkg-buildpackage", "dh", "lintian", "help2man"):
+    if shutil.which(tool) is None:
+        sys.exit(f"{tool} is not there: apt-get install dpkg-dev debhelper help2man lintian")
+with tempfile.TemporaryDirectory() as scratch:
+    if given.built is None:
+        build(given.source.resolve(), pathlib.Path(scratch))
+    packages = sorted((given.built or pathlib.Path(scratch)).glob("*.deb"))
     names = {p.name.split("_")[0] for p in packages} - {n for n in (p.name.split("_")[0] for p in packages) if n.endswith("-dbgsym")}
     if names != {"touchstone", "touchstone-data", "libtouchstone1", "libtouchstone-dev"}:
         sys.exit(f"the packages are {sorted(names)}")
