@@ -165,6 +165,16 @@ TEST_CASE("the numbers of the bounds")
     CHECK(certainly(less(least_non_hertzian_share(sqrt(Ball(5))), Ball(Rational(87, 100)))));
     CHECK(certainly(less(least_excess(sqrt(Ball(5))), Ball(Rational(12, 10)))));
     CHECK(certainly(less(least_excess(sqrt(Ball(10))), Ball(Rational(109, 100)))));
+    // and none has become weaker: pi^2/32 - G/(4 sqrt 5) by hand, the others as they were proved first
+    const auto near = [](const Ball& bound, const Ball& value) { return certainly(less(abs(bound - value), Ball(Rational(1, 100000000)))); };
+    const Ball pi_squared = touchstone::pi<Ball>() * touchstone::pi<Ball>();
+    CHECK(near(least_non_hertzian_share(sqrt(Ball(5))), pi_squared / 32 - Ball(Rational(1, 4))));
+    CHECK(near(least_non_hertzian_share(Ball(2)), pi_squared / 32 - 1 / (2 * sqrt(Ball(5)))));
+    CHECK(near(least_full_share(pow(Ball(5), Ball(Rational(1, 20))), Ball(Rational(3, 5))), Ball(Rational(972327009, 100000000000))));
+    CHECK(near(least_excess(sqrt(Ball(5))), Ball(Rational(106689004, 100000000))));
+    CHECK(near(least_excess(sqrt(Ball(10))), Ball(Rational(103344502, 100000000))));
+    CHECK(near(most_excess(sqrt(Ball(5))), Ball(Rational(168982482, 100000000))));
+    CHECK(near(most_excess(sqrt(Ball(10))), Ball(Rational(150413670, 100000000))));
 }
 
 TEST_CASE("the theorems about the area hold for certified areas")

@@ -20,7 +20,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,17 @@ bool claim_finds(const Claim& c)
     return e.finding.verdict != expected_verdict(c.id) || !e.surviving().empty() || recorded_text().find(entry) == std::string_view::npos;
 }
 
+bool own_claim_finds(const OwnClaim& c)
+{
+    static const std::string recorded = [] {
+        std::ifstream in(TOUCHSTONE_DATA "/paper/own.txt");
+        return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    }();
+    const CheckedLemma e = run(c);
+    const std::string text = recorded_form(std::vector<CheckedLemma>{e});
+    return !e.failures().empty() || recorded.find(text.substr(text.find('\n') + 1)) == std::string::npos;
+}
+
 bool test_finds(const std::string& name)
 {
     static std::ofstream nowhere("/dev/null");
@@ -74,7 +87,7 @@ std::vector<Finder> all_finders()
 {
     std::vector<Finder> all;
     for (const Claim& c : claims()) all.push_back({c.id, [&c] { return claim_finds(c); }});
-    for (const OwnClaim& c : own_claims()) all.push_back({c.id, [&c] { return !run(c).failures().empty(); }});
+    for (const OwnClaim& c : own_claims()) all.push_back({c.id, [&c] { return own_claim_finds(c); }});
     for (const auto& test : doctest::detail::getRegisteredTests())
         if (const std::string name = test.m_name; !looks_at_everything(name)) all.push_back({"test '" + name + "'", [name] { return test_finds(name); }});
     return all;
