@@ -199,6 +199,17 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
     }
 }
 
+TEST_CASE("above a pressure: the error follows the tolerance where fine panels of one level meet an end of the wave far from any singular point")
+{
+    const WorkingPrecision precision(256);
+    const Ball G = Ball::exactly(0x1.1573cfa27b4edp+0), P = Ball::exactly(0x1.1089e8d714p+1) / (G * G);
+    const Ball coarse = ProvenLevels(G, P, 1 + 0x1p-40, 1e-8, 2).share(2, Ball(1)), fine = ProvenLevels(G, P, 1 + 0x1p-40, 1e-11, 2).share(2, Ball(1));
+    INFO(coarse.to_string(), " ", fine.to_string());
+    CHECK(coarse.overlaps(fine));
+    CHECK(coarse.radius_bound() < 1e-8);
+    CHECK(fine.radius_bound() < 1e-11);
+}
+
 TEST_CASE("densities: an estimate's third route in full contact")
 {
     const WorkingPrecision precision(256);
