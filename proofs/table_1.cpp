@@ -60,11 +60,11 @@ Finding judge_entry(const Print& p)
 }
 
 /// The entry with its last digit raised or lowered by one.
-Control last_digit(const Print& p, int by)
+Control last_digit(const Print& p, bool raised)
 {
     const std::string& shown = p.text("rhs");
     const char last = shown.back();
-    const char other = by > 0 ? (last == '9' ? '8' : static_cast<char>(last + 1)) : (last == '0' ? '1' : static_cast<char>(last - 1));
+    const char other = raised ? (last == '9' ? '8' : static_cast<char>(last + 1)) : (last == '0' ? '9' : static_cast<char>(last - 1));
     return {std::string("last digit ") + other, {{"rhs", shown, shown.substr(0, shown.size() - 1) + other}}};
 }
 
@@ -76,7 +76,7 @@ std::vector<Claim> table_1()
     for (const std::string& id : print_order())
         if (id.starts_with("table1.")) {
             const Print& p = prints().at(id);
-            all.push_back({id, p.text("lhs") + " = " + p.text("rhs"), "Hertzian contact at every scale", judge_entry, {last_digit(p, 1), last_digit(p, -1)}, {}, {"7.13", "7.15", "7.16"}});
+            all.push_back({id, p.text("lhs") + " = " + p.text("rhs"), "Hertzian contact at every scale", judge_entry, {last_digit(p, true), last_digit(p, false)}, {}, {"7.13", "7.15", "7.16"}});
         }
     return all;
 }

@@ -40,14 +40,15 @@ Ball gauss_defect(ulong n, ulong k)
 /// The Gauss bounds: a term of order k costs 2 M rho^-k (weights' sum 2 + |int T_k|), even k alone or all.
 Finding gauss(const Constants& k, long least_k)
 {
-    const Ball bound = k.ball(0) / 2, integral = Ball(2) / Ball(least_k * least_k - 1);
+    const Ball bound = k.ball(0) / 2;
+    const Rational integral(2, least_k * least_k - 1);
     Check worst{Verdict::verified, "rules of 2 to 24 points"};
     for (ulong n = 2; n <= 24; ++n)
         for (ulong order = 2 * n; order < 2 * n + 6; ++order)
             if (!certainly(less(gauss_defect(n, order), bound))) worst = {Verdict::refuted, "the rule of " + std::to_string(n) + " points at T_" + std::to_string(order)};
-    const Rational exact = 2 * (2 + Rational(2, least_k * least_k - 1));
+    const Rational exact = 2 * (2 + integral);
     Argument argument("exact arithmetic; rules in balls");
-    argument.add("|int T_k| <= 2/(k^2 - 1), the weights add up to 2: 2 (2 + " + integral.to_string(5) + ") <= constant", exactly(exact <= Rational(k.number(0)) * (1 + Rational(1, 1'000'000'000)), exact.get_str() + " against " + std::to_string(k.number(0))))
+    argument.add("|int T_k| <= 2/(k^2 - 1), the weights add up to 2: 2 (2 + " + integral.get_str() + ") <= constant", exactly(exact <= Rational(k.number(0)) * (1 + Rational(1, 1'000'000'000)), exact.get_str() + " against " + std::to_string(k.number(0))))
         .add("rules themselves are within half of it on T_k", worst);
     return argument.conclude("Gauss's rule is exact below order 2n; coefficients beyond fall like rho^-k");
 }

@@ -59,8 +59,10 @@ int power_of_cosine(acb_ptr out, const acb_t t, void* exponent, slong order, slo
 Finding size(const Constants& k)
 {
     Check beta{Verdict::verified, "a_0 ... a_11, by Arb's rigorous integration"};
-    for (long m = 0; m < 12; ++m) { // int (1 - u^2)^(1/2 - a) du = int cos^(2 - 2a); cut short of the zero of cos, the rest below its length
-        const Ball a = ScalarTraits<Ball>::power_of_two(-m - 1), exact = sqrt(pi<Ball>()) / 2 * ScalarTraits<Ball>::gamma(Ball(3) / 2 - a) / ScalarTraits<Ball>::gamma(2 - a);
+    Ball a(Rational(1, 2));
+    for (long m = 0; m < 12; ++m, a = a / 2) { // int (1 - u^2)^(1/2 - a) du = int cos^(2 - 2a); cut short of the zero of cos, the rest below its length
+        if (m == 0) beta.detail += ", a_0 = " + a.to_string(3);
+        const Ball exact = sqrt(pi<Ball>()) / 2 * ScalarTraits<Ball>::gamma(Ball(3) / 2 - a) / ScalarTraits<Ball>::gamma(2 - a);
         Ball exponent = 2 - 2 * a;
         const Ball end = pi<Ball>() / 2 - ScalarTraits<Ball>::power_of_two(-30);
         ComplexBall integral;

@@ -95,10 +95,10 @@ Finding force(const Print& p)
 
 Finding delta_limit(const Print& p)
 {
-    const ex t = sym("t");
+    const ex t = sym("t"), delta = 1 - t / 2;
     return Argument("limit with t = 2^-n")
-        .add("delta_n = 1 - t/2", power_identity(pow(sym("gamma"), prints().at("7.16")("0.rhs").subs(n() == 3)), pow(sym("gamma"), (1 - t / 2).subs(t == ex(1) / 8)), Points{"gamma=5"}))
-        .add("t -> 0", limit_at_zero(1 - t / 2, t, p("rhs"), Points{"n=1"}))
+        .add("delta_n = 1 - t/2", power_identity(pow(sym("gamma"), prints().at("7.16")("0.rhs").subs(n() == 3)), pow(sym("gamma"), delta.subs(t == ex(1) / 8)), Points{"gamma=5"}))
+        .add("t -> 0", limit_at_zero(delta, t, p("rhs"), Points{"n=1"}))
         .conclude();
 }
 

@@ -123,10 +123,11 @@ Finding apparent_lower(const Print& p)
     a.add("the bound is named", exactly(p.text("relation") == "=" && p.text("lhs") == "load_below", "printed " + p.text("relation")));
     const auto b = positive_bound(p("rhs"), Point{{"G", Rational(3)}});
     if (!b) return a.add("some load is below the bound", {Verdict::refuted, "at G = 3 it is not positive"}).conclude();
-    if (at_most_for_all_G(p("rhs"), 2 / (G() * G()))) {
+    const Rational most(2); // of G^2 load
+    if (at_most_for_all_G(p("rhs"), ex(GiNaC::numeric(most.get_str().c_str())) / (G() * G()))) {
         a.add("G^2 load <= 2 for loads up to the bound", exactly(true, "the bound is at most 2/G^2 for every G > 1"));
         // log(K_n/K_{n-1}) = log step(1 - h), h = 2^-n, is at most -h times the least slope on [1/2, 1]; the load adds at most h log(2)/2
-        a.add("K_n/K_{n-1} outweighs the factor 2^(2^-(n+1))", least_step_slope_exceeds(log(Ball(2)) / 2));
+        a.add("K_n/K_{n-1} outweighs the factor 2^(2^-(n+1))", least_step_slope_exceeds(log(Ball(most)) / 2));
     } else {
         Check worse{Verdict::undecided, "no counterexample met below the bound, no proof up to it"};
         for (long k = 1; k <= 6 && worse.verdict != Verdict::proved; ++k) // G = 3, a load just below the bound
@@ -159,7 +160,7 @@ std::vector<Claim> sentences_of_sections_8_11()
         {"text.distribution-load", "The limiting normalised distributions do not depend on the load.", the_model + ", gamma^(D-1) > 2, ptilde < 1", load_independent, {{"one", {{"rhs", "0", "1"}}}}, {}, {"5.6", "6.1"}},
         {"text.dimension-4-D", "For a surface that is a cylinder over the profile the dimension is 4 - D.", "", dimension_4_D, {{"3 - D", {{"rhs", "4", "3"}}}}, {}, {"8.7"}},
         {"text.dimension-1.5", "For a surface of dimension 2.5 it is 1.5.", "", dimension_15, {{"1.2", {{"rhs", "1.5", "1.2"}}}}, {}, {"text.dimension-4-D"}},
-        {"text.apparent-lower", "At small loads the apparent dimension is below the limit.", hertz_everywhere, apparent_lower, {{"for loads up to 10/G^2", {{"rhs", "1/G^2", "10/G^2"}}}}, {}, {"8.2"}},
+        {"text.apparent-lower", "At small loads the apparent dimension is below the limit.", hertz_everywhere, apparent_lower, {{"for loads up to 10/G^2", {{"rhs", "1/G^2", "10/G^2"}}}, {"for all loads up to 1", {{"rhs", "1/G^2", "1"}}}}, {}, {"8.2"}},
         {"text.area-vanishes", "The contact area tends to zero.", the_model, area_vanishes, {{"to one", {{"rhs", "0", "1"}}}}, {}, {"6.7"}},
     };
 }

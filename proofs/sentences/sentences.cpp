@@ -33,7 +33,7 @@ Check number_satisfies(const Ball& quantity, const Print& p, const std::string& 
 {
     const std::string& relation = p.text("relation");
     const Ball number = evaluate(p("rhs"), Point{});
-    const std::string says = what + " lies in " + quantity.to_string(6) + ", printed " + relation + " " + p.text("rhs");
+    const std::string says = what + " lies in " + between(quantity) + ", printed " + relation + " " + p.text("rhs");
     const bool below = certainly(less(quantity, number)), above = certainly(less(number, quantity));
     if (relation == "=" && (below || above)) return {Verdict::refuted, says};
     if (relation == "<" || relation == "<=") {
@@ -84,6 +84,7 @@ std::string between(const Ball& hull)
     Ball low, high;
     arb_get_lbound_arf(arb_midref(low.get()), hull.get(), 30);
     arb_get_ubound_arf(arb_midref(high.get()), hull.get(), 30);
+    if (certainly(less(abs(low), ScalarTraits<Ball>::power_of_two(-25) * abs(high)))) low = Ball(0); // a radius has thirty bits
     const auto shown = [](const Ball& b) {
         const std::string t = b.to_string(5);
         return t.substr(0, t.find(" ")).substr(t[0] == '[' ? 1 : 0);

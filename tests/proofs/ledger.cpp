@@ -6,6 +6,7 @@
 #include "proofs/lemmas/fixed_point.hpp"
 #include "proofs/lemmas/k_limit.hpp"
 #include "proofs/lemmas/model_area.hpp"
+#include "proofs/reading/reading.hpp"
 #include "proofs/recorded.hpp"
 #include "proofs/symbolic/symbolic.hpp"
 #include "proofs/symbolic/units.hpp"
@@ -151,6 +152,29 @@ TEST_CASE("dimensions: a misplaced length and a lost square are seen")
         if (p.quote.empty() && p.section != "table 1" && p.section != "beyond the paper") // those two are pure numbers
             wrong += units(p).verdict != Verdict::proved ? 1 : 0;
     CHECK(wrong == 2); // the other misprints keep the dimension
+}
+
+TEST_CASE("neighbouring symbols in the situations where a print is read are what they are called")
+{
+    // only a print with the wrong one of them asks for some of these: refuted it would be by any number
+    const auto half = [](const Ball& n) { return pow(Ball(2), Ball(-n)); }; // 2^-n
+    const auto step = [](const Ball& delta) { return touchstone::archard::step(delta); };
+    for (const char* id : {"7.13", "7.16", "7.17", "7.18", "7.19", "7.20", "7.21", "8.1", "8.2", "8.3", "8.6"})
+        for (const Situation& s : meaning(id)->situations) {
+            CAPTURE(id);
+            const auto has = [&](const char* name) { return s.value.count(name) > 0; };
+            const Ball n = s.value.at("n");
+            if (has("delta_n")) CHECK(s.value.at("delta_n").overlaps(1 - half(n + 1)));
+            if (has("delta_np1")) CHECK(s.value.at("delta_np1").overlaps(1 - half(n + 2)));
+            if (has("K_np1")) CHECK((s.value.at("K_np1") / s.value.at("K_n")).overlaps(step(1 - half(n + 1))));
+            if (has("K_nm1")) CHECK((s.value.at("K_n") / s.value.at("K_nm1")).overlaps(step(1 - half(n))));
+        }
+    const Ball h(Rational(1, 10000));
+    for (const Situation& s : meaning("9.3")->situations) { // q = -dQ/dp
+        const auto& Q = s.function.at("Q_nm1");
+        const Ball p = s.value.at("p_nm1"), q = s.function.at("q_nm1")(p), slope = (Q(p - h) - Q(p + h)) / (2 * h);
+        CHECK(certainly(less(abs(slope / q - 1), Ball(Rational(1, 1000)))));
+    }
 }
 
 TEST_CASE("the numbers of the bounds")

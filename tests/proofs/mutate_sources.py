@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Change a sign, an operation or a constant in our own proofs and formulas, one at a time, and see whether a test finds it.
 
-usage: mutate_sources.py SOURCE BUILD SCRATCH [--count N] [--seed 1] [--only PATH-PART] [--alone 20] [--jobs 2] [--list]
+usage: mutate_sources.py SOURCE BUILD SCRATCH [--count N] [--seed 1] [--only PATH-PART] [--listed FILE] [--alone 20] [--jobs 2] [--list]
 
 BUILD is a build of SOURCE with its tests. Every change is compiled at once, into one program of our proofs and of the tests of formulas and
 proofs, and switched on at run time (source_mutants/switch.hpp); source_mutants/judge.cpp asks for each change whoever comes by it: a claim with
 its controls, a lemma of our own, a test. What nobody finds is listed, unless equivalent_changes.json says why it changes nothing that is
 proved; exit code 1 if there is any. What cannot be switched (a constant expression, a template argument) is compiled alone, a seeded sample of
---alone of them. Without --count all changes are judged; with --list they are only shown.
+--alone of them. Without --count all changes are judged; with --list they are only shown, and with --listed those are judged whose lines FILE has.
 """
 import argparse
 import concurrent.futures
@@ -222,12 +222,16 @@ def main():
     arguments.add_argument("--count", type=int)
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--only", default="")
+    arguments.add_argument("--listed", type=pathlib.Path)
     arguments.add_argument("--alone", type=int, default=20)
     arguments.add_argument("--jobs", type=int, default=2)
     arguments.add_argument("--list", action="store_true")
     o = arguments.parse_args()
     everything = dict(changes(o.source))
-    wanted = [n for n, c in everything.items() if o.only in str(c.path)]
+    listed = {line.strip() for line in o.listed.read_text().splitlines() if line[:1] not in ("", "#")} if o.listed else None
+    if listed and (unknown := listed - {str(c) for c in everything.values()}):
+        sys.exit("no such change now: " + "; ".join(sorted(unknown)))
+    wanted = [n for n, c in everything.items() if o.only in str(c.path) and (listed is None or str(c) in listed)]
     random_order = random.Random(o.seed)
     some = sorted(random_order.sample(wanted, min(o.count or len(wanted), len(wanted))))
     if o.list:
