@@ -180,7 +180,7 @@ std::list<std::shared_ptr<Mesh>> meshes; // most recently used first
 /// \param scales at least as many levels as these
 std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Arguments& a, Accuracy wanted, const std::function<Ball()>& pressure = {})
 {
-    const double tolerance = tolerance_for(wanted, law == Law::density ? 2 : 3.5);
+    const double tolerance = tolerance_for(wanted, law == Law::density ? 2 : 4.5);
     const WorkingPrecision precision(256);
     const Ball G = a.G(), P = law == Law::area ? Ball(0) : pressure();
     const double load = double(to_real(a.load()));
