@@ -41,7 +41,9 @@ std::string without_radii(const std::string& text)
         out += (*m)[1].length() == 0 ? "about 0" : rounded(std::stod((*m)[1].str()), std::stod((*m)[2].str()));
         from = text.begin() + m->position() + m->length();
     }
-    return out.append(from, text.end());
+    out.append(from, text.end());
+    static const std::regex exact(R"(([0-9]+)(?:\.0{5,}|(\.[0-9]*[1-9])0{4,})(?![0-9e]))"); // "2.0000000" and "0.50000000", which another version may have as balls
+    return std::regex_replace(out, exact, "$1$2");
 }
 
 bool has_a_number(const std::string& text) { return text.find_first_of("0123456789") != std::string::npos; }

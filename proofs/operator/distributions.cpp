@@ -46,8 +46,9 @@ Finding first_tail(const Constants& k)
     const Ball slope = k.ball(0), offset = k.ball(1), most = k.ball(2);
     const Ball ln2 = log(Ball(2)), cross = (root_kernel(Ball(4)) - 1) * ln2 + (root_kernel(Ball(8)) - 1) * 2 * ln2;
     return Argument("symbolic identity, and balls")
+        .add("s^2 = 1 - e^-u", identity(((1 - s) * (1 + s)).subs(exp(-u) == sym("q")), sym("q"), Points{"q=1/3"}))
         .add("int ((1 - e^-u)^(-1/2) - 1) du = 2 log(1 + (1 - e^-u)^(1/2)), 2 log 2 in all: its derivative, times the root",
-             identity(((2 * log(1 + s)).diff(GiNaC::ex_to<GiNaC::symbol>(u)) * s * (1 + s)).subs(exp(-u) == sym("q")), ((1 - s) * (1 + s)).subs(exp(-u) == sym("q")), Points{"q=1/3 u=1"}))
+             identity(((2 * log(1 + s)).diff(GiNaC::ex_to<GiNaC::symbol>(u)) * s * (1 + s)).subs(exp(-u) == sym("q")), sym("q"), Points{"q=1/3 u=1"}))
         .add("int_0^2d of both roots <= 2d + 3 log 2 + cross < first (d + second), at d = 4; it falls behind from there on", less_than(8 + 3 * ln2 + cross, slope * (4 + offset), "at d = 4"))
         .add("its slope is above 2", less_than(Ball(2), slope, "2"))
         .add("first (d + second) e^(-d/2) < third at d = 4, falling: d + second > 2", less_than(slope * (4 + offset) * exp(Ball(-2)), most, "at d = 4"))

@@ -124,7 +124,8 @@ Finding below_first(const Constants& k)
         .add("k y^(1/2) (x/G)^(1/2) pi = (t/R)^(3/2) ((1+x+R)/(1-x+R) R)^(1/2)/(2 (1 - t^2/4x)^(1/2)) < constant where t^2 <= 2x, t <= 1", positive_over([&](const std::vector<Ball>& v) {
                  const Ball x = v[0], t = v[1] * sqrt(2 * x), R = sqrt((1 - x) * (1 - x) + t * t);
                  if (certainly(less(Ball(1), t))) return Ball(1);
-                 const Ball q = at_most(t / R, Ball(1)), rest = at_most(R / (1 - x + R), Ball(1));
+                 const Ball cap(1), q = at_most(t / R, cap);
+                 const Ball rest = at_most(R / (1 - x + R), cap);
                  return k.ball(0) - q * sqrt(q) * sqrt((1 + x + R) * rest) / (2 * sqrt(1 - v[1] * v[1] / 2));
              }, {{"x", Rational(1, 10'000), Rational(9999, 10'000)}, {"t/(2x)^(1/2)", Rational(1, 1000), 1}}, 60'000))
         .conclude("(F2) below its first panel: the density of small ratios; the code doubles it");

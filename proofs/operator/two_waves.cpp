@@ -101,7 +101,7 @@ Finding first_wave(const Constants& k)
         .add("x < 1: k |hi - y|^(1/2) pi G^(1/2) y < constant", positive_over([&](const std::vector<Ball>& v) {
                  const Ball root_x = v[0], x = root_x * root_x, t = v[1] * root_x, R = sqrt((1 - x) * (1 - x) + 4 * t * t);
                  // with y = 2t/G, hi = 2 root_x/G: G^(1/2) y (2t/R) ((1+x+R)/((1-x+R)(hi + y)))^(1/2) = 2^(1/2) t ... ; 2t/R <= 1
-                 const Ball q = at_most(2 * t / R, Ball(1));
+                 const Ball cap(1), q = at_most(2 * t / R, cap);
                  return k.ball(0) - q * sqrt(2 * t * ((1 + x + R) / (1 - x + R)) * (t / (root_x + t)));
              }, {{"x^(1/2)", Rational(1, 100), Rational(999, 1000)}, {"y/hi", Rational(1, 100), 1}}, 60'000))
         .note("x >= 1: the farther end is at least 1/G away, so k <= (G^(1/2)/pi)|y - e|^(-1/2)")
