@@ -92,11 +92,12 @@ Finding positions(const Constants& k)
 {
     const WorkingPrecision wide(256);
     constexpr long least_share = 6; // of the end that z is where an angle is used
+    const Counted G = known_to_u(Ball(3)), G2 = G * G;
     Worst full, sine, cosine;
     const auto bound = k.ball(0);
     for (const Rational& x : {Rational(1), Rational(1001, 1000), Rational(3, 2), Rational(37), Rational(400)})
         for (long i = 0; i <= 16; ++i) {
-            const Counted t = exact(sqrt(Ball(Rational(i, 32)))), G = known_to_u(Ball(Rational(5, 4))), G2 = G * G, q = t * t, at = exact(Ball(x));
+            const Counted t = exact(sqrt(Ball(Rational(i, 32)))), q = t * t, at = exact(Ball(x));
             const std::string where = fmt::format("x = {}, {}/32", x.get_str(), i);
             const Counted high = wave::square_full_from_above<Counted>(at, q) / G2;
             full.below(high.relative(), bound, where);
@@ -105,13 +106,13 @@ Finding positions(const Constants& k)
         }
     for (const Rational& x : {Rational(1, 1'000'000), Rational(1, 10), Rational(1, 2), Rational(2, 3), Rational(4, 5), Rational(999, 1000)})
         for (long i = 0; i <= 32; ++i) { // q <= 1/2 is sin^2(theta/2), then cos^2
-            const Ball place(Rational(i, 64)), least = Ball(x) / least_share;
-            const Counted t = exact(sqrt(place)), G = known_to_u(Ball(3)), G2 = G * G, q = t * t, at = exact(Ball(x)), gap = Counted(1) - at;
+            const Ball end = 4 * Ball(x) / G2.value, least = end / least_share;
+            const Counted t = exact(sqrt(Ball(Rational(i, 64)))), q = t * t, at = exact(Ball(x)), gap = Counted(1) - at;
             const std::string where = fmt::format("x = {}, {}/64", x.get_str(), i);
             const Counted from_above = wave::square_partial_from_above<Counted>(at, q) / G2;
-            if (certainly(less(least, (1 - place) * (Ball(x) - place)))) sine.below(from_above.relative(), bound, where);
+            if (certainly(less(least, from_above.value))) sine.below(from_above.relative(), bound, where);
             const Counted from_below = wave::square_partial_from_below<Counted>(gap, q) / G2;
-            if (certainly(less(least, place * (place - 1 + Ball(x))))) cosine.below(from_below.relative(), bound, where);
+            if (certainly(less(least, from_below.value))) cosine.below(from_below.relative(), bound, where);
         }
     return Argument("the code's formulas in an arithmetic that counts")
         .add("x >= 1: z is known within constant u z", full.result())
