@@ -58,7 +58,7 @@ Finding arccos_near_1(const Constants& k)
 
 Finding arccos_far(const Constants& k)
 {
-    const ex a = sym("q") + 1;
+    const ex a = sym("G"); // any number above 1
     Check at_points{Verdict::verified, "576 points in complex balls"};
     for (long i = -4; i < 32; ++i)
         for (long j = 0; j < 16; ++j) {
@@ -89,11 +89,11 @@ Finding edge_of_contact(const Constants& k)
 
 Finding blur(const Constants& k)
 {
-    // (x + c)^2 moves by 2 (x + c) dx, (1 + c)(2x - 1 + c) by 2 (1 + c) dx, dx = 4 u x; second order below 1e-9 of that
+    // (x + c)^2 moves by 2 (x + c) dx, (1 + c)(2x - 1 + c) by 2 (1 + c) dx, dx = 4 u x; second order below 1e-9 of that: twice the first is far more than both
     const Ball enough = k.ball(0);
     return Argument("subdivision in balls")
-        .add("x >= 1: 8 (x + c) x < constant x (1 + x)", positive_over([&](const std::vector<Ball>& v) { return enough - 8 * (1 + v[0] * v[1]) / (1 + v[0]) * (1 + Ball(1) / 1'000'000); }, {{"1/x", 0, 1}, {"c", -1, 1}}))
-        .add("x < 1: 8 (1 + c) x < constant x (1 + x)", positive_over([&](const std::vector<Ball>& v) { return enough - 8 * (1 + v[1]) * (1 + Ball(1) / 1'000'000) / (1 + v[0]); }, {{"x", 0, 1}, {"c", -1, 1}}))
+        .add("x >= 1: 8 (x + c) x < constant x (1 + x)", positive_over([&](const std::vector<Ball>& v) { return enough - 2 * 8 * (1 + v[0] * v[1]) / (1 + v[0]); }, {{"1/x", 0, 1}, {"c", -1, 1}}))
+        .add("x < 1: 8 (1 + c) x < constant x (1 + x)", positive_over([&](const std::vector<Ball>& v) { return enough - 2 * 8 * (1 + v[1]) / (1 + v[0]); }, {{"x", 0, 1}, {"c", -1, 1}}))
         .conclude("what a load known to 4 u moves G^2 y^2 by, in units of u x (1 + x)");
 }
 
