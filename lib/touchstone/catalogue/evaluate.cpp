@@ -116,7 +116,8 @@ private:
 class Search {
 public:
     Search(const Quantity& q, const Plan& plan, const std::optional<Exact>& exact, const EvaluationOptions& options)
-        : q_(q), plan_(plan), exact_(exact), options_(options), witness_wants_(std::min(witness_digits, options.digits + witness_spare_digits)), own_threads_(plan.dear || q.costly || options.digits >= 300)
+        : q_(q), plan_(plan), exact_(exact), options_(options),
+          witness_wants_(std::min(witness_digits, options.digits + witness_spare_digits)), own_threads_(plan.dear || q.costly || options.digits >= 300)
     {
         if (plan.proofs.size() == 1 && second_look())
             witness_ = start(own_threads_, [look = second_look(), digits = witness_wants_] { return look->witness({digits}); });

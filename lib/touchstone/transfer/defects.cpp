@@ -23,10 +23,17 @@ void raise(double& bound, double v) { bound = v <= infinite ? max(bound, v) : in
 /// The rho of the Bernstein ellipse through focal sum 2(1 + d): what lies within d of [-1, 1] lies inside.
 double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
 
+/// Of a panel's width w: a part s w, where what increases is off by some s w, counts with the root of its width, (s w)^(3/2).
+double smallest_part_for(double tolerance)
+{
+    constexpr double share = 1.0 / 64, least = 1e-14, most = 1e-6; // share of the tolerance that one such part may take
+    return std::clamp(std::pow(share * tolerance, 2.0 / 3), least, most);
+}
+
 } // namespace
 
 Defects::Defects(const Rules& rules_, const Layer& V_, int levels_, double tolerance_, bool monotone_)
-    : rules(rules_), V(V_), levels(levels_), columns(V_.count), tolerance(tolerance_), monotone(monotone_), smallest_part(std::clamp(std::pow(tolerance / 64, 2.0 / 3), 1e-14, 1e-6)),
+    : rules(rules_), V(V_), levels(levels_), columns(V_.count), tolerance(tolerance_), monotone(monotone_), smallest_part(smallest_part_for(tolerance)),
       first_check(rules.orders.terms + (monotone ? 7 : 19), 4), defect(V.panels.size() * static_cast<std::size_t>(columns)), by_monotony(V.panels.size()), holes(static_cast<std::size_t>(levels))
 {
     for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {1.0, 4.0}}) checks.emplace_back(static_cast<int>(rules.orders.terms * share) + 7, rho);

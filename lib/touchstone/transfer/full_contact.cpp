@@ -210,12 +210,13 @@ Store& store()
     return s;
 }
 
-/// The rule for so many digits, three of them to spare; from finest_estimate on the finest.
-BlindRule blind_rule(Accuracy wanted)
+/// The blind grid's rule for so many digits; the finest from finest_estimate on, and for the other grid, which has a rule of its own.
+BlindRule blind_rule(Grid grid, Accuracy wanted)
 {
+    constexpr double spare_digits = 3, least_share = 0.4; // of the finest rule's digits: below, an interval would have too few points
     BlindRule rule;
-    const double share = std::clamp(static_cast<double>(wanted.digits + 3) / 18, 0.4, 1.0);
-    if (wanted.digits >= finest_estimate.digits || share >= 1) return rule;
+    const double share = std::max(least_share, (static_cast<double>(wanted.digits) + spare_digits) / -std::log10(rule.tolerance));
+    if (grid == Grid::tracked || wanted.digits >= finest_estimate.digits || share >= 1) return rule;
     rule.tolerance = std::pow(rule.tolerance, share);
     rule.points = static_cast<int>(std::ceil(rule.points * share));
     rule.angle_points = static_cast<int>(std::ceil(rule.angle_points * share));
@@ -279,7 +280,8 @@ void require_reach(long n, long most, const Ball& load, const Ball& G)
 Witness estimate(const Levels::Mean& mean, long n, const BlindRule& blind)
 {
     const Ball exact = exact_ball(mean.value);
-    const double rounding = 5e-19 + 1e-19 * std::sqrt(static_cast<double>(n)), levels = blind.tolerance > BlindRule().tolerance ? 4 * blind.tolerance * static_cast<double>(n + 1) : 0;
+    const double rounding = 5e-19 + 1e-19 * std::sqrt(static_cast<double>(n));
+    const double levels = blind.tolerance > BlindRule().tolerance ? 4 * blind.tolerance * static_cast<double>(n + 1) : 0;
     return {exact, abs(exact) * Ball::exactly(rounding + levels) + 4 * abs(exact_ball(mean.change))};
 }
 
@@ -290,13 +292,13 @@ Witness estimated_area(Grid grid, long n, const Ball& load, const Ball& G, Accur
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_areas, load, G);
     const Pair<Real> x = extended_pair(load);
-    const BlindRule blind = blind_rule(wanted);
+    const BlindRule blind = blind_rule(grid, wanted);
     return estimate(n == 0 ? Levels::Mean{first_area(x), Real(0)} : areas_of(grid, G, load, blind)->mean(n - 1, wave_from(x, extended_pair(G)), false), n, blind);
 }
 
 Witness estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G, Accuracy wanted)
 {
-    const BlindRule blind = blind_rule(wanted);
+    const BlindRule blind = blind_rule(grid, wanted);
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_distributions, load, G);
     Ball unit;
@@ -306,7 +308,7 @@ Witness estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load,
 
 Witness estimated_density(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G, Accuracy wanted)
 {
-    const BlindRule blind = blind_rule(wanted);
+    const BlindRule blind = blind_rule(grid, wanted);
     const WorkingPrecision precision(256);
     require_reach(n, most_scales_of_distributions, load, G);
     Ball unit;
