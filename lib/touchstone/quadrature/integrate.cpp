@@ -3,6 +3,7 @@
 
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/substitution.hpp"
+#include "touchstone/quadrature/upper.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -446,9 +447,7 @@ Integral Integration::run(const Limit& from, const Limit& to)
 bool is_within_tolerance(const Ball& value, const IntegralOptions& options)
 {
     if (!options.tolerance) return false;
-    Ball radius;
-    arf_set_mag(arb_midref(radius.get()), arb_radref(value.get()));
-    return arb_le(radius.get(), Ball(*options.tolerance).get()) != 0;
+    return arb_le(radius_of(value).get(), Ball(*options.tolerance).get()) != 0;
 }
 
 } // namespace
