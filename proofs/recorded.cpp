@@ -81,7 +81,10 @@ std::string recorded_form(const std::vector<CheckedLemma>& lemmas)
 {
     std::ostringstream out;
     out << "# What our own lemmas rest on, held by tests/proofs/operator.cpp: no control can see a smaller range, or a bound that became weaker and still holds.\n";
-    for (const CheckedLemma& e : lemmas) out << e.claim->id << " " << name(e.finding.verdict) << "\n" << numbers_of(e.finding);
+    for (const CheckedLemma& e : lemmas) {
+        out << e.claim->id << " " << name(e.finding.verdict) << "\n  " << e.statement << "\n" << numbers_of(e.finding);
+        for (const auto& control : e.controls) out << "  control: " << control.what << "\n";
+    }
     return out.str();
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace touchstone::proofs {
 
 ex Constants::exact(std::size_t i) const
@@ -45,6 +47,21 @@ std::vector<std::string> CheckedLemma::failures() const
     for (const auto& k : controls)
         if (k.finding.verdict != Verdict::refuted) all.push_back(fmt::format("control '{}' is {}", k.what, name(k.finding.verdict)));
     return all;
+}
+
+void Worst::below(const Ball& value, const Ball& bound, const std::string& where)
+{
+    const double share = arf_get_d(arb_midref((value / bound).get()), ARF_RND_NEAR);
+    ++points_;
+    sum_ += share;
+    most_ = std::max(most_, share);
+    if (refuted_.empty() && !certainly(less(value, bound))) refuted_ = where + ": " + value.to_string(6) + ", not below " + bound.to_string(6);
+}
+
+Check Worst::result() const
+{
+    if (!refuted_.empty()) return {Verdict::refuted, refuted_};
+    return {Verdict::verified, fmt::format("at {} points, at most {:.6g} of it, {:.6g} on average", points_, most_, sum_ / points_)};
 }
 
 const std::vector<OwnClaim>& own_claims()

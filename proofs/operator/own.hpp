@@ -56,6 +56,20 @@ struct CheckedLemma {
 
 CheckedLemma run(const OwnClaim&);
 
+/// Something positive that is to lie below its bound at each of many points. How near it comes, and the mean share of its bound that it takes, are said, to
+/// six digits: another choice of points, or another bound, is a change of what is on record (recorded.hpp).
+class Worst {
+public:
+    void below(const Ball& value, const Ball& bound, const std::string& where);
+    /// Verified, or refuted by the first point where it is not below.
+    Check result() const;
+
+private:
+    std::string refuted_;
+    double most_ = 0, sum_ = 0;
+    int points_ = 0;
+};
+
 /// All of them: the operator's first.
 const std::vector<OwnClaim>& own_claims();
 

@@ -39,24 +39,6 @@ Counted exact(const Ball& v) { return {v, Ball(0)}; }
 /// G is known to u, 2 units.
 Counted known_to_u(const Ball& v) { return {v, 2 * abs(v)}; }
 
-/// The largest of f over points, or the first that is not below.
-struct Worst {
-    Check check{Verdict::verified, ""};
-    double most = 0;
-    int points = 0;
-    void below(const Ball& value, const Ball& bound, const std::string& where)
-    {
-        ++points;
-        if (!certainly(less(value, bound)) && check.verdict != Verdict::refuted) check = {Verdict::refuted, where + ": " + value.to_string(6) + ", not below " + bound.to_string(6)};
-        most = std::max(most, arf_get_d(arb_midref((value / bound).get()), ARF_RND_NEAR));
-    }
-    Check result()
-    {
-        if (check.verdict != Verdict::refuted) check.detail = fmt::format("at {} points, at most {:.2f} of it", points, most);
-        return check;
-    }
-};
-
 /// Distances from an end: 1, 1/2, ... 2^-90
 const std::vector<long> powers{0, 1, 2, 4, 7, 11, 16, 24, 35, 50, 70, 90};
 
@@ -77,7 +59,7 @@ Finding kernel(const Constants& k)
         for (const long p : powers)
             for (const bool upper : {true, false}) { // z = end (1 - gap), or end gap; the code's cancellation is 4x/(4x - G^2 z)
                 const Ball gap = ScalarTraits<Ball>::power_of_two(-p), z = 4 * Ball(x) * (upper ? 1 - gap : gap);
-                if (upper ? p == 0 : p == 0) continue;
+                if (p == 0) continue;
                 const Counted d = wave::kernel_partial_squared<Counted>(exact(Ball(x)), exact(Ball(1)), exact(z));
                 partial.below(d.relative(), k.ball(0) * (upper ? 1 / gap : 1 / (1 - gap)), fmt::format("x = {}, 2^-{} from an end", x.get_str(), p));
             }

@@ -179,14 +179,20 @@ class Program:
         return objects
 
 
-def judged(program, numbers):
-    """number -> (found, survives or unreached; by whom)."""
-    done = subprocess.run([str(program)], input="\n".join(map(str, numbers)), capture_output=True, text=True)
-    print("# " + done.stderr.strip().replace("\n", "\n# "), flush=True)
-    if done.returncode:
+def judged(program, numbers, everything):
+    """number -> (found, survives or unreached; by whom). What survives is shown at once, so that it can be read while the others are judged."""
+    results = {}
+    with subprocess.Popen([str(program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as judge:
+        judge.stdin.write("\n".join(map(str, numbers)))
+        judge.stdin.close()
+        for line in judge.stdout:
+            number, verdict, who = line.rstrip("\n").split(" ", 2)
+            results[int(number)] = (verdict, who)
+            if verdict == "survives":
+                print(f"# {len(results)} of {len(numbers)}: {everything[int(number)]} survives", flush=True)
+    if judge.returncode:
         sys.exit("without any change something is found already, or the judge failed")
-    answers = (line.split(" ", 2) for line in done.stdout.splitlines())
-    return {int(number): (verdict, who) for number, verdict, who in answers}
+    return results
 
 
 def judged_alone(program, objects, change):
@@ -245,7 +251,7 @@ def main():
     program = Program(o)
     switched = {n: everything[n] for n in wanted}
     objects = program.build(switched)
-    results = judged(program.link(objects.values(), o.scratch / "judge"), [n for n in some if n in switched])
+    results = judged(program.link(objects.values(), o.scratch / "judge"), [n for n in some if n in switched], everything)
     strings = [n for n in results if results[n][0] == "unreached"]
     left = [n for n in some if n not in switched] + strings
     for n in random_order.sample(left, min(o.alone, len(left))):

@@ -36,7 +36,9 @@ namespace {
 
 using namespace touchstone::proofs;
 
-constexpr rlim_t most_seconds = 60; // of CPU, for all that looks at one change
+constexpr double least_seconds = 60; // of CPU, for all that looks at one change,
+constexpr double dear_share = 20;    // whoever takes more than a twentieth of all is named
+constexpr double times_as_long = 3;  // or this many times what they need without it, whatever is more
 
 __attribute__((constructor(101))) void switch_on_before_anything_else()
 {
@@ -123,11 +125,12 @@ Shared* shared()
 }
 
 /// Run in a child, which leaves no kept value behind. The exit status, or minus the signal.
-int in_child(const std::function<int()>& work)
+int in_child(double usual_seconds, const std::function<int()>& work)
 {
     std::cout.flush();
     const pid_t child = fork();
     if (child == 0) {
+        const auto most_seconds = static_cast<rlim_t>(std::max(least_seconds, times_as_long * usual_seconds));
         const rlimit limit{most_seconds, most_seconds};
         setrlimit(RLIMIT_CPU, &limit);
         const rlimit none{0, 0};
@@ -155,7 +158,7 @@ bool look_around(std::vector<Finder>& finders)
     bool good = true;
     for (Finder& f : finders) {
         std::memset(shared()->reached, 0, mutant::most);
-        const int status = in_child([&] {
+        const int status = in_child(least_seconds, [&] {
             mutant::reached = shared()->reached;
             const double start = cpu_seconds();
             const bool found = asks(f);
@@ -179,9 +182,9 @@ void report(int id, int status, const std::string& who)
 }
 
 /// What ran before main, or when the claims were put together, cannot be switched on afterwards: a fresh process, which looks at everything.
-int look_from_the_start(int id, const char* program)
+int look_from_the_start(int id, double usual_seconds, const char* program)
 {
-    return in_child([&] {
+    return in_child(usual_seconds, [&] {
         setenv("TOUCHSTONE_MUTANT", std::to_string(id).c_str(), 1);
         execl(program, program, "--plain", static_cast<char*>(nullptr));
         return 1;
@@ -217,22 +220,28 @@ int main(int argc, char** argv)
     if (!look_around(finders)) return 70;
     double all = 0;
     for (const Finder& f : finders) all += f.seconds;
-    std::cerr << finders.size() << " finders, " << all << " s\n";
     const std::vector<std::size_t> order = cheapest_first(finders);
+    std::cerr << "# " << finders.size() << " finders, " << all << " s; the dearest";
+    for (std::size_t i = order.size(); i > 0 && finders[order[i - 1]].seconds > all / dear_share; --i) std::cerr << ", " << finders[order[i - 1]].name << " " << finders[order[i - 1]].seconds;
+    std::cerr << "\n";
     for (int id = 0; std::cin >> id;) {
         const auto at = static_cast<std::size_t>(id);
         if (before[at]) {
-            report(id, look_from_the_start(id, argv[0]), "a fresh start");
+            report(id, look_from_the_start(id, all, argv[0]), "a fresh start");
             continue;
         }
         std::vector<std::size_t> who;
+        double usual_seconds = 0;
         for (const std::size_t i : order)
-            if (finders[i].reached[at]) who.push_back(i);
+            if (finders[i].reached[at]) {
+                who.push_back(i);
+                usual_seconds += finders[i].seconds;
+            }
         if (who.empty()) {
             std::cout << id << " unreached -" << std::endl;
             continue;
         }
-        const int status = in_child([&] {
+        const int status = in_child(usual_seconds, [&] {
             mutant::active = id;
             return first_who_finds(finders, who);
         });
