@@ -48,7 +48,7 @@ private:
 
 /// One way to compute a quantity: an enclosure at about the working precision.
 struct Route {
-    std::string name;
+    std::string name; ///< as `routes` of a table and of `eval --json` give it
     std::function<Ball(const Inputs&)> ball; ///< encloses the value
     /// Whether it also encloses all values over a box of inputs (it never looks at an input but as a ball).
     bool takes_boxes = false;
@@ -56,13 +56,13 @@ struct Route {
 
 /// A proof of a value at certain inputs.
 struct Proof {
-    std::string name;
+    std::string name; ///< as `routes` of a table and of `eval --json` give it
     std::function<Ball(Accuracy)> ball; ///< encloses the value. \throws BeyondReach
 };
 
 /// A look at the value without proof.
 struct Look {
-    std::string name;
+    std::string name; ///< as `list QUANTITY` gives it
     std::function<Witness(Accuracy)> witness; ///< \throws BeyondReach
 };
 
@@ -133,7 +133,7 @@ std::string nearest_name(std::string_view typed, const std::vector<std::string>&
 std::vector<std::string> quantity_names(); ///< in the catalogue's order
 
 /// The sections register their quantities here, one function for each file.
-void add_westergaard(std::vector<Quantity>&);
+void add_westergaard(std::vector<Quantity>&); // section 2
 void add_gap(std::vector<Quantity>&); ///< westergaard.gap, mean_gap, energy
 void add_weierstrass(std::vector<Quantity>&); ///< section 3
 void add_peaks(std::vector<Quantity>&); ///< section 5

@@ -4,7 +4,7 @@
 ///
 /// A_n/lambda0 = K_n G^-(n-1+2^-n) load^delta_n, G = gamma^(D-1). The product printed in (7.17)
 /// and (7.18) does not satisfy the recursion (7.13) it is derived from (proofs/section_7.cpp);
-/// what is computed here follows (7.13), as Table 1 does.
+/// what is computed here follows (7.13), as Table 1 does. load > 0, G > 1. `double`: 4 ulp beyond the inputs' rounding.
 #pragma once
 
 #include "touchstone/scalar/scalar.hpp"
@@ -32,7 +32,7 @@ T alpha(long n, const T& D)
     return (1 - D) * decay_exponent<T>(n);
 }
 
-/// (7.13)  K_{n+1}/K_n = 2^delta Gamma(1 + delta/2) / (sqrt(pi) Gamma(3/2 + delta/2)), delta = delta_n.
+/// (7.13)  K_{n+1}/K_n = 2^delta Gamma(1 + delta/2) / (sqrt(pi) Gamma(3/2 + delta/2)), delta = delta_n in [1/2, 1).
 template <Scalar T>
 T step(const T& delta)
 {
@@ -41,7 +41,7 @@ T step(const T& delta)
            / (sqrt(pi<T>()) * gamma_function(T(ratio<3, 2, T>() + half)));
 }
 
-/// (7.13) with K_0 = 2/pi: K_n by the recursion itself, n steps with two Gamma functions each.
+/// (7.13) with K_0 = 2/pi: K_n, n >= 0, by the recursion itself, n steps with two Gamma functions each. In `double` errors of all steps add.
 template <Scalar T>
 T K_by_recursion(long n)
 {
@@ -108,7 +108,7 @@ T area(long n, const T& load, const T& G, const T& K_n)
     return K_n * rest * half * load * half;
 }
 
-/// (7.21)  the limiting form of A_n/lambda0 at large n: K_inf G^-(n-1) load.
+/// (7.21)  the limiting form of A_n/lambda0 at large n: K_inf G^-(n-1) load. load > 0, G > 1; K_inf of (7.20).
 template <Scalar T>
 T area_limit(long n, const T& load, const T& G, const T& K_inf)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Section 5: the pressure at the highest peaks, scale after scale. Pressures in p*_n; G = gamma^(D-1) > 1.
+/// Section 5: the pressure at the highest peaks, scale after scale. Pressures in p*_n; G = gamma^(D-1) > 1. `double`: 4 ulp beyond the inputs' rounding.
 #pragma once
 
 #include "touchstone/scalar/scalar.hpp"
@@ -19,7 +19,7 @@ T f(const T& x)
 
 /// (5.6)  x_n = p_n^max/p*_{n+1} = f(x_{n-1})/G, n >= 0, started from x_{-1} = load = pbar/p*_0.
 /// One step halves the relative error in partial contact and divides it by G in full
-/// contact, so nothing is lost over many steps. Cost: n + 1 steps.
+/// contact, so nothing is lost over many steps. load > 0. Cost: n + 1 steps.
 template <OrderedScalar T>
 T iterate(long n, const T& load, const T& G)
 {

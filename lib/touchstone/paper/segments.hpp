@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Sections 8 and 9: the contact area as a set of segments. Lengths in lambda_0 (numbers) or lambda_n (widths).
+/// Sections 8 and 9: the contact area as a set of segments. Numbers N_n are per lambda_0, widths in lambda_n. `double`: 4 ulp beyond the inputs' rounding.
 #pragma once
 
 #include "touchstone/paper/archard.hpp"
@@ -20,7 +20,7 @@ T segments(long n, const T& load, const T& D, const T& gamma, const T& K_before)
     return K_before * pow(L, T(-power_of_two<T>(-n))) * half * L * half;
 }
 
-/// (8.3)  its limiting form at large n: K_inf gamma^((2-D)n + 2(D-1)) load.
+/// (8.3)  its limiting form at large n: K_inf gamma^((2-D)n + 2(D-1)) load. load > 0, 1 < D < 2, gamma > 1, both here and in (8.2).
 template <Scalar T>
 T segments_limit(long n, const T& load, const T& D, const T& gamma, const T& K_inf)
 {

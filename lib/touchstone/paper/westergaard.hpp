@@ -128,7 +128,7 @@ T density_partial(const T& p, const T& load, const T& root)
     const T R = hypot_of(T(1 - load), p);
     return p / (pi<T>() * R * root) * sqrt((1 + load + R) / (1 - load + R));
 }
-
+/// (2.19), (2.20) with the root formed here: q p*, load <= 1, 0 <= p < 2 sqrt(load).
 template <Scalar T>
 T density_partial(const T& p, const T& load)
 {

@@ -15,7 +15,7 @@ namespace touchstone {
 /// A value that `Exact` cannot hold. Not an error of the user: the signal to use balls.
 class NotExact : public std::exception {
 public:
-    const char* what() const noexcept override { return "value is not of the form r s^(1/m) pi^k"; }
+    const char* what() const noexcept override { return "value is not of the form r s^(1/m) pi^k"; } ///< one line
 };
 /// A number r s^(1/m) pi^k, in the one form that equal numbers share.
 class Exact {

@@ -17,8 +17,8 @@ std::optional<Exact> parse_exact(std::string_view text);
 
 /// A number as base^(1/degree), degree 1 if it is rational, else the least there is.
 struct Root {
-    Rational base;
-    unsigned long degree = 1;
+    Rational base; ///< what the root is taken of; any rational where degree is 1, else > 0
+    unsigned long degree = 1; ///< >= 1
 };
 /// \throws NotExact where pi comes in, or for a negative irrational number
 Root as_root(const Exact&);

@@ -26,7 +26,7 @@ struct ScalarTraits<Mpfr> : ComposedTraits<Mpfr> {
         Mpfr r;
         mpfr_const_pi(r.backend().data(), MPFR_RNDN);
         return r;
-    }
+    } ///< pi, rounded
     /// pi x after an exact reduction, so that sin_pi(1/2 - tiny) keeps its digits.
     static Mpfr sin_pi(const Mpfr& x)
     {
@@ -42,32 +42,32 @@ struct ScalarTraits<Mpfr> : ComposedTraits<Mpfr> {
         const Mpfr r = 2 * a > 1 ? Mpfr(1 - a) : a;
         const Mpfr c = 4 * r > 1 ? sin(pi() * (Mpfr(1) / 2 - r)) : cos(pi() * r);
         return 2 * a > 1 ? Mpfr(-c) : c;
-    }
+    } ///< cos(pi x), after the same reduction
     static Mpfr powm1(const Mpfr& x, const Mpfr& y)
     {
         Mpfr r = y * log(x);
         mpfr_expm1(r.backend().data(), r.backend().data(), MPFR_RNDN);
         return r;
-    }
+    } ///< x^y - 1, x > 0, by expm1(y log x)
     static Mpfr sqrt_positive_part(const Mpfr& x) { return x > 0 ? sqrt(x) : Mpfr(0); } ///< sqrt(max(x, 0))
     static Mpfr hypot(const Mpfr& a, const Mpfr& b)
     {
         Mpfr r;
         mpfr_hypot(r.backend().data(), a.backend().data(), b.backend().data(), MPFR_RNDN);
         return r;
-    }
+    } ///< sqrt(a^2 + b^2), rounded once
     static Mpfr power_of_two(long e)
     {
         Mpfr r(1);
         mpfr_mul_2si(r.backend().data(), r.backend().data(), e, MPFR_RNDN);
         return r;
-    }
+    } ///< 2^e, exact
     static Mpfr gamma(const Mpfr& x)
     {
         Mpfr r;
         mpfr_gamma(r.backend().data(), x.backend().data(), MPFR_RNDN);
         return r;
-    }
+    } ///< Euler's Gamma(x), rounded once
 
 private:
     /// x - 2k in [-1, 1], exactly.

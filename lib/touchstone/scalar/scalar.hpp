@@ -93,7 +93,7 @@ struct ScalarTraits<double> {
         const double r = a > 0.5 ? 1.0 - a : a;
         const double c = r > 0.25 ? std::sin(std::numbers::pi * (0.5 - r)) : std::cos(std::numbers::pi * r);
         return a > 0.5 ? -c : c;
-    }
+    } ///< cos(pi x), error < 1 ulp, reduced as sin_pi is
     static double powm1(double x, double y) { return std::expm1(y * std::log(x)); } ///< x^y - 1 for x > 0
     static double sqrt_positive_part(double x) { return x > 0 ? std::sqrt(x) : 0.0; } ///< sqrt(max(x, 0))
     /// sqrt(max(a - b^2, 0)), the difference with one rounding and safe from underflow.
@@ -195,8 +195,8 @@ template <class T>
 concept OrderedByTraits = requires(const T x, const T y) { { ScalarTraits<T>::less(x, y) } -> std::same_as<Truth>; };
 template <OrderedByTraits T> Truth less(const T& x, const T& y) { return ScalarTraits<T>::less(x, y); } ///< x < y
 template <OrderedByTraits T> T hull(const T& x, const T& y) { return ScalarTraits<T>::hull(x, y); } ///< both
-template <OrderedByTraits T> T at_most(const T& x, const T& bound) { return ScalarTraits<T>::less(bound, x) == Truth::yes ? bound : x; }
-template <OrderedByTraits T> T at_least(const T& x, const T& bound) { return ScalarTraits<T>::less(x, bound) == Truth::yes ? bound : x; }
+template <OrderedByTraits T> T at_most(const T& x, const T& bound) { return ScalarTraits<T>::less(bound, x) == Truth::yes ? bound : x; } ///< min
+template <OrderedByTraits T> T at_least(const T& x, const T& bound) { return ScalarTraits<T>::less(x, bound) == Truth::yes ? bound : x; } ///< max
 
 template <class T>
 concept Scalar = std::copyable<T> && requires(const T x, const T y, long n) {

@@ -73,7 +73,7 @@ inline double share_of_twice(double G, double l)
 struct Power {
     double factor = 1, exponent = 0.5; ///< C_k, a_k
 };
-inline Power after_steps(const Power& k, double G) { return {k.factor * std::pow(G, -k.exponent), (1 + k.exponent) / 2}; }
+inline Power after_steps(const Power& k, double G) { return {k.factor * std::pow(G, -k.exponent), (1 + k.exponent) / 2}; } ///< C_{k+1}, a_{k+1}; rounded
 
 /// **Lemma (singular_set):** The singular points of B_m are the images, under s -> G s + 1 and s -> G s - 1 (if >= 1) or G^2 s^2/4 (else), of 1, which every level adds afresh. G s - 1 >= 1
 /// exactly where G^2 s^2/4 >= 1: a point has one of the two images.
@@ -141,25 +141,25 @@ T tail_near_zero(const T& y)
 /// **Lemma (disc_full):** x_c > 1, |x - x_c| <= r <= reach g, g = |1 -+ c| at the edge where the continued polynomial takes over: |1 -+ c| keeps a fifth of itself on
 /// the middle part, where therefore |T V~| <= middle sup|V|, and grows at most to grown g at the end.
 struct DiscFull {
-    double reach = 0.79, middle = 5, grown = 1.8;
+    double reach = 0.79, middle = 5, grown = 1.8; ///< each as in the lemma
 };
-inline constexpr DiscFull disc_full;
+inline constexpr DiscFull disc_full; ///< the constants proved
 
 /// **Lemma (disc_partial):** x_c < 1, |x - x_c| <= r <= reach (1 - x_c): at constant P, |R| >= radius_kept R_c with Re R > 0, |R - R_c| <= radius_moves r, so c moves by at most cosine_moves r, which
 /// is to be within reach_at_end g; 1 + c keeps one_plus_c_kept of itself, |1 - c| a fifth, and |T V~| <= middle sup|V| on the middle part.
 /// *Proof.* |R^2 - R_c^2| = |x - x_c||2(1 - x_c) - (x - x_c)| <= reach (2 + reach)(1 - x_c)^2 <= 0.5376 R_c^2, and Re (1 + t)^(1/2) >= (1 - q)^(1/2) on |t| <= q; R_c >= 1 - x_c; 1 + c = R + 1 - x >= 2 (1 - x).
 struct DiscPartial {
-    double reach = 0.24, radius_kept = 0.66, radius_moves = 1.36, cosine_moves = 2.36, one_plus_c_kept = 0.7, middle = 4.1;
+    double reach = 0.24, radius_kept = 0.66, radius_moves = 1.36, cosine_moves = 2.36, one_plus_c_kept = 0.7, middle = 4.1; ///< each as in the lemma
 };
-inline constexpr DiscPartial disc_partial;
+inline constexpr DiscPartial disc_partial; ///< the constants proved
 
 /// **Lemma (disc_two_waves):** Let the ends of the first of two waves move by less than share of their distance from every singular point that matters, x by less than share of its own and of 1 - x:
 /// then |D_1| <= most D_1(x_c), the density after two waves.
 /// *Proof.* Two distances keep 1 - 2 share and 1 - share of themselves, dy grows by 1 + 2 share; |R^2 - R_c^2| <= share (2 + share) R_c^2, so |R| and what is added to it keep (1 - share (2 + share))^(1/2);
 /// the factors of (2.19) of either wave follow.
 struct DiscTwoWaves {
-    double share = 0.3, most = 75;
+    double share = 0.3, most = 75; ///< each as in the lemma
 };
-inline constexpr DiscTwoWaves disc_two_waves;
+inline constexpr DiscTwoWaves disc_two_waves; ///< the constants proved
 
 } // namespace touchstone::wave

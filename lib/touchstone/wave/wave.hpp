@@ -117,24 +117,24 @@ template <Field T>
 }
 
 // ---- z = y^2 at sin(theta/2)^2 = q (from above) or cos(theta/2)^2 = q (from below): times G^2
-
+/// P^2 of (2.2), x >= 1, at sin(theta/2)^2 = q: (x + 1 - 2 q)^2.
 template <Field T>
 [[gnu::always_inline]] inline T square_full_from_above(const T& x, const T& q)
 {
     const T P = x + 1 - 2 * q;
     return P * P;
-}
+} /// P^2 of (2.2), x >= 1, at cos(theta/2)^2 = q: (x - 1 + 2 q)^2.
 template <Field T>
 [[gnu::always_inline]] inline T square_full_from_below(const T& x, const T& q)
 {
     const T P = x - 1 + 2 * q;
     return P * P;
-}
+} /// P^2 of (2.4), x < 1, at sin(theta/2)^2 = q <= x.
 template <Field T>
 [[gnu::always_inline]] inline T square_partial_from_above(const T& x, const T& q)
 {
     return 4 * ((1 - q) * (x - q));
-}
+} /// P^2 of (2.4), x < 1, at cos(theta/2)^2 = q >= 1 - x.
 template <Field T>
 [[gnu::always_inline]] inline T square_partial_from_below(const T& one_minus_x, const T& q)
 {
@@ -173,22 +173,22 @@ template <Field T>
 
 /// The ends of the wave of ratio x: y is within [lowest, highest].
 template <Field T>
-[[gnu::always_inline]] inline T highest_full(const T& x, const T& G) { return (x + 1) / G; }
+[[gnu::always_inline]] inline T highest_full(const T& x, const T& G) { return (x + 1) / G; } ///< of (2.2), x >= 1
 template <Field T>
-[[gnu::always_inline]] inline T lowest_full(const T& x, const T& G) { return (x - 1) / G; }
+[[gnu::always_inline]] inline T lowest_full(const T& x, const T& G) { return (x - 1) / G; } ///< of (2.2), x >= 1
 template <Field T>
 [[gnu::always_inline]] inline T highest_partial(const T& x, const T& G)
 {
     using std::sqrt;
     return 2 * sqrt(x) / G;
-}
+} ///< of (2.4), x < 1, whose lowest y is 0
 /// If phi is singular at s, T phi is singular where s meets an end of the wave: at x = G s + 1 (the lower end); at G s - 1 where that is >= 1, else at
 /// G^2 s^2/4 (the upper end); and at x = 1, where (2.2) and (2.4) meet. Going back, s of an exceedance goes to (s +- 1)/G, or 2 s^(1/2)/G where s < 1.
 template <Field T>
-[[gnu::always_inline]] inline T meets_lower_end(const T& s, const T& G) { return G * s + 1; }
+[[gnu::always_inline]] inline T meets_lower_end(const T& s, const T& G) { return G * s + 1; } ///< x where s = lowest_full(x)
 template <Field T>
-[[gnu::always_inline]] inline T meets_upper_end_full(const T& s, const T& G) { return G * s - 1; }
+[[gnu::always_inline]] inline T meets_upper_end_full(const T& s, const T& G) { return G * s - 1; } ///< x where s = highest_full(x)
 template <Field T>
-[[gnu::always_inline]] inline T meets_upper_end_partial(const T& s, const T& G) { return G * G * s * s / 4; }
+[[gnu::always_inline]] inline T meets_upper_end_partial(const T& s, const T& G) { return G * G * s * s / 4; } ///< x where s = highest_partial(x)
 
 } // namespace touchstone::wave
