@@ -59,7 +59,9 @@ int write_certificate(const CertificateOptions& o)
     const std::string quantity = spec != nullptr ? spec->quantity : o.subject;
     if (spec == nullptr) quantity_named(o.subject);
     if (quantity != "contact.area" && quantity != "segments.count")
-        throw Failure(undecided, fmt::format("there are certificates of contact.area and segments.count only, not of '{}'; rows of closed form need none (checker/check.py)", quantity));
+        throw Failure(undecided, fmt::format("there are certificates of contact.area and segments.count only, not of '{}'; rows of closed "
+                                             "form need none (checker/check.py)",
+                                             quantity));
     std::vector<certificate::Area> areas;
     if (spec != nullptr) areas = areas_of_table(*spec);
     else {
@@ -81,11 +83,13 @@ int write_certificate(const CertificateOptions& o)
 
 void add_certificate(CLI::App& app, Run& run)
 {
-    auto* command = app.add_subcommand("certificate", "What checker/certificate.py replays: touchstone certificate contact.area n=3 G=3 load=1/10 --out FILE");
+    auto* command = app.add_subcommand(
+        "certificate", "What checker/certificate.py replays: touchstone certificate contact.area n=3 G=3 load=1/10 --out FILE");
     auto o = std::make_shared<CertificateOptions>();
     command->add_option("subject", o->subject, "contact.area or segments.count with inputs, or a table of them")->required();
     command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval");
-    command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")->check(CLI::Range(1L, certificate::most_digits));
+    command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")
+        ->check(CLI::Range(1L, certificate::most_digits));
     command->add_option("--out", o->out, "File to write (default: standard output)")->check(not_empty());
     command->callback([&run, o] { run = [o] { return write_certificate(*o); }; });
 }

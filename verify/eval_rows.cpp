@@ -110,12 +110,19 @@ class RowsRun {
 public:
     /// \param share nullptr: all rows
     RowsRun(const EvalOptions& o, const RowTableKind& kind, OwnRows& rows, const RowsShare* share)
-        : o_(o), job_{*kind.quantity, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, kind.rounding, o.jobs}, rows_(rows), kind_(kind), share_(share)
+        : o_(o)
+        , job_{*kind.quantity, {.digits = o.digits, .start_bits = o.start_precision, .limit_bits = o.max_precision}, kind.rounding, o.jobs}
+        , rows_(rows)
+        , kind_(kind)
+        , share_(share)
     {
         if (share_ != nullptr) table_ = std::make_unique<ShardSink>(share_->shard, shard_path(o.out, share_->shard));
         else table_ = std::make_unique<RowTable>(kind_, o.out, o.resume);
         // rows that come up on the terminal are their own progress
-        if (!o.out.empty() || ::isatty(STDOUT_FILENO) == 0) progress_.emplace("rows", share_ == nullptr ? rows.count() : static_cast<std::size_t>(std::count(share_->mine.begin(), share_->mine.end(), true)));
+        if (!o.out.empty() || ::isatty(STDOUT_FILENO) == 0)
+            progress_.emplace("rows", share_ == nullptr
+                                          ? rows.count()
+                                          : static_cast<std::size_t>(std::count(share_->mine.begin(), share_->mine.end(), true)));
     }
 
     int all()
@@ -128,7 +135,9 @@ public:
         }
         table_->finish(trouble_.empty());
         if (!trouble_.empty()) throw Failure(bad_input, trouble_);
-        if (refused_ > 0) throw Failure(bad_input, refused_ == 1 ? first_refusal_ : fmt::format("{} ({} rows have no value in all)", first_refusal_, refused_));
+        if (refused_ > 0)
+            throw Failure(bad_input,
+                          refused_ == 1 ? first_refusal_ : fmt::format("{} ({} rows have no value in all)", first_refusal_, refused_));
         return table_->counts().contains("undecided") ? undecided : holds;
     }
 
@@ -222,7 +231,9 @@ private:
         table_->finish(false);
         progress_.reset();
         fmt::print(stderr, "touchstone: interrupted; {} rows are done{}\n", table_->rows(),
-                   share_ != nullptr ? ", and nothing is kept of a share broken off" : o_.out.empty() ? "" : fmt::format(" and in {}: the same command with --resume goes on", o_.out));
+                   share_ != nullptr ? ", and nothing is kept of a share broken off"
+                   : o_.out.empty()  ? ""
+                                     : fmt::format(" and in {}: the same command with --resume goes on", o_.out));
     }
 
     const Interrupts guard_; ///< before the table's file exists
@@ -243,11 +254,17 @@ private:
 int evaluate_rows(const EvalOptions& o, const Quantity& q, const NamedTexts& named)
 {
     if (o.explain) throw Failure(usage_error, "--explain is for one value");
-    if (o.resume && (o.out.empty() || o.json)) throw Failure(usage_error, "--resume needs --out FILE, the table to go on with, and no --json");
+    if (o.resume && (o.out.empty() || o.json))
+        throw Failure(usage_error, "--resume needs --out FILE, the table to go on with, and no --json");
     if (o.digits < 1 || o.digits > 10'000) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", o.digits));
-    if (!o.shard.empty() && o.rows == "-") throw Failure(usage_error, "--shard reads the rows twice, to know whose they are: give a file, not standard input");
-    if (!o.shard.empty() && (o.resume || o.json)) throw Failure(usage_error, "--shard makes a share for touchstone merge, whole or not at all: no --resume, no --json");
-    const auto rows_anew = [&] { return o.rows.empty() ? rows_of_ranges(q, named, {.binary64 = o.binary64}) : rows_of_file(q, o.rows, named, {.binary64 = o.binary64}); };
+    if (!o.shard.empty() && o.rows == "-")
+        throw Failure(usage_error, "--shard reads the rows twice, to know whose they are: give a file, not standard input");
+    if (!o.shard.empty() && (o.resume || o.json))
+        throw Failure(usage_error, "--shard makes a share for touchstone merge, whole or not at all: no --resume, no --json");
+    const auto rows_anew = [&] {
+        return o.rows.empty() ? rows_of_ranges(q, named, {.binary64 = o.binary64})
+                              : rows_of_file(q, o.rows, named, {.binary64 = o.binary64});
+    };
     const auto rows = rows_anew();
     const RowTableKind kind{&q, rows->columns(), o.digits, *rounding_named(o.round), o.binary64, o.json};
     if (o.shard.empty()) return RowsRun(o, kind, *rows, nullptr).all();

@@ -157,8 +157,9 @@ std::string read_file(const fs::path& path)
 {
     const auto unreadable = [&](int error) {
         const bool missing = error == ENOENT || error == ENOTDIR;
-        return Failure(missing ? no_input_file : bad_input, missing ? fmt::format("no such file: {}", path.string())
-                                                                    : fmt::format("cannot read {}: {}", path.string(), std::strerror(error)));
+        return Failure(missing ? no_input_file : bad_input, missing
+                                                                ? fmt::format("no such file: {}", path.string())
+                                                                : fmt::format("cannot read {}: {}", path.string(), std::strerror(error)));
     };
     const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.open()) throw unreadable(errno);
@@ -169,7 +170,8 @@ std::string read_file(const fs::path& path)
         if (n < 0) throw unreadable(errno);
         if (n == 0) return bytes;
         bytes.append(buffer, 0, static_cast<std::size_t>(n));
-        if (bytes.size() > longest_file) throw Failure(bad_input, fmt::format("{}: longer than {} bytes, which no file of ours is", path.string(), longest_file));
+        if (bytes.size() > longest_file)
+            throw Failure(bad_input, fmt::format("{}: longer than {} bytes, which no file of ours is", path.string(), longest_file));
     }
 }
 

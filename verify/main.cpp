@@ -44,7 +44,8 @@ int guarded(const Run& run)
 {
     try {
         const int code = run();
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return complain(cannot_write, fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+            return complain(cannot_write, fmt::format("standard output cannot be written: {}", std::strerror(errno)));
         return code;
     }
     catch (const Failure& f) {
@@ -66,7 +67,8 @@ int guarded(const Run& run)
         return complain(bad_input, e.what());
     }
     catch (const std::system_error& e) { // what fmt throws when a full disk refuses its buffer
-        if (e.code() == std::errc::resource_unavailable_try_again) return complain(internal_error, "no thread could be started; try --jobs 1");
+        if (e.code() == std::errc::resource_unavailable_try_again)
+            return complain(internal_error, "no thread could be started; try --jobs 1");
         return complain(cannot_write, fmt::format("standard output cannot be written: {}", e.code().message()));
     }
     catch (const std::bad_alloc&) {
@@ -112,11 +114,13 @@ int main(int argc, char** argv)
     add_judge(app, run);
     add_report(app, run);
     add_certificate(app, run);
-    if (const std::string_view first = argc > 1 ? argv[1] : ""; !first.empty() && first.front() != '-') { // before a --help after it is obeyed
+    if (const std::string_view first = argc > 1 ? argv[1] : "";
+        !first.empty() && first.front() != '-') { // before a --help after it is obeyed
         std::vector<std::string> names;
         for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
         if (std::find(names.begin(), names.end(), first) == names.end())
-            return complain(usage_error, fmt::format("no subcommand '{}'; nearest is '{}' (try: touchstone --help)", first, nearest_name(first, names)));
+            return complain(usage_error,
+                            fmt::format("no subcommand '{}'; nearest is '{}' (try: touchstone --help)", first, nearest_name(first, names)));
     }
     try {
         std::vector<std::string> words = words_of(argc, argv);

@@ -21,7 +21,10 @@
 namespace touchstone::program {
 namespace {
 
-bool among(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool among(const std::vector<std::string>& names, const std::string& name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// The quantity's inputs, with D and gamma for G if they are given.
 std::vector<std::string> columns_for(const Quantity& q, const std::vector<std::string>& keys)
@@ -93,8 +96,15 @@ std::size_t lines_in(const std::string& path)
 class RowsOfFile : public OwnRows {
 public:
     RowsOfFile(const Quantity& q, const std::string& path, const NamedTexts& constants, OwnRowsOptions options)
-        : q_(q), options_(options), lines_(lines_in(path)), name_(path == "-" ? "standard input" : path), file_(opened(path)),
-          reader_(file_ ? *file_ : std::cin, name_, {.known = known(q), .ignored = options.printed ? std::vector<std::string>{} : std::vector<std::string>{"value", "error", "answer", "forced"}, .free_last = options.printed})
+        : q_(q)
+        , options_(options)
+        , lines_(lines_in(path))
+        , name_(path == "-" ? "standard input" : path)
+        , file_(opened(path))
+        , reader_(file_ ? *file_ : std::cin, name_,
+                  {.known = known(q),
+                   .ignored = options.printed ? std::vector<std::string>{} : std::vector<std::string>{"value", "error", "answer", "forced"},
+                   .free_last = options.printed})
     {
         std::vector<std::string> keys;
         const auto& names = reader_.columns();
@@ -123,7 +133,12 @@ public:
     bool next(OwnRow& row) override
     {
         if (!reader_.next(read_)) return false;
-        row = OwnRow{read_.number, constants_, std::nullopt, fmt::format("{}:{}: row {}", name_, read_.line, read_.number), options_.printed ? read_.words.back() : "", {}};
+        row = OwnRow{read_.number,
+                     constants_,
+                     std::nullopt,
+                     fmt::format("{}:{}: row {}", name_, read_.line, read_.number),
+                     options_.printed ? read_.words.back() : "",
+                     {}};
         for (std::size_t k = 0; k < columns_.size(); ++k) {
             if (!places_[k]) continue;
             const std::string& word = read_.words[*places_[k]];
@@ -150,7 +165,8 @@ private:
     {
         if (path == "-") return nullptr;
         std::error_code ignored;
-        if (std::filesystem::is_directory(path, ignored)) throw Failure(bad_input, fmt::format("{} is a directory; --rows takes a file of rows", path));
+        if (std::filesystem::is_directory(path, ignored))
+            throw Failure(bad_input, fmt::format("{} is a directory; --rows takes a file of rows", path));
         errno = 0;
         auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
         if (!*file) throw Failure(no_input_file, fmt::format("cannot read {}: {}", path, std::strerror(errno)));
@@ -192,7 +208,8 @@ public:
         if (done_ == total_) return false;
         row = OwnRow{done_ + 1, std::vector<std::string>(columns_.size()), std::nullopt, fmt::format("row {}", done_ + 1), {}, {}};
         std::size_t rest = done_++;
-        for (std::size_t k = ranges_.size(); k-- > 0; rest /= ranges_[k].size()) row.words[places_[k]] = printable(ranges_[k].at(rest % ranges_[k].size()));
+        for (std::size_t k = ranges_.size(); k-- > 0; rest /= ranges_[k].size())
+            row.words[places_[k]] = printable(ranges_[k].at(rest % ranges_[k].size()));
         try {
             fill(row, q_, columns_, options_.binary64);
         }
@@ -226,7 +243,8 @@ NamedTexts key_values(const Quantity& q, const std::vector<std::string>& words)
     for (const auto& word : words) {
         const auto equals = word.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw Failure(usage_error, fmt::format("'{}' is not KEY=VALUE; {} takes {}", word, q.name, q.inputs.empty() ? "no inputs" : fmt::format("{}", fmt::join(q.inputs, ", "))));
+            throw Failure(usage_error, fmt::format("'{}' is not KEY=VALUE; {} takes {}", word, q.name,
+                                                   q.inputs.empty() ? "no inputs" : fmt::format("{}", fmt::join(q.inputs, ", "))));
         named.emplace_back(word.substr(0, equals), word.substr(equals + 1));
     }
     return named;

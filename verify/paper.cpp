@@ -254,7 +254,8 @@ int explain(const Entry& e)
     }
     section("method", e.finding.method);
     if (const CoqTheorem* t = coq_theorem(e.claim->id))
-        section("Coq", fmt::format("{} in {}{}{}{}", t->theorem, t->file, t->whole ? "" : " (in part)", t->sense.empty() ? "" : ": ", t->sense));
+        section("Coq",
+                fmt::format("{} in {}{}{}{}", t->theorem, t->file, t->whole ? "" : " (in part)", t->sense.empty() ? "" : ": ", t->sense));
     section("judged in", e.finding.judge);
     for (std::size_t i = 0; i < e.finding.lemmas.size(); ++i) section(i == 0 ? "lemmas" : "", e.finding.lemmas[i]);
     if (!e.finding.rows.empty())

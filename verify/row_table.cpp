@@ -26,8 +26,15 @@ const std::vector<std::string> statuses{"exact", "certified", "estimated", "unde
 Json description(const RowTableKind& k)
 {
     const Quantity& q = *k.quantity;
-    return {{"name", "own rows"}, {"quantity", q.name}, {"equation", q.equation}, {"unit", q.unit}, {"description", q.description}, {"inputs", k.columns},
-            {"input_format", k.binary64 ? "binary64" : "exact"}, {"digits", k.digits}, {"rounding", rounding_names()[static_cast<std::size_t>(k.rounding)]}};
+    return {{"name", "own rows"},
+            {"quantity", q.name},
+            {"equation", q.equation},
+            {"unit", q.unit},
+            {"description", q.description},
+            {"inputs", k.columns},
+            {"input_format", k.binary64 ? "binary64" : "exact"},
+            {"digits", k.digits},
+            {"rounding", rounding_names()[static_cast<std::size_t>(k.rounding)]}};
 }
 
 /// Whether a file's JSON line describes the same kind of table.
@@ -57,7 +64,10 @@ std::string longest_of(const std::vector<std::string>& paths)
     return longest;
 }
 
-Failure not_written(const std::string& path) { return Failure(cannot_write, fmt::format("cannot write {}: {}", path, std::strerror(errno))); }
+Failure not_written(const std::string& path)
+{
+    return Failure(cannot_write, fmt::format("cannot write {}: {}", path, std::strerror(errno)));
+}
 
 } // namespace
 
@@ -127,7 +137,10 @@ RowTableKind kind_from(const std::string& json)
     throw CorruptTable("rows of another program: '" + json.substr(0, 80) + "'");
 }
 
-RowTable::RowTable(RowTableKind kind, std::string out, bool resume) : kind_(std::move(kind)), out_(std::move(out)), hash_(std::make_unique<Hash>())
+RowTable::RowTable(RowTableKind kind, std::string out, bool resume)
+    : kind_(std::move(kind))
+    , out_(std::move(out))
+    , hash_(std::make_unique<Hash>())
 {
     std::error_code error;
     stream_ = out_.empty() || (fs::exists(out_, error) && !fs::is_regular_file(out_, error));
@@ -152,9 +165,11 @@ void RowTable::open_before(const std::string& path)
     before_ = std::make_unique<std::ifstream>(path, std::ios::binary);
     bool same = false;
     std::string line;
-    while (before_->peek() == '#' && std::getline(*before_, line)) same = same || (line.starts_with("# {") && same_kind(line.substr(2), kind_));
+    while (before_->peek() == '#' && std::getline(*before_, line))
+        same = same || (line.starts_with("# {") && same_kind(line.substr(2), kind_));
     if (!same)
-        throw Failure(usage_error, fmt::format("{} is not a table of {} with these columns, digits and rounding: nothing to resume", path, kind_.quantity->name));
+        throw Failure(usage_error, fmt::format("{} is not a table of {} with these columns, digits and rounding: nothing to resume", path,
+                                               kind_.quantity->name));
     if (path == part_) part_ = out_ + ".part2";
 }
 
@@ -174,19 +189,23 @@ std::string RowTable::header(const std::string& summary) const
     Json h = description(kind_);
     h["version"] = std::string(version());
     if (!summary.empty()) h.update(Json::parse(summary));
-    const char* direction = kind_.rounding == Rounding::nearest ? "to nearest" : kind_.rounding == Rounding::up ? "up" : kind_.rounding == Rounding::down ? "down"
-                          : kind_.rounding == Rounding::zero ? "towards zero" : "away from zero";
-    return fmt::format(
-        "# Touchstone values of {}\n"
-        "# {}; equation {}; unit {}\n"
-        "# {}\n"
-        "# value: the true value rounded {}, {} significant digits (fewer if exact). error: bound of |value - true value|. After #: the row's status;\n"
-        "# exact and certified are proven, estimated is not (nor is its error), undecided and refused say why.\n"
-        "# {}\n# {} value error\n",
-        q.name, q.description, q.equation, q.unit,
-        kind_.binary64 ? "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to."
-                       : "Inputs are exact: 0.1 is 1/10.",
-        direction, kind_.digits, h.dump(), fmt::join(kind_.columns, " "));
+    const char* direction = kind_.rounding == Rounding::nearest ? "to nearest"
+                            : kind_.rounding == Rounding::up    ? "up"
+                            : kind_.rounding == Rounding::down  ? "down"
+                            : kind_.rounding == Rounding::zero  ? "towards zero"
+                                                                : "away from zero";
+    return fmt::format("# Touchstone values of {}\n"
+                       "# {}; equation {}; unit {}\n"
+                       "# {}\n"
+                       "# value: the true value rounded {}, {} significant digits (fewer if exact). error: bound of |value - true value|. "
+                       "After #: the row's status;\n"
+                       "# exact and certified are proven, estimated is not (nor is its error), undecided and refused say why.\n"
+                       "# {}\n# {} value error\n",
+                       q.name, q.description, q.equation, q.unit,
+                       kind_.binary64
+                           ? "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to."
+                           : "Inputs are exact: 0.1 is 1/10.",
+                       direction, kind_.digits, h.dump(), fmt::join(kind_.columns, " "));
 }
 
 std::string RowTable::summary(bool complete) const

@@ -69,8 +69,8 @@ protected:
     std::size_t rows_ = 0;
 };
 
-/// The table on standard output, whose last line says how many rows and which hash, or in a file: there it grows in FILE.part and becomes FILE,
-/// with the same in its first lines, once it is finished or broken off.
+/// The table on standard output, whose last line says how many rows and which hash, or in a file: there it grows in FILE.part and becomes
+/// FILE, with the same in its first lines, once it is finished or broken off.
 class RowTable : public RowSink {
 public:
     /// \param out empty: standard output \throws Failure (cannot_write)

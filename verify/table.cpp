@@ -66,7 +66,8 @@ std::string first_difference(const std::string& expected, const std::string& fou
         if (more_a != more_b || x != y) {
             const auto place = static_cast<std::size_t>(std::mismatch(x.begin(), x.end(), y.begin(), y.end()).first - x.begin());
             const bool returns = y == x + "\r";
-            return fmt::format("line {}: regenerated '{}', stored '{}'{}", line, more_a ? shown_from(x, place) : "", more_b ? shown_from(y, place) : "",
+            return fmt::format("line {}: regenerated '{}', stored '{}'{}", line, more_a ? shown_from(x, place) : "",
+                               more_b ? shown_from(y, place) : "",
                                returns ? "; lines end in CR LF where LF is right (git's core.autocrlf?)" : "");
         }
     }
@@ -101,7 +102,8 @@ std::vector<const TableSpec*> chosen(const std::vector<std::string>& names, std:
 /// Only what rounded inputs force is worked out anew, in the stored tables; their values stay as they are.
 int renew_forced(const TableOptions& o)
 {
-    if (o.out.empty() || o.check || o.format != "txt") throw Failure(usage_error, "--renew-forced needs --out DIR, the folder of the stored txt tables, and no --check");
+    if (o.out.empty() || o.check || o.format != "txt")
+        throw Failure(usage_error, "--renew-forced needs --out DIR, the folder of the stored txt tables, and no --check");
     std::list<TableSpec> own;
     nlohmann::ordered_json fresh = nlohmann::ordered_json::array();
     for (const TableSpec* spec : chosen(o.names, own)) {
@@ -110,8 +112,13 @@ int renew_forced(const TableOptions& o)
         const StoredTable stored = parse_table(text, path.string());
         const std::string renewed = with_forced(stored, text);
         if (renewed != text) write_file(path, renewed);
-        fresh.push_back({{"name", spec->name}, {"file", spec->name + ".txt"}, {"quantity", spec->quantity}, {"rows", stored.rows.size()}, {"digits", stored.digits},
-                         {"status", nlohmann::json::parse(stored.header_json).at("status")}, {"sha256", sha256(renewed)}});
+        fresh.push_back({{"name", spec->name},
+                         {"file", spec->name + ".txt"},
+                         {"quantity", spec->quantity},
+                         {"rows", stored.rows.size()},
+                         {"digits", stored.digits},
+                         {"status", nlohmann::json::parse(stored.header_json).at("status")},
+                         {"sha256", sha256(renewed)}});
         fmt::print("{:<28} {:>5} rows, {}\n", spec->name + ".txt", stored.rows.size(), renewed == text ? "unchanged" : "written");
         std::fflush(stdout);
     }
@@ -122,12 +129,14 @@ int renew_forced(const TableOptions& o)
 /// One share of each table; merge makes them whole.
 int make_shares(const TableOptions& o)
 {
-    if (o.check || o.format != "txt") throw Failure(usage_error, "--shard makes shares of txt tables, for touchstone merge: no --check, no --format");
+    if (o.check || o.format != "txt")
+        throw Failure(usage_error, "--shard makes shares of txt tables, for touchstone merge: no --check, no --format");
     const Share share = share_named(o.shard);
     std::list<TableSpec> own;
     const auto specs = chosen(o.names, own);
     if (specs.size() > 1 && (o.out.empty() || o.out.ends_with(".txt"))) throw Failure(usage_error, "several tables need --out DIR");
-    if (o.digits && (*o.digits < 1 || *o.digits > 10'000)) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
+    if (o.digits && (*o.digits < 1 || *o.digits > 10'000))
+        throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
     int code = holds;
     for (const TableSpec* spec : specs)
         if (!o.skip_slow || !spec->slow) code = std::max(code, table_share(*spec, o.digits.value_or(spec->digits), o.jobs, share, o.out));
@@ -141,7 +150,8 @@ int make_tables(const TableOptions& o)
     std::list<TableSpec> own;
     auto specs = chosen(o.names, own);
     if (o.skip_slow) std::erase_if(specs, [](const TableSpec* t) { return t->slow; });
-    if (o.digits && (*o.digits < 1 || *o.digits > 10'000)) throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
+    if (o.digits && (*o.digits < 1 || *o.digits > 10'000))
+        throw Failure(bad_input, fmt::format("digits = {}: must be from 1 to 10000", *o.digits));
     if (o.out.empty() && (specs.size() > 1 || o.check))
         throw Failure(usage_error, o.check ? "--check needs --out DIR, the folder of the stored tables" : "several tables need --out DIR");
     if (!o.out.empty() && !o.check) {
@@ -169,8 +179,13 @@ int make_tables(const TableOptions& o)
         any_undecided = any_undecided || t.status() == Status::undecided;
         const std::string text = format(t, o.format);
         const std::string file = spec->name + "." + o.format;
-        manifest.push_back({{"name", spec->name}, {"file", file}, {"quantity", spec->quantity}, {"rows", t.rows.size()}, {"digits", t.digits},
-                            {"status", std::string(to_string(t.status()))}, {"sha256", sha256(text)}});
+        manifest.push_back({{"name", spec->name},
+                            {"file", file},
+                            {"quantity", spec->quantity},
+                            {"rows", t.rows.size()},
+                            {"digits", t.digits},
+                            {"status", std::string(to_string(t.status()))},
+                            {"sha256", sha256(text)}});
         if (o.out.empty()) {
             fmt::print("{}", text);
             continue;
@@ -181,7 +196,8 @@ int make_tables(const TableOptions& o)
             const std::string stored = read_file(path);
             verdict = stored == text ? "unchanged" : "CHANGED";
             if (stored != text) {
-                if (!stored.starts_with(text.substr(0, 8))) throw CorruptTable(fmt::format("{}: not a table in {} format", path.string(), o.format)); // not even a changed one
+                if (!stored.starts_with(text.substr(0, 8)))
+                    throw CorruptTable(fmt::format("{}: not a table in {} format", path.string(), o.format)); // not even a changed one
                 changed.push_back(fmt::format("{} differs: {}", path.string(), first_difference(text, stored)));
             }
         }
@@ -208,15 +224,25 @@ void add_table(CLI::App& app, Run& run)
 {
     auto* command = app.add_subcommand("table", "Certified tables: touchstone table archard_K, touchstone table all --out DIR");
     auto o = std::make_shared<TableOptions>();
-    command->add_option("names", o->names, "Table names, files FILE.json that describe a table of your own, or all: " + fmt::format("{}", fmt::join(table_names(), " ")))->required();
+    command
+        ->add_option("names", o->names,
+                     "Table names, files FILE.json that describe a table of your own, or all: " +
+                         fmt::format("{}", fmt::join(table_names(), " ")))
+        ->required();
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000 (default: each table's own)");
-    command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")->check(CLI::IsMember(table_formats()))->capture_default_str();
+    command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")
+        ->check(CLI::IsMember(table_formats()))
+        ->capture_default_str();
     command->add_option("--out", o->out, "Folder for the files; without it one table goes to standard output")->check(not_empty());
     command->add_option("--jobs", o->jobs, "Threads")->check(CLI::Range(1u, 1024u));
     command->add_flag("--skip-slow", o->skip_slow, "Leave out the tables that take minutes (full contact, distributions at all scales)");
     command->add_flag("--check", o->check, "Write nothing: regenerate and compare with the files in --out, byte for byte");
-    command->add_flag("--renew-forced", o->renew_forced, "Only what rounded inputs force is worked out anew, in the tables in --out; their values are kept");
-    command->add_option("--shard", o->shard, "I/N: only share I of N, a file of its own in --out, for touchstone merge; kept if it is there already")->check(not_empty());
+    command->add_flag("--renew-forced", o->renew_forced,
+                      "Only what rounded inputs force is worked out anew, in the tables in --out; their values are kept");
+    command
+        ->add_option("--shard", o->shard,
+                     "I/N: only share I of N, a file of its own in --out, for touchstone merge; kept if it is there already")
+        ->check(not_empty());
     command->callback([&run, o] { run = [o] { return make_tables(*o); }; });
 }
 
