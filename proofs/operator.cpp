@@ -33,10 +33,10 @@ OwnClaim identity_claim(const std::string& id, const std::string& statement, con
 
 Finding place(const ex& one)
 {
-    const ex u2 = pow(sym("u"), 2);
+    const ex u2 = sym("u"); // the square of the place
     return Argument("symbolic identity")
         .add("P^2 of (2.4) at c = 1 - 2 x u^2 is 4 x (1 - u^2)(1 - x u^2)",
-             identity(wave::pressure_partial_squared<ex>(x(), 1 - 2 * x() * u2), 4 * one * wave::quarter_pressure_squared<ex>(x(), u2, 1 - u2), partial_points))
+             identity(wave::pressure_partial_squared<ex>(x(), 1 - 2 * x() * u2), one * 4 * wave::quarter_pressure_squared<ex>(x(), u2, 1 - u2), partial_points))
         .conclude("the wave by its phase and by the place in its contact");
 }
 
@@ -112,6 +112,7 @@ Finding equilibrium(const ex& one)
     const ex u = sym("u"), w = ring.root("w", 1 - pow(u, 2)), root_x = ring.root("v", x()), rest = ring.root("r", 1 - x() * pow(u, 2));
     const ex y_of = 2 * root_x * w * rest / G(), dtheta = 2 * root_x * w / rest; // u = sin psi, w = cos psi
     const ex psi = sym("psi"), mean = psi / 2 + sin(2 * psi) / 4;
+    const ex theta = sym("theta"), full = (x() * theta + sin(theta)) / G();
     Ring angles;
     angles.angle("a", psi);
     return Argument("symbolic identities")
@@ -119,9 +120,11 @@ Finding equilibrium(const ex& one)
         .add("sin(theta) dtheta/dpsi = -dc/dpsi = 4 x sin(psi) cos(psi)", identity(pow(dtheta, 2) * (1 - pow(1 - 2 * x() * pow(u, 2), 2)), pow(4 * x() * u * w, 2), partial_points, ring))
         .add("x < 1: y dtheta = (4x/G) cos^2(psi) dpsi", identity(y_of * dtheta, 4 * wave::equilibrium<ex>(x(), G()) * pow(w, 2), partial_points, ring))
         .add("cos^2 is the derivative of psi/2 + sin(2 psi)/4", identity(mean.diff(symbol_of(psi)), pow(cos(psi), 2), Points{"psi=1/3"}, angles))
-        .add("which grows by pi/4 to psi = pi/2: T y = x/G", identity(4 / GiNaC::Pi * (mean.subs(psi == GiNaC::Pi / 2) - mean.subs(psi == 0)), one, Points{"psi=1/3"}))
-        .add("x >= 1: (x theta + sin theta)/G has the derivative y, and grows by pi x/G",
-             identity(((x() * sym("theta") + sin(sym("theta"))) / G()).subs(sym("theta") == GiNaC::Pi) / GiNaC::Pi, one * wave::equilibrium<ex>(x(), G()), full_points))
+        .add("which is 0 at psi = 0", identity(mean.subs(psi == 0), 0, Points{"psi=1/3"}))
+        .add("and pi/4 at psi = pi/2: T y = x/G", identity(4 / GiNaC::Pi * mean.subs(psi == GiNaC::Pi / 2), one, Points{"psi=1/3"}))
+        .add("x >= 1: (x theta + sin theta)/G has the derivative y", identity(full.diff(symbol_of(theta)), wave::pressure_full<ex>(x(), cos(theta)) / G(), Points{"x=3/2 G=5/4 theta=1/3"}))
+        .add("is 0 at theta = 0", identity(full.subs(theta == 0), 0, full_points))
+        .add("and pi x/G at theta = pi", identity(full.subs(theta == GiNaC::Pi) / GiNaC::Pi, one * wave::equilibrium<ex>(x(), G()), full_points))
         .conclude("the mean pressure is the load, at every scale: id is an eigenfunction of T, of eigenvalue 1/G");
 }
 
@@ -225,14 +228,12 @@ Finding after_steps(const Constants& k)
 Finding singular_set(const ex& one)
 {
     const ex s = sym("s");
-    Ring ring;
-    ring.root("v", pow(G() * s, 2) / 4);
     const Points at{"G=5/4 s=7/5", "G=3 s=1/3"};
     return Argument("symbolic identities")
         .add("the lower end of the wave at G s + 1 is s", identity(wave::lowest_full<ex>(wave::meets_lower_end<ex>(s, G()), G()), one * s, at))
         .add("the upper end of the wave at G s - 1 is s", identity(wave::highest_full<ex>(wave::meets_upper_end_full<ex>(s, G()), G()), one * s, at))
         .add("the upper end at G^2 s^2/4, partial contact, is s", identity(pow(wave::highest_partial<ex>(wave::meets_upper_end_partial<ex>(s, G()), G()), 2), one * pow(s, 2), at))
-        .add("one of the two: G^2 s^2/4 - 1 = ((G s - 1) - 1)(G s/2 + 1)/2", identity(wave::meets_upper_end_partial<ex>(s, G()) - 1, (wave::meets_upper_end_full<ex>(s, G()) - 1) * (G() * s / 2 + 1) / 2 * one, at))
+        .add("one of the two: G^2 s^2/4 - 1 = ((G s - 1) - 1)(G s/2 + 1)/2", identity(wave::meets_upper_end_partial<ex>(s, G()) - 1, one * (wave::meets_upper_end_full<ex>(s, G()) - 1) * (G() * s / 2 + 1) / 2, at))
         .note("away from these x no singular point is at an end of the path of integration, which may then be moved into the complex plane")
         .conclude("where the functions of the recursion are not analytic");
 }

@@ -6,6 +6,7 @@
 /// Run with -s to see the worst row of each table.
 #include "touchstone/paper/archard.hpp"
 #include "touchstone/paper/as_printed.hpp"
+#include "touchstone/paper/gap.hpp"
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/paper/segments.hpp"
 #include "touchstone/paper/weierstrass.hpp"
@@ -117,6 +118,10 @@ const std::map<std::string, Code>& library_codes()
         {"westergaard_pressure", [](const Row& r) { return westergaard::pressure(r[0], r[1]); }},
         {"westergaard_exceedance", [](const Row& r) { return westergaard::exceedance(r[0], r[1]); }},
         {"westergaard_density", [](const Row& r) { return westergaard::density(r[0], r[1]); }},
+        {"westergaard_gap", [](const Row& r) { return westergaard::gap(r[0], r[1]); }},
+        {"westergaard_mean_gap", [](const Row& r) { return westergaard::mean_gap(r[0]); }},
+        {"westergaard_energy", [](const Row& r) { return westergaard::energy(r[0]); }},
+        {"hertz_gap", [](const Row& r) { return hertz::gap(r[0], r[1]); }},
         {"hertz_half_width", [](const Row& r) { return hertz::half_width(r[0]); }},
         {"hertz_pressure", [](const Row& r) { return hertz::pressure(r[0], r[1]); }},
         {"weierstrass_bound", [](const Row& r) { return weierstrass::bound(r[0], r[1]); }},

@@ -108,6 +108,7 @@ TEST_CASE("limits, symmetry, and the seams")
     CHECK(westergaard::gap(0.3, 7.0) == 0);
     CHECK(westergaard::gap(-0.4, 0.3) == westergaard::gap(0.4, 0.3));
     CHECK(westergaard::mean_gap(1.0) == 0);
+    CHECK(westergaard::mean_gap(1.5) == 0);
     CHECK(westergaard::mean_gap(5e-324) == 1);
     CHECK(westergaard::energy(1.0) == 0.25);
     CHECK(westergaard::energy(3.0) == 0.25);
