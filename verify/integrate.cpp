@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone integrate`: the integral of a typed formula, with a proof.
-#include "touchstone/quadrature/integrate.hpp"
+#include "touchstone/quadrature/path.hpp"
 #include "touchstone/rounding/decimal.hpp"
 #include "touchstone/scalar/rational_text.hpp"
 #include "verify/commands.hpp"
@@ -14,7 +14,8 @@ namespace touchstone::program {
 namespace {
 
 struct IntegrateOptions {
-    std::string formula, from, to, at, principal_value, tolerance;
+    std::string formula, from, to, path, at, principal_value, tolerance;
+    std::vector<std::string> set;
     long digits = 30;
     bool json = false, explain = false;
 };
@@ -23,12 +24,13 @@ struct IntegrateOptions {
 struct Shown {
     std::string value, error;
     long digits = 0;
+    std::string imaginary; ///< of a complex value, to the same decimal place
 };
 
 Shown shown(const Ball& value, long digits)
 {
     for (long d = digits; d > 0; --d)
-        if (const auto decimal = round_to_digits(value, d)) return {decimal->text(), decimal->half_unit(), d};
+        if (const auto decimal = round_to_digits(value, d)) return {decimal->text(), decimal->half_unit(), d, ""};
     return {};
 }
 
@@ -36,13 +38,54 @@ Shown shown(const Ball& value, long digits)
 Shown shown_within(const Ball& value, const Rational& tolerance, const std::string& text)
 {
     const Ball size = abs(value);
-    if (value.contains_zero()) return arb_le(size.get(), Ball(tolerance).get()) ? Shown{"0", text, 0} : Shown{};
+    if (value.contains_zero()) return arb_le(size.get(), Ball(tolerance).get()) ? Shown{"0", text, 0, ""} : Shown{};
     const long most =
         static_cast<long>(static_cast<double>(std::max<slong>(0, std::min<slong>(value.relative_bits(), 40000))) * 0.30103) + 1;
     for (long d = 1; d <= most; ++d)
         if (const auto decimal = round_to_digits(value, d); decimal && *parse_rational(decimal->half_unit()) <= tolerance)
-            return {decimal->text(), decimal->half_unit(), d};
+            return {decimal->text(), decimal->half_unit(), d, ""};
     return {};
+}
+
+/// The multiple of 10^place that all numbers of the ball round to.
+std::optional<std::string> rounded_to_place(const Ball& x, long place, long digits)
+{
+    const WorkingPrecision precision(2 * bits_for_digits(digits) + 64);
+    Ball units = x * Ball(power(Rational(10), -place)) + Ball(1) / Ball(2), n;
+    arb_floor(n.get(), units.get(), WorkingPrecision::bits());
+    const auto whole = exact_value(n);
+    if (!whole) return std::nullopt;
+    Decimal d;
+    d.negative = *whole < 0;
+    d.digits = *whole == 0 ? "" : Integer(abs(whole->get_num())).get_str();
+    d.exponent = place + static_cast<long>(d.digits.size());
+    return d.digits.empty() ? "0" : d.text();
+}
+
+/// A complex value: N digits of the larger part, the smaller to the same place.
+Shown shown(const Ball& real, const Ball& imaginary, long digits)
+{
+    const bool real_is_larger = arf_cmpabs(arb_midref(real.get()), arb_midref(imaginary.get())) >= 0;
+    const Ball &large = real_is_larger ? real : imaginary, &small = real_is_larger ? imaginary : real;
+    for (long d = digits; d > 0; --d) {
+        const auto decimal = round_to_digits(large, d);
+        if (!decimal || decimal->digits.empty()) continue;
+        const auto other = rounded_to_place(small, decimal->exponent - static_cast<long>(decimal->digits.size()), digits);
+        if (!other) continue;
+        return {real_is_larger ? decimal->text() : *other, decimal->half_unit(), d, real_is_larger ? *other : decimal->text()};
+    }
+    return {};
+}
+
+quadrature::Vertex vertex_of(const std::string& text, const char* what, const quadrature::Parameters& parameters)
+{
+    try {
+        return quadrature::parse_vertex(text, parameters);
+    }
+    catch (const quadrature::ExpressionError& e) {
+        throw Failure(bad_input,
+                      fmt::format("{} '{:.60}': {} (an end is a number such as 0, 1/3, pi/2, log(2), 1+i, inf, -inf, i*inf)", what, text, e.what()));
+    }
 }
 
 quadrature::Limit limit_of(const std::string& text, const char* what)
@@ -52,33 +95,70 @@ quadrature::Limit limit_of(const std::string& text, const char* what)
     }
     catch (const quadrature::ExpressionError& e) {
         throw Failure(bad_input,
-                      fmt::format("{} '{:.60}': {} (an end is a number such as 0, 1/3, pi/2, log(2), inf, -inf)", what, text, e.what()));
+                      fmt::format("{} '{:.60}': {} (a place is a number such as 0, 1/3, pi/2, log(2))", what, text, e.what()));
     }
+}
+
+/// What stands between the separators.
+std::vector<std::string> words_of(const std::string& text, char separator)
+{
+    std::vector<std::string> words;
+    int depth = 0;
+    std::string word;
+    for (const char c : text) {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == separator && depth == 0)
+            words.push_back(std::exchange(word, ""));
+        else
+            word += c;
+    }
+    if (!text.empty()) words.push_back(word);
+    return words;
 }
 
 std::vector<quadrature::Limit> points_of(const std::string& text, const char* what)
 {
     std::vector<quadrature::Limit> points;
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t comma = std::min(text.find(',', start), text.size());
-        points.push_back(limit_of(text.substr(start, comma - start), what));
-        start = comma + 1;
-    }
+    for (const std::string& word : words_of(text, ',')) points.push_back(limit_of(word, what));
     return points;
 }
+
+/// --set a=0.5 --set b=1/3+/-1e-20
+quadrature::Parameters parameters_of(const std::vector<std::string>& set)
+{
+    quadrature::Parameters parameters;
+    for (const std::string& word : set) {
+        const auto equals = word.find('=');
+        const std::string name = word.substr(0, equals);
+        if (equals == std::string::npos || !quadrature::is_free_name(name))
+            throw Failure(bad_input, fmt::format("--set '{:.60}': NAME=NUMBER or NAME=NUMBER+/-RADIUS with a name that means nothing yet (a, b, c1, ...)", word));
+        try {
+            if (!parameters.emplace(name, quadrature::parse_parameter(word.substr(equals + 1))).second)
+                throw Failure(bad_input, fmt::format("--set: '{}' is set twice", name));
+        }
+        catch (const quadrature::ExpressionError& e) {
+            throw Failure(bad_input, fmt::format("--set '{:.60}': {}", word, e.what()));
+        }
+    }
+    return parameters;
+}
+
+bool has_certificate(const quadrature::Part& p) { return !p.certificate.panels.empty(); }
 
 nlohmann::ordered_json as_json(const quadrature::Part& p)
 {
     nlohmann::ordered_json j{
         {"from", p.from}, {"to", p.to}, {"rule", p.rule}, {"evaluations", p.evaluations}, {"enclosure", p.value.to_string(40)}};
-    if (p.rule == "tanh-sinh") j["certificate"] = nlohmann::ordered_json::parse(p.certificate.to_json());
+    if (arb_is_zero(p.imaginary.get()) == 0) j["imaginary"] = p.imaginary.to_string(40);
+    if (has_certificate(p)) j["certificate"] = nlohmann::ordered_json::parse(p.certificate.to_json());
     return j;
 }
 
 void explain(const quadrature::Part& p)
 {
-    fmt::print("  [{}, {}] {}, {} evaluations: {}\n", p.from, p.to, p.rule, p.evaluations, p.value.to_string(20));
-    if (p.rule != "tanh-sinh") {
+    const std::string imaginary = arb_is_zero(p.imaginary.get()) != 0 ? "" : fmt::format(" + i {}", p.imaginary.to_string(20));
+    fmt::print("  [{}, {}] {}, {} evaluations: {}{}\n", p.from, p.to, p.rule, p.evaluations, p.value.to_string(20), imaginary);
+    if (!has_certificate(p)) {
         fmt::print("    each panel is analytic on an ellipse that was enclosed (Arb's acb_calc_integrate)\n");
         return;
     }
@@ -91,33 +171,56 @@ void explain(const quadrature::Part& p)
                p.certificate.truncation().to_string(3), p.certificate.rounding().to_string(3));
 }
 
-quadrature::Integral computed(const IntegrateOptions& o, quadrature::IntegralOptions options, const std::optional<Rational>& asked,
-                              Shown& s)
+/// What is to be integrated, and along what.
+struct Problem {
+    std::string text;
+    quadrature::ExpressionPtr formula;
+    std::vector<quadrature::Vertex> path;
+};
+
+quadrature::ExpressionPtr formula_of(const std::string& text, const quadrature::Parameters& parameters)
 {
-    const auto formula = [&] {
-        try {
-            return quadrature::parse_expression(o.formula);
-        }
-        catch (const quadrature::ExpressionError& e) {
-            throw Failure(bad_input, fmt::format("formula '{:.60}', {}", o.formula, e.what()));
-        }
-    }();
-    const auto from = limit_of(o.from, "lower end"), to = limit_of(o.to, "upper end");
-    quadrature::Integral result;
+    try {
+        return quadrature::parse_expression(text, parameters);
+    }
+    catch (const quadrature::ExpressionError& e) {
+        throw Failure(bad_input, fmt::format("formula '{:.60}', {}", text, e.what()));
+    }
+}
+
+/// The integral, and its digits.
+struct Answer {
+    quadrature::Integral integral;
+    Shown shown;
+};
+
+Shown shown(const quadrature::Integral& i, const IntegrateOptions& o, const std::optional<Rational>& asked)
+{
+    if (!i.is_complex) return asked ? shown_within(i.value, *asked, o.tolerance) : shown(i.value, o.digits);
+    if (!asked) return shown(i.value, i.imaginary, o.digits);
+    const Shown real = shown_within(i.value, *asked, o.tolerance), imaginary = shown_within(i.imaginary, *asked, o.tolerance);
+    if (real.value.empty() || imaginary.value.empty()) return {};
+    return {real.value, o.tolerance, std::max(real.digits, imaginary.digits), imaginary.value};
+}
+
+Answer computed(const IntegrateOptions& o, const Problem& problem, const quadrature::IntegralOptions& options,
+                const std::optional<Rational>& asked)
+{
+    Answer a;
     for (const long more : {0L, 4L, 16L}) { // a value close to the middle between two decimals asks for more
         auto with_more = options;
         with_more.digits += more;
         try {
-            result = quadrature::integrate(formula, from, to, with_more);
+            a.integral = quadrature::integrate_along(problem.formula, problem.path, with_more);
         }
         catch (const quadrature::ExpressionError& e) {
-            throw Failure(bad_input, fmt::format("formula '{:.60}', {}", o.formula, e.what()));
+            throw Failure(bad_input, fmt::format("formula '{:.60}', {}", problem.text, e.what()));
         }
-        if (!result.value.is_finite()) break;
-        s = asked ? shown_within(result.value, *asked, o.tolerance) : shown(result.value, o.digits);
-        if (s.digits == o.digits || result.status != quadrature::Status::certified || !s.value.empty()) break;
+        if (!a.integral.value.is_finite()) break;
+        a.shown = shown(a.integral, o, asked);
+        if (a.shown.digits == o.digits || a.integral.status != quadrature::Status::certified || !a.shown.value.empty()) break;
     }
-    return result;
+    return a;
 }
 
 /// Without the blank that keeps a minus from being read as an option (main.cpp), and any other around it.
@@ -127,9 +230,8 @@ std::string bare(const std::string& text)
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-int integrate_and_print(IntegrateOptions o)
+quadrature::IntegralOptions options_of(const IntegrateOptions& o)
 {
-    for (std::string* text : {&o.formula, &o.from, &o.to, &o.at, &o.principal_value, &o.tolerance}) *text = bare(*text);
     if (o.digits < 1 || o.digits > 10000) throw Failure(bad_input, fmt::format("--digits {}: between 1 and 10000", o.digits));
     quadrature::IntegralOptions options;
     options.digits = o.digits;
@@ -141,41 +243,83 @@ int integrate_and_print(IntegrateOptions o)
             throw Failure(bad_input, fmt::format("--tolerance '{:.40}' {}", o.tolerance, why_not_rational(o.tolerance)));
         if (*options.tolerance <= 0) throw Failure(bad_input, fmt::format("--tolerance {} is not positive", o.tolerance));
     }
+    return options;
+}
+
+nlohmann::ordered_json as_json(const IntegrateOptions& o, const Problem& problem, const Answer& a, const char* status,
+                               const std::string& reason)
+{
+    const auto& [result, s] = a;
+    nlohmann::ordered_json j{{"formula", problem.text}, {"from", o.from}, {"to", o.to}};
+    if (!o.path.empty()) j["path"] = o.path;
+    const auto text_or_null = [&](const std::string& text) {
+        return !s.value.empty() ? nlohmann::ordered_json(text) : nlohmann::ordered_json(nullptr);
+    };
+    j["value"] = text_or_null(s.value);
+    if (result.is_complex) j["imaginary"] = text_or_null(s.imaginary);
+    j["digits"] = s.digits;
+    j["status"] = status;
+    j["error"] = text_or_null(s.error);
+    if (!reason.empty()) j["reason"] = reason;
+    if (result.value.is_finite()) {
+        j["enclosure"] = result.value.to_string(o.digits + 5);
+        if (result.is_complex) j["imaginary_enclosure"] = result.imaginary.to_string(o.digits + 5);
+        if (const auto d = nearest_double(result.value)) j["binary64"] = hexfloat(*d);
+    }
+    j["parts"] = nlohmann::ordered_json::array();
+    for (const auto& p : result.parts) j["parts"].push_back(as_json(p));
+    return j;
+}
+
+std::string value_text(const Answer& a, long digits)
+{
+    const auto& [result, s] = a;
+    if (s.value.empty())
+        return result.value.to_string(digits) + (result.is_complex ? " + " + result.imaginary.to_string(digits) + "*i" : "");
+    if (!result.is_complex) return s.value;
+    const bool negative = s.imaginary.starts_with('-');
+    return fmt::format("{} {} {}*i", s.value, negative ? '-' : '+', negative ? s.imaginary.substr(1) : s.imaginary);
+}
+
+void print(const IntegrateOptions& o, const Problem& problem, const Answer& a, const char* status, const std::string& reason)
+{
+    const Shown& s = a.shown;
+    fmt::print("{}\n", value_text(a, o.digits));
+    const std::string accuracy = s.value.empty() ? "no digit proven"
+                                 : s.digits > 0  ? fmt::format("{} digits, |error| <= {}", s.digits, s.error)
+                                                 : fmt::format("|error| <= {}", s.error);
+    fmt::print("  integral of {} from {}{} to {}: {}, {}\n", problem.text, o.from, o.path.empty() ? "" : " by " + o.path, o.to, status,
+               accuracy);
+    if (!reason.empty()) fmt::print("  {}\n", reason);
+    if (o.explain)
+        for (const auto& p : a.integral.parts) explain(p);
+}
+
+int integrate_and_print(IntegrateOptions o)
+{
+    for (std::string* text : {&o.formula, &o.from, &o.to, &o.path, &o.at, &o.principal_value, &o.tolerance}) *text = bare(*text);
+    quadrature::IntegralOptions options = options_of(o);
+    const quadrature::Parameters parameters = parameters_of(o.set);
+    Problem problem{o.formula, formula_of(o.formula, parameters), {vertex_of(o.from, "lower end", parameters)}};
+    for (const std::string& word : words_of(o.path, ',')) problem.path.push_back(vertex_of(word, "point of the path", parameters));
+    problem.path.push_back(vertex_of(o.to, "upper end", parameters));
     const std::optional<Rational> tolerance = options.tolerance;
     if (tolerance) *options.tolerance /= 100; // so that a decimal within it exists
-    Shown s;
-    const quadrature::Integral result = computed(o, options, tolerance, s);
+    const Answer a = computed(o, problem, options, tolerance);
+    const quadrature::Integral& result = a.integral;
     if (result.divergent && !o.json) throw Failure(bad_input, result.reason);
-    const bool proven = result.value.is_finite();
-    const bool certified = result.status == quadrature::Status::certified && (tolerance ? !s.value.empty() : s.digits == o.digits);
+    const bool certified =
+        result.status == quadrature::Status::certified && (tolerance ? !a.shown.value.empty() : a.shown.digits == o.digits);
     const std::string reason = certified               ? ""
-                               : result.reason.empty() ? fmt::format("only {} of {} digits proven", s.digits, o.digits)
+                               : result.reason.empty() ? fmt::format("only {} of {} digits proven", a.shown.digits, o.digits)
                                                        : result.reason;
-    if (o.json) {
-        nlohmann::ordered_json j{{"formula", o.formula}, {"from", o.from}, {"to", o.to}};
-        j["value"] = !s.value.empty() ? nlohmann::ordered_json(s.value) : nlohmann::ordered_json(nullptr);
-        j["digits"] = s.digits;
-        j["status"] = result.divergent ? "divergent" : certified ? "certified" : "undecided";
-        j["error"] = !s.value.empty() ? nlohmann::ordered_json(s.error) : nlohmann::ordered_json(nullptr);
-        if (!reason.empty()) j["reason"] = reason;
-        if (proven) j["enclosure"] = result.value.to_string(o.digits + 5);
-        if (const auto d = proven ? nearest_double(result.value) : std::nullopt) j["binary64"] = hexfloat(*d);
-        j["parts"] = nlohmann::ordered_json::array();
-        for (const auto& p : result.parts) j["parts"].push_back(as_json(p));
-        fmt::print("{}\n", j.dump());
-    }
-    else if (!proven)
+    const char* status = result.divergent ? "divergent" : certified ? "certified" : "undecided";
+    if (o.json)
+        fmt::print("{}\n", as_json(o, problem, a, status, reason).dump());
+    else if (!result.value.is_finite())
         throw Failure(undecided, reason);
-    else {
-        fmt::print("{}\n", !s.value.empty() ? s.value : result.value.to_string(o.digits));
-        const std::string accuracy = s.value.empty() ? "no digit proven"
-                                     : s.digits > 0  ? fmt::format("{} digits, |error| <= {}", s.digits, s.error)
-                                                     : fmt::format("|error| <= {}", s.error);
-        fmt::print("  integral of {} from {} to {}: {}, {}\n", o.formula, o.from, o.to, certified ? "certified" : "undecided", accuracy);
-        if (!reason.empty()) fmt::print("  {}\n", reason);
-        if (o.explain)
-            for (const auto& p : result.parts) explain(p);
-    }
+    else
+        print(o, problem, a, status, reason);
     return result.divergent ? bad_input : certified ? holds : undecided;
 }
 
@@ -188,10 +332,12 @@ void add_integrate(CLI::App& app, Run& run)
     auto o = std::make_shared<IntegrateOptions>();
     command
         ->add_option("formula", o->formula,
-                     "In x: + - * / ^, pi, e, exp, log, sqrt, sin, ..., gamma, erf, besselj(n, x), ... (docs/quadrature.md)")
+                     "In x: + - * / ^, pi, e, i, exp, log, sqrt, sin, ..., gamma, erf, besselj(n, x), ... (docs/quadrature.md)")
         ->required();
     command->add_option("from", o->from, "Lower end: 0, 1/3, pi/2, log(2), -inf")->required();
     command->add_option("to", o->to, "Upper end, inf too")->required();
+    command->add_option("--path", o->path, "Points of the plane between the ends, separated by commas: 1+i,-1+i");
+    command->add_option("--set", o->set, "A parameter of the formula, a number or a ball: a=1/3, a=0.5+/-1e-20");
     command->add_option("--at", o->at, "Points where the formula changes, separated by commas");
     command->add_option("--principal-value", o->principal_value, "Poles inside, separated by commas, about which Cauchy's principal value is meant");
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000")->capture_default_str();

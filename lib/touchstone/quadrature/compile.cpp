@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/compiled.hpp"
+#include "touchstone/quadrature/inner_integral.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,7 @@ private:
     NodePtr constant(const ExactSum& c) const;
     NodePtr factored(const Polynomial& p) const;
     std::optional<ExpressionPtr> rewritten(const Expression& e) const;
+    NodePtr part_of(const ExpressionPtr& e) const;
     void find_zeros(Node& n, const Expression& e) const;
     std::optional<Zero> zero_at(const Node& n, const Expression& e, Side side) const;
     std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node& n, Side side, double radius) const;
@@ -134,6 +136,18 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     }
 }
 
+/// Re, Im and conj of what is real are what they are; |f|^2 = f f*.
+NodePtr Compiler::part_of(const ExpressionPtr& e) const
+{
+    const ExpressionPtr& a = e->args[0];
+    if (e->op == Op::abs)
+        return power(of(Op::real_part, product(a, of(Op::conjugate, a))), make_number(Rational(1, 2)));
+    const bool of_value = e->op == Op::real_value || e->op == Op::imaginary_value;
+    const bool imaginary = e->op == Op::imaginary_part || e->op == Op::imaginary_value;
+    if (is_real(*a) && !(of_value && has_complex_point(*a))) return imaginary ? constant(ExactSum(0)) : compile(a);
+    return node(e->op == Op::conjugate ? Kind::conjugate : imaginary ? Kind::imaginary_part : Kind::real_part, {a}, e->op);
+}
+
 /// exp(k x + c), k rational, is a power of exp(x).
 NodePtr Compiler::exponential(const ExpressionPtr& argument) const
 {
@@ -166,6 +180,9 @@ NodePtr Compiler::power(const ExpressionPtr& base, const ExpressionPtr& exponent
             n->exponent = Exponent(*q);
             return n;
         }
+        if (const auto a = exact && !exact->is_real() ? exact->real().rational() : std::nullopt) // z^(a + ib) = z^a exp(ib log z)
+            return compile(product(make(Op::power, {base, make_number(*a)}),
+                                   of(Op::exp, product(difference(exponent, make_number(*a)), of(Op::log, base)))));
         if (base->op != Op::e && depends_on_x(*base)) return node(Kind::ball_power, {base, exponent});
     }
     if (base->op == Op::e) return compile(of(Op::exp, exponent));
@@ -252,6 +269,25 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     switch (e->op) {
     case Op::number: return constant(ExactSum(e->number));
     case Op::pi: return constant(ExactSum::pi());
+    case Op::imaginary_unit: return constant(ExactSum::i());
+    case Op::ball: {
+        auto n = std::make_unique<Node>();
+        n->kind = Kind::ball;
+        n->source = e;
+        return n;
+    }
+    case Op::real_part:
+    case Op::imaginary_part:
+    case Op::conjugate:
+    case Op::real_value:
+    case Op::imaginary_value: return part_of(e);
+    case Op::integral: {
+        auto n = std::make_unique<Node>();
+        n->kind = Kind::inner_integral;
+        n->inner = inner_integral(*e);
+        for (const ExpressionPtr& end : e->args) n->args.push_back(is_infinite_end(*end) ? nullptr : compile(end));
+        return n;
+    }
     case Op::e: return compile(of(Op::exp, number(1)));
     case Op::variable: {
         auto n = std::make_unique<Node>();
@@ -267,11 +303,16 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     case Op::power: return power(e->args[0], e->args[1]);
     case Op::exp: return exponential(e->args[0]);
     case Op::abs:
+        if (!is_real(*e->args[0])) return part_of(e);
+        return without_branch(e);
     case Op::sign:
     case Op::floor:
     case Op::ceil:
     case Op::max:
-    case Op::min: return without_branch(e);
+    case Op::min: require_real_arguments(*e); return without_branch(e);
+    case Op::ei: // left of the imaginary axis the function is another one than the usual
+        require_real_arguments(*e);
+        return node(Kind::function, e->args, e->op);
     case Op::bessel_j:
     case Op::bessel_y:
     case Op::bessel_i:
@@ -279,6 +320,7 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     case Op::polylog:
         if (depends_on_x(*e->args[0]))
             throw ExpressionError(e->column, "the order of a Bessel function or polylogarithm must not depend on x");
+        require_real_arguments(*e, true);
         return node(Kind::ordered_function, e->args, e->op);
     default: return node(Kind::function, e->args, e->op);
     }
@@ -296,7 +338,8 @@ NodePtr Compiler::compile(const ExpressionPtr& e) const
     }
     if (const auto better = rewritten(*e)) return compile(*better);
     NodePtr n = by_operation(e);
-    if (has_range() && depends_on_x(*e) && (n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function))
+    if (has_range() && depends_on_x(*e) && (n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||
+                                             n->kind == Kind::real_part || n->kind == Kind::imaginary_part))
         find_zeros(*n, *e);
     return n;
 }
@@ -371,6 +414,14 @@ void Compiler::find_zeros(Node& n, const Expression& e) const
 }
 
 } // namespace
+
+void require_real_arguments(const Expression& e, bool all_but_last)
+{
+    const std::size_t n = e.args.size() - (all_but_last ? 1 : 0);
+    for (std::size_t k = 0; k < n; ++k)
+        if (!is_real(*e.args[k]))
+            throw ExpressionError(e.column, "this function takes real arguments: write re(...) or im(...) where a number is complex");
+}
 
 NodePtr compile(const ExpressionPtr& e, const Place& place) { return Compiler(place).compile(e); }
 

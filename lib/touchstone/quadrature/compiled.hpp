@@ -22,8 +22,15 @@ enum class Kind {
     general_power,
     function,
     ordered_function,
-    exponential
+    exponential,
+    ball,
+    real_part,
+    imaginary_part,
+    conjugate,
+    inner_integral
 };
+
+struct InnerIntegral;
 
 /// s^order T at one end, s the distance to it.
 struct Zero {
@@ -41,6 +48,8 @@ struct Node {
     Op op = Op::number;
     std::vector<NodePtr> args;
     std::optional<ExactSum> exact; // constant
+    ExpressionPtr source;          // ball
+    std::shared_ptr<const InnerIntegral> inner;
     Exponent exponent;             // power; exponential: the k of exp(k x) exp(...)
     std::array<long, 2> order{};   // factored: exact multiplicities at the two ends
     Polynomial rest;               // factored: what remains
@@ -48,7 +57,7 @@ struct Node {
 
     /// A constant, a coefficient: computed once at the highest precision asked for so far. So a compiled formula belongs to one thread at a time.
     struct Kept {
-        Ball value;
+        ComplexBall value;
         slong bits = 0;
     };
     mutable std::vector<Kept> kept;
@@ -67,6 +76,8 @@ struct Place {
     const Range* range = nullptr;
     /// Whether the point is on the real line and an enclosure of the values there is wanted, analytic or not: kinks and steps are taken.
     bool on_the_line = false;
+    /// Whether i stands for -i, and whether points of an outer variable stand for their conjugates.
+    bool conjugated = false, mirrored = false;
     /// The point whose distance to one end is exactly s.
     template <class V>
     Point<V> at_distance(Side side, const V& s) const;
@@ -97,5 +108,8 @@ private:
 Point<ComplexBall> point_about(Side side, const Disc& disc, const ComplexBall& s, const Place& place);
 
 NodePtr compile(const ExpressionPtr&, const Place&);
+
+/// \throws ExpressionError unless its arguments (all but the last, if `all_but_last`) are real.
+void require_real_arguments(const Expression&, bool all_but_last = false);
 
 } // namespace touchstone::quadrature::compiled

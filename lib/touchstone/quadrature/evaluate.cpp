@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/compiled.hpp"
 
 #include "touchstone/quadrature/endpoint_functions.hpp"
+#include "touchstone/quadrature/inner_integral.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
@@ -14,16 +15,42 @@ namespace {
 template <class V>
 using N = EndpointNumber<V>;
 
+/// z or its conjugate; no real number encloses an imaginary one.
+template <class V>
+V as_placed(const ComplexBall& z, bool conjugated)
+{
+    if constexpr (std::same_as<V, ComplexBall>) {
+        ComplexBall w;
+        acb_set_round(w.get(), z.get(), WorkingPrecision::bits());
+        if (conjugated) acb_conj(w.get(), w.get());
+        return w;
+    }
+    else {
+        Ball x;
+        arb_set_round(x.get(), acb_realref(z.get()), WorkingPrecision::bits());
+        return acb_is_real(z.get()) ? x : Ball::indeterminate();
+    }
+}
+
 /// The i-th constant of the node, at the working precision.
-Ball kept(const Node& node, std::size_t i, const ExactSum& exact)
+template <class V>
+V kept(const Node& node, std::size_t i, const ExactSum& exact, const Place& place)
 {
     const slong bits = WorkingPrecision::bits();
     if (node.kept.size() <= i) node.kept.resize(i + 1);
     Node::Kept& k = node.kept[i];
-    if (k.bits < bits) k = {exact.ball(), bits};
-    Ball r;
-    arb_set_round(r.get(), k.value.get(), bits);
-    return r;
+    if (k.bits < bits) k = {exact.complex_ball(), bits};
+    return as_placed<V>(k.value, place.conjugated);
+}
+
+/// A parameter that is a ball, or the point of an outer integral.
+template <class V>
+V ball(const Node& node, const Place& place)
+{
+    if (node.source->ball) return as_placed<V>(*node.source->ball, place.mirrored);
+    Ball x(node.source->number);
+    widen(x, Ball(node.source->radius));
+    return V(x);
 }
 
 double log2_size(const Ball& x)
@@ -37,10 +64,11 @@ double log2_size(const Ball& x)
 }
 
 template <class V>
-N<V> factored(const Node& node, const Point<V>& p)
+N<V> factored(const Node& node, const Point<V>& p, const Place& place)
 {
-    N<V> r = N<V>(kept(node, node.rest.size() - 1, node.rest.back()));
-    for (std::size_t i = node.rest.size() - 1; i-- > 0;) r = node.rest[i].is_zero() ? r * p.x : r * p.x + N<V>(kept(node, i, node.rest[i]));
+    const auto coefficient = [&](std::size_t i) { return N<V>(kept<V>(node, i, node.rest[i], place)); };
+    N<V> r = coefficient(node.rest.size() - 1);
+    for (std::size_t i = node.rest.size() - 1; i-- > 0;) r = node.rest[i].is_zero() ? r * p.x : r * p.x + coefficient(i);
     if (node.order[0] > 0) r = r * to_power(p.left, Exponent(node.order[0]));
     if (node.order[1] > 0) r = r * to_power(p.right, Exponent(node.order[1]));
     return r;
@@ -72,14 +100,73 @@ Ball values_on_the_line(Op op, const Ball& x)
     }
 }
 
+/// The numbers of a node of the rule as complex ones.
+class Lifted : public Frame<ComplexBall> {
+public:
+    explicit Lifted(const Frame<Ball>* real)
+        : real_(real)
+    {
+    }
+    ComplexBall distance(Side s) const override { return real_->distance(s); }
+    ComplexBall logarithm(Side s) const override { return real_->logarithm(s); }
+    ComplexBall monomial(const Exponent& p, const Exponent& q) const override { return real_->monomial(p, q); }
+
+private:
+    ComplexBall power_by_log(Side s, const Exponent& e) const override { return real_->power(s, e); }
+    const Frame<Ball>* real_;
+};
+
+N<ComplexBall> lifted(const N<Ball>& x, const Lifted& frame)
+{
+    return {x.frame() ? &frame : nullptr, x.left(), x.right(), ComplexBall(x.factor())};
+}
+
+/// (f + f*)/2, (f - f*)/(2i) or f*: tanh_sinh.md, section 13.
+template <class V>
+N<V> part(const Node& node, const Point<V>& p, const Place& place)
+{
+    if constexpr (std::same_as<V, Ball>) {
+        const Frame<Ball>* real = p.x.frame() ? p.x.frame() : p.left.frame() ? p.left.frame() : p.right.frame();
+        const Lifted frame(real);
+        Point<ComplexBall> q{lifted(p.x, frame), lifted(p.left, frame), lifted(p.right, frame), std::nullopt};
+        if (p.exp_x) q.exp_x = lifted(*p.exp_x, frame);
+        const N<ComplexBall> f = evaluate(*node.args[0], q, place);
+        if (node.kind == Kind::conjugate && !acb_is_real(f.factor().get())) return N<V>(Ball::indeterminate());
+        return {real, f.left(), f.right(), node.kind == Kind::imaginary_part ? f.factor().imag() : f.factor().real()};
+    }
+    else {
+        const bool of_value = node.op == Op::real_value || node.op == Op::imaginary_value;
+        const bool real_part = node.kind == Kind::real_part;
+        const auto at = [&](bool conjugated) {
+            Place there = place;
+            there.conjugated = conjugated;
+            if (of_value) there.mirrored = conjugated;
+            return evaluate(*node.args[0], p, there);
+        };
+        if (node.kind == Kind::conjugate) return at(!place.conjugated);
+        const N<V> f = at(false);
+        if (place.on_the_line && of_value) return N<V>(ComplexBall(real_part ? f.value().real() : f.value().imag()));
+        const N<V> g = at(true), two(2);
+        return real_part ? (f + g) / two : (f - g) / N<V>(ComplexBall(Ball(0), Ball(2)));
+    }
+}
+
 template <class V>
 N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
 {
     const auto arg = [&](std::size_t i) { return evaluate(*node.args[i], p, place); };
     switch (node.kind) {
-    case Kind::constant: return N<V>(kept(node, 0, *node.exact));
+    case Kind::constant: return N<V>(kept<V>(node, 0, *node.exact, place));
+    case Kind::ball: return N<V>(ball<V>(node, place));
+    case Kind::real_part:
+    case Kind::imaginary_part:
+    case Kind::conjugate: return part(node, p, place);
+    case Kind::inner_integral: {
+        const auto end = [&](std::size_t k) { return node.args[k] ? std::optional(arg(k).value()) : std::nullopt; };
+        return N<V>(value_of_inner<V>(*node.inner, p.x.value(), end(0), end(1), place.conjugated));
+    }
     case Kind::variable: return p.x;
-    case Kind::factored: return factored(node, p);
+    case Kind::factored: return factored(node, p, place);
     case Kind::add: return sum(node, p, place);
     case Kind::multiply: return arg(0) * arg(1);
     case Kind::divide: return arg(0) / arg(1);
@@ -88,13 +175,17 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
         const N<V> exponent = arg(1);
         if constexpr (std::same_as<V, Ball>)
             return pow(arg(0), exponent.factor());
-        else
+        else if (arb_is_zero(acb_imagref(exponent.factor().get())))
             return pow(arg(0), exponent.factor().real());
+        else
+            return function_of(Op::exp, N<V>(exponent * function_of(Op::log, arg(0))));
     }
     case Kind::general_power: return function_of(Op::exp, N<V>(arg(1) * log(arg(0))));
     case Kind::function:
         if constexpr (std::same_as<V, ComplexBall>)
-            if (place.on_the_line && has_kinks(node.op)) return N<V>(ComplexBall(values_on_the_line(node.op, arg(0).value().real())));
+            if (place.on_the_line && has_kinks(node.op))
+                if (const ComplexBall z = arg(0).value(); arb_is_zero(acb_imagref(z.get())))
+                    return N<V>(ComplexBall(values_on_the_line(node.op, z.real())));
         return function_of(node.op, arg(0));
     case Kind::ordered_function: {
         const N<V> order = arg(0);
@@ -111,10 +202,10 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
 
 /// T by its first coefficients and Cauchy's bound of the others.
 template <class V>
-V series(const Node& node, const Zero& zero, std::size_t first_kept, const V& s)
+V series(const Node& node, const Zero& zero, std::size_t first_kept, const V& s, const Place& place)
 {
-    V r(kept(node, first_kept + zero.c.size() - 1, zero.c.back()));
-    for (std::size_t i = zero.c.size() - 1; i-- > 0;) r = r * s + V(kept(node, first_kept + i, zero.c[i]));
+    V r = kept<V>(node, first_kept + zero.c.size() - 1, zero.c.back(), place);
+    for (std::size_t i = zero.c.size() - 1; i-- > 0;) r = r * s + kept<V>(node, first_kept + i, zero.c[i], place);
     const Ball q = upper_ball(s) / Ball::exactly(zero.radius);
     widen(r, lemma::remainder(zero.bound, q, static_cast<long>(zero.c.size())));
     return r;
@@ -179,7 +270,7 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
         if (!within(size, zero->radius, 2)) continue;
         const double halvings = (bits_known(distance) + 10) / static_cast<double>(zero->c.size());
         V t = within(size, zero->radius, std::max(2.0, halvings)) || bits_known(distance) < least_known
-                  ? series(node, *zero, s == Side::left ? 0 : other_end, distance)
+                  ? series(node, *zero, s == Side::left ? 0 : other_end, distance, place)
                   : at_midpoint(node, *zero, s, distance, place);
         const auto& other = node.zero[s == Side::left ? 1 : 0];
         if (other && other->order != 0)

@@ -253,6 +253,15 @@ private:
     Series x_;
 };
 
+/// The real (imaginary, conjugated) coefficients: s is real and positive.
+template <class Map>
+Series each_coefficient(Series a, const Map& map)
+{
+    if (!a || a->is_exactly_zero) return a;
+    for (ExactSum& c : a->c) c = map(c);
+    return normalised(std::move(*a));
+}
+
 Series reciprocal_of(const Series& a) { return inverse(a); }
 
 Series Expansion::analytic(const Expression& e, const Series& argument) const
@@ -338,6 +347,12 @@ Series Expansion::of(const Expression& e) const
     switch (e.op) {
     case Op::number: return constant(e.number);
     case Op::pi: return constant(ExactSum::pi());
+    case Op::imaginary_unit: return constant(ExactSum::i());
+    case Op::real_value:
+    case Op::real_part: return each_coefficient(of(*e.args[0]), [](const ExactSum& c) { return c.real(); });
+    case Op::imaginary_value:
+    case Op::imaginary_part: return each_coefficient(of(*e.args[0]), [](const ExactSum& c) { return c.imaginary(); });
+    case Op::conjugate: return each_coefficient(of(*e.args[0]), [](const ExactSum& c) { return c.conjugate(); });
     case Op::variable: return x_;
     case Op::add: return sum(of(*e.args[0]), of(*e.args[1]));
     case Op::multiply: return product(of(*e.args[0]), of(*e.args[1]));

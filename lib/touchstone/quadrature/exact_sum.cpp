@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/exact_sum.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace touchstone::quadrature {
@@ -46,8 +47,38 @@ std::optional<Rational> ExactSum::times_pi() const
     return terms_.begin()->second;
 }
 
+bool ExactSum::is_real() const
+{
+    return std::all_of(terms_.begin(), terms_.end(), [](const auto& t) { return t.first.second > 0; });
+}
+
+ExactSum ExactSum::real() const
+{
+    ExactSum r;
+    for (const auto& [key, q] : terms_)
+        if (key.second > 0) r.add(key, q);
+    return r;
+}
+
+ExactSum ExactSum::imaginary() const
+{
+    ExactSum r;
+    for (const auto& [key, q] : terms_)
+        if (key.second < 0) r.add({key.first, -key.second}, q);
+    return r;
+}
+
+ExactSum ExactSum::conjugate() const
+{
+    ExactSum r = *this;
+    for (auto& [key, q] : r.terms_)
+        if (key.second < 0) q = -q;
+    return r;
+}
+
 Ball ExactSum::ball() const
 {
+    if (!is_real()) return Ball::indeterminate();
     Ball sum(0);
     for (const auto& [key, q] : terms_) {
         Ball term(q);
@@ -83,16 +114,21 @@ ExactSum operator*(const ExactSum& a, const ExactSum& b)
 {
     ExactSum r;
     for (const auto& [ka, qa] : a.terms_)
-        for (const auto& [kb, qb] : b.terms_) { // sqrt(m) sqrt(n) = g sqrt(m n/g^2)
+        for (const auto& [kb, qb] : b.terms_) { // sqrt(m) sqrt(n) = g sqrt(m n/g^2), its sign changed if both are imaginary
             const long g = std::gcd(ka.second, kb.second);
-            r.add({ka.first + kb.first, (ka.second / g) * (kb.second / g)}, Rational(qa * qb * g));
+            const long sign = ka.second < 0 && kb.second < 0 ? -1 : 1;
+            r.add({ka.first + kb.first, (ka.second / g) * (kb.second / g)}, Rational(qa * qb * g * sign));
         }
     return r;
 }
 
 std::optional<ExactSum> ExactSum::inverse() const
 {
-    if (terms_.size() != 1) return std::nullopt;
+    if (terms_.empty()) return std::nullopt;
+    if (terms_.size() > 1) { // 1/z = conj(z)/|z|^2
+        const auto square = is_real() ? std::nullopt : (*this * conjugate()).inverse();
+        return square ? std::optional(conjugate() * *square) : std::nullopt;
+    }
     const auto& [key, q] = *terms_.begin();
     ExactSum r;
     r.add({-key.first, key.second}, Rational(1 / (q * key.second)));

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/expression.hpp"
 
+#include "touchstone/quadrature/expression_tree.hpp"
+
 #include <boost/spirit/home/x3.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 namespace touchstone::quadrature {
@@ -85,6 +88,10 @@ const std::map<std::string, Function, std::less<>>& functions()
         {"besseli", {Op::bessel_i, 2, 2}},
         {"besselk", {Op::bessel_k, 2, 2}},
         {"polylog", {Op::polylog, 2, 2}},
+        {"re", {Op::real_part, 1, 1}},
+        {"im", {Op::imaginary_part, 1, 1}},
+        {"conj", {Op::conjugate, 1, 1}},
+        {"integral", {Op::integral, 4, 4}},
     };
     return table;
 }
@@ -132,10 +139,16 @@ const auto name = [](auto& c) {
         e.op = Op::pi;
     else if (n == "e")
         e.op = Op::e;
+    else if (n == "i")
+        e.op = Op::imaginary_unit;
+    else if (n == "inf")
+        e.op = Op::infinity;
     else if (functions().contains(n))
         throw ExpressionError(e.column, "the function '" + n + "' needs its argument in brackets: " + n + "(...)");
-    else
-        throw ExpressionError(e.column, "'" + n + "' is not known: the variable is x, the constants are pi and e");
+    else {
+        e.op = Op::parameter;
+        e.name = n;
+    }
     x3::_val(c) = std::make_shared<const Expression>(std::move(e));
 };
 using Call = std::pair<std::string, std::vector<ExpressionPtr>>;
@@ -189,40 +202,11 @@ BOOST_SPIRIT_DEFINE(sum, product, unary, power, primary, call, callee)
 
 } // namespace
 
-ExpressionPtr make_number(const Rational& r)
-{
-    Expression e;
-    e.number = r;
-    return std::make_shared<const Expression>(std::move(e));
-}
-
-ExpressionPtr make_variable()
-{
-    Expression e;
-    e.op = Op::variable;
-    return std::make_shared<const Expression>(std::move(e));
-}
-
-ExpressionPtr make(Op op, std::vector<ExpressionPtr> args)
-{
-    Expression e;
-    e.op = op;
-    if (!args.empty()) e.column = args.front()->column;
-    e.args = std::move(args);
-    return std::make_shared<const Expression>(std::move(e));
-}
-
 std::vector<std::string> function_names()
 {
     std::vector<std::string> names;
     for (const auto& [n, f] : functions()) names.push_back(n);
     return names;
-}
-
-bool depends_on_x(const Expression& e)
-{
-    if (e.op == Op::variable) return true;
-    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return depends_on_x(*a); });
 }
 
 namespace {
@@ -236,11 +220,12 @@ void require_shallow(const Expression& e, std::size_t depth)
     if (!sum_or_product && !e.args.empty()) ++depth;
     if (depth > deepest) throw ExpressionError(e.column, "functions and powers nest deeper than " + std::to_string(deepest));
     for (const auto& a : e.args) require_shallow(*a, depth);
+    if (e.integrand) require_shallow(*e.integrand, depth);
 }
 
 } // namespace
 
-ExpressionPtr parse_expression(std::string_view text)
+ExpressionPtr parse_expression(std::string_view text, const Parameters& parameters)
 {
     constexpr std::size_t longest = 4000; // also bounds how deep brackets nest
     if (text.size() > longest) throw ExpressionError(longest, "the formula is longer than " + std::to_string(longest) + " characters");
@@ -260,8 +245,30 @@ ExpressionPtr parse_expression(std::string_view text)
     if (here != text.end())
         throw ExpressionError(static_cast<std::size_t>(here - start) + 1,
                               std::string("an operator is expected before '") + *here + "' (a product needs its *)");
+    result = with_names_bound(result, parameters);
     require_shallow(*result, 0);
     return result;
+}
+
+bool is_free_name(std::string_view name)
+{
+    const bool word = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) &&
+                      std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+    return word && name != "x" && name != "pi" && name != "e" && name != "i" && name != "inf" && !functions().contains(name);
+}
+
+Parameter parse_parameter(std::string_view text)
+{
+    const auto number_at = [&](std::size_t from, std::size_t length) {
+        const auto value = parse_rational(text.substr(from, length));
+        if (!value) throw ExpressionError(from + 1, "a parameter is a number such as 0.5 or 1/3, or a ball: 0.5+/-1e-20");
+        return *value;
+    };
+    const std::size_t sign = text.find("+/-");
+    if (sign == std::string_view::npos) return {number_at(0, text.size()), 0};
+    Parameter p{number_at(0, sign), number_at(sign + 3, std::string_view::npos)};
+    if (p.radius < 0) throw ExpressionError(sign + 4, "the radius of a ball is not negative");
+    return p;
 }
 
 } // namespace touchstone::quadrature

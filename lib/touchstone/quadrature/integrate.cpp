@@ -26,7 +26,7 @@ double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_
 
 /// What became of one part.
 struct Attempt {
-    Ball value = Ball::indeterminate();
+    Ball value = Ball::indeterminate(), imaginary;
     std::string reason;
     std::optional<double> at; ///< where the proof stopped, in x
     Part part;
@@ -34,7 +34,7 @@ struct Attempt {
 
 /// Arb's adaptive Gauss-Legendre quadrature: each panel by a rule with a bound from an ellipse on which the formula is proved analytic.
 /// Across `kinks` panels are halved down to the tolerance, where an enclosure of the values is enough.
-std::optional<Attempt> by_gauss_legendre(const Integrand& f, long digits, bool kinks)
+std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long digits, bool kinks, bool quick)
 {
     struct Call {
         const Integrand* f;
@@ -56,6 +56,7 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, long digits, bool k
     acb_calc_integrate_opt_init(options);
     // beyond these limits tanh-sinh, with a proof of its own, may still do better; each kink takes as many halvings as there are bits
     options->eval_limit = (4000 + 200 * digits) * (kinks ? 16 : 1);
+    if (quick) options->eval_limit = 400 + 20 * digits;
     options->depth_limit = kinks ? 2 * bits : 200;
     mag_t tolerance;
     mag_init(tolerance);
@@ -67,15 +68,19 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, long digits, bool k
     if (status != ARB_CALC_SUCCESS || !value.is_finite()) return std::nullopt;
     Attempt a;
     a.value = value.real();
+    if (complex) a.imaginary = value.imag();
     a.part.rule = "gauss-legendre";
     a.part.evaluations = call.evaluations;
     return a;
 }
 
-Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, long digits)
+Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, long digits, const IntegralOptions& wanted)
 {
+    constexpr long quick_budget = 1500;
     Options options;
     options.digits = digits;
+    options.of_absolute = wanted.of_absolute || wanted.quick;
+    if (wanted.quick) options.proof_budget = quick_budget;
     const Enclosure e = tanh_sinh([f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); },
                                   f->range().interval(), options);
     Attempt a;
@@ -152,6 +157,7 @@ public:
         : e_(e)
         , options_(o)
         , substituted_(substituted)
+        , complex_(!is_real(*e) || has_complex_point(*e))
     {
     }
     Integral run(const Limit& from, const Limit& to);
@@ -164,12 +170,15 @@ private:
     bool add_about_infinity(const Limit& from, const Limit& to, bool left, long digits, int depth, Integral& out);
     bool add_of_another(const ExpressionPtr& e, const Limit& from, const Limit& to, const std::string& in, long digits, Integral& out);
     Attempt attempt(const Limit& from, const Limit& to, long digits) const;
+    Attempt both_parts(const Limit& from, const Limit& to, long digits, Map map) const;
+    bool add_parts_by_themselves(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
     std::optional<ExactSum> named_point(double x, const Limit& from, const Limit& to) const;
     bool diverges(const Limit& end, int direction, Integral& out) const;
 
     ExpressionPtr e_;
     const IntegralOptions& options_;
     bool substituted_; // one change of variable is enough
+    bool complex_;
 };
 
 /// Whether an exact expansion at the end shows an exponent of -1 or less.
@@ -207,15 +216,60 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
     for (const Map map : maps) {
         const auto f = std::make_shared<const Integrand>(e_, Range{from, to, map});
         const bool regular = f->is_regular_at_ends(), kinks = has_kinks(*e_);
+        const auto gauss_legendre = [&] { return by_gauss_legendre(*f, complex_, digits, kinks, options_.quick); };
         if (options_.gauss_legendre && regular)
-            if (auto a = by_gauss_legendre(*f, digits, kinks)) return *a;
-        Attempt a = by_tanh_sinh(f, digits);
+            if (auto a = gauss_legendre()) return *a;
+        Attempt a = complex_ ? both_parts(from, to, digits, map) : by_tanh_sinh(f, digits, options_);
         if (a.value.is_finite()) return a;
         if (options_.gauss_legendre && !regular && kinks && map == Map::finite)
-            if (auto b = by_gauss_legendre(*f, digits, kinks)) return *b;
+            if (auto b = gauss_legendre()) return *b;
         if (map == maps.front()) first = std::move(a);
     }
     return first;
+}
+
+/// Real and imaginary part by one rule each.
+Attempt Integration::both_parts(const Limit& from, const Limit& to, long digits, Map map) const
+{
+    Attempt both;
+    IntegralOptions absolute = options_;
+    absolute.of_absolute = true;
+    for (const Op op : {Op::real_value, Op::imaginary_value}) {
+        Attempt a = by_tanh_sinh(std::make_shared<const Integrand>(make(op, {e_}), Range{from, to, map}), digits, absolute);
+        if (!a.value.is_finite()) return a;
+        if (op == Op::real_value)
+            both = std::move(a);
+        else {
+            both.imaginary = a.value;
+            both.part.evaluations += a.part.evaluations;
+            both.part.rule += ", each part by itself";
+        }
+    }
+    return both;
+}
+
+/// Where the two parts want different cuts, or turned paths, they are two integrals.
+bool Integration::add_parts_by_themselves(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
+{
+    IntegralOptions absolute = options_;
+    absolute.of_absolute = true;
+    Integral whole = out;
+    for (const Op op : {Op::real_value, Op::imaginary_value}) {
+        Integral one;
+        const bool added = Integration(make(op, {e_}), absolute, substituted_).add_part(from, to, digits, depth, one);
+        if (!added) {
+            out.reason = one.reason;
+            out.divergent = one.divergent;
+            return false;
+        }
+        for (Part& p : one.parts) {
+            if (op == Op::imaginary_value) std::swap(p.value, p.imaginary);
+            p.rule += op == Op::real_value ? " (real part)" : " (imaginary part)";
+            whole.parts.push_back(std::move(p));
+        }
+    }
+    out = std::move(whole);
+    return true;
 }
 
 /// A rational number or multiple of pi close to where a proof stopped: a candidate for a cut.
@@ -321,7 +375,7 @@ bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long 
         for (const auto& [wave, supremum] : turned) {
             const auto t = tail(*wave, base, distance, supremum, digits);
             if (!t) return false;
-            whole.parts.push_back({middle.text, middle.text + "+i*inf", "gauss-legendre on a turned path", t->value, {}, t->evaluations});
+            whole.parts.push_back({middle.text, middle.text + "+i*inf", "gauss-legendre on a turned path", t->value, {}, t->evaluations, {}});
         }
         if (steady && !add_of_another(steady, middle, to, "", digits, whole)) return false;
         if (!add_part(from, middle, digits, depth + 1, whole)) return false;
@@ -358,9 +412,15 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
         a.part.from = from.text;
         a.part.to = to.text;
         a.part.value = a.value;
+        a.part.imaginary = a.imaginary;
         out.parts.push_back(std::move(a.part));
         return true;
     }
+    if (options_.quick) {
+        out.reason = a.reason;
+        return false;
+    }
+    if (complex_) return add_parts_by_themselves(from, to, digits, depth, out);
     constexpr int deepest = 4;
     if (add_oscillating_tail(from, to, digits, depth, out)) return true;
     for (const bool left : {true, false})
@@ -408,6 +468,7 @@ Integral Integration::run(const Limit& from, const Limit& to)
         if (reversed) {
             out = run(to, from);
             out.value = -out.value;
+            out.imaginary = -out.imaginary;
             return out;
         }
     }
@@ -438,16 +499,28 @@ Integral Integration::run(const Limit& from, const Limit& to)
             }
         const WorkingPrecision precision(bits_for_digits(digits) + 64);
         whole.value = Ball(0);
-        for (const Part& p : whole.parts) whole.value += p.value;
+        whole.imaginary = Ball(0);
+        whole.is_complex = complex_;
+        for (const Part& p : whole.parts) {
+            whole.value += p.value;
+            whole.imaginary += p.imaginary;
+        }
         return true;
     });
 }
 
 /// Whether the error is within the tolerance, if there is one.
-bool is_within_tolerance(const Ball& value, const IntegralOptions& options)
+bool is_within_tolerance(const Integral& i, const IntegralOptions& options)
 {
     if (!options.tolerance) return false;
-    return arb_le(radius_of(value).get(), Ball(*options.tolerance).get()) != 0;
+    const Ball error = radius_of(ComplexBall(i.value, i.imaginary));
+    return arb_le(error.get(), Ball(*options.tolerance).get()) != 0;
+}
+
+/// log2 of the modulus over the error, about.
+slong bits_of(const Integral& i)
+{
+    return i.is_complex ? acb_rel_accuracy_bits(ComplexBall(i.value, i.imaginary).get()) : i.value.relative_bits();
 }
 
 } // namespace
@@ -457,21 +530,26 @@ Integral with_enough_digits(const IntegralOptions& options, const std::function<
     Integral out;
     const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
     long digits = options.digits;
+    std::optional<double> last_shortfall;
     constexpr int most_rounds = 4; // parts that cancel are repeated with more digits
     for (int round = 0; round < most_rounds; ++round) {
         if (!attempt(digits, out)) return out;
-        const double shortfall = wanted - static_cast<double>(out.value.relative_bits());
-        if (shortfall <= 0 || is_within_tolerance(out.value, options)) break;
+        const double shortfall = wanted - static_cast<double>(bits_of(out));
+        if (shortfall <= 0 || is_within_tolerance(out, options) || options.of_absolute || options.quick) break;
+        if (last_shortfall && shortfall > *last_shortfall - 1) break; // a parameter that is a ball: more digits don't help
+        last_shortfall = shortfall;
         digits += std::min<long>(static_cast<long>(shortfall / bits_per_digit) + 3, 2 * options.digits + 20);
     }
-    const double have = static_cast<double>(out.value.relative_bits());
+    const double have = static_cast<double>(bits_of(out));
     out.digits =
-        out.value.is_exact() ? options.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options.digits);
-    const bool enough = out.digits == options.digits || is_within_tolerance(out.value, options);
+        out.value.is_exact() && out.imaginary.is_exact() ? options.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options.digits);
+    const bool enough = out.digits == options.digits || is_within_tolerance(out, options);
     out.status = enough ? Status::certified : Status::undecided;
+    const long shown = out.digits + 3;
     if (!enough)
         out.reason = (out.digits == 0 ? std::string("none") : "only " + std::to_string(out.digits)) + " of " +
-                     std::to_string(options.digits) + " digits proven: the integral lies in " + out.value.to_string(3) +
+                     std::to_string(options.digits) + " digits proven: the integral lies in " + out.value.to_string(shown) +
+                     (out.is_complex ? " + i " + out.imaginary.to_string(shown) : "") +
                      (out.value.contains_zero() ? ", which may be 0: ask for an absolute error with --tolerance" : "");
     return out;
 }

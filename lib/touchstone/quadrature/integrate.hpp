@@ -34,6 +34,8 @@ struct IntegralOptions {
     std::vector<Limit> principal_value; ///< poles about which Cauchy's principal value is meant
     std::optional<Rational> tolerance; ///< an absolute error that is enough
     bool gauss_legendre = true;        ///< whether that rule may be chosen
+    bool of_absolute = false;          ///< digits of the integral of |f| are enough
+    bool quick = false;                ///< so are they, one attempt for each part and few evaluations: for integrals inside others
 };
 
 /// One part of the range, and how it was done.
@@ -42,12 +44,15 @@ struct Part {
     Ball value;
     Certificate certificate; ///< of tanh-sinh
     long evaluations = 0;    ///< of the formula, at nodes
+    Ball imaginary;          ///< exactly 0 of a real formula
 };
 
 struct Integral {
-    Ball value;
+    Ball value;             ///< its real part, if it is complex
+    Ball imaginary;         ///< exactly 0 of a real formula on a real range
+    bool is_complex = false;
     Status status = Status::indeterminate;
-    long digits = 0; ///< proven
+    long digits = 0; ///< proven; of a complex value, relative to its modulus
     bool divergent = false;
     std::string reason; ///< unless certified
     std::vector<Part> parts;

@@ -4,6 +4,7 @@
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/quadrant.hpp"
 #include "touchstone/quadrature/special.hpp"
+#include "touchstone/quadrature/split.hpp"
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
@@ -22,6 +23,7 @@ ExpressionPtr scaled(const ExpressionPtr& e, const Rational& by) { return by == 
 
 bool oscillates(const Expression& e)
 {
+    if (e.op == Op::real_value || e.op == Op::imaginary_value) return true;
     const bool kernel = e.op == Op::sin || e.op == Op::cos || e.op == Op::sinc || e.op == Op::bessel_j || e.op == Op::bessel_y;
     if (kernel && depends_on_x(*e.args.back())) return true;
     return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return oscillates(*a); });
@@ -127,6 +129,13 @@ Waves split(const ExpressionPtr& e)
 {
     if (!oscillates(*e)) return std::vector{Wave{e, Op::number, {}, {}, nullptr}};
     switch (e->op) {
+    case Op::real_value:
+    case Op::imaginary_value: {
+        const auto parts = real_and_imaginary(e->args[0]);
+        if (!parts) return std::nullopt;
+        const ExpressionPtr& part = e->op == Op::real_value ? parts->first : parts->second;
+        return part ? split(part) : Waves(std::vector<Wave>{});
+    }
     case Op::add: {
         Waves a = split(e->args[0]);
         const Waves b = split(e->args[1]);

@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/substitution.hpp"
 
 #include "touchstone/quadrature/exact_series.hpp"
+#include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/polynomial.hpp"
 
 namespace touchstone::quadrature {
@@ -33,6 +34,12 @@ ExpressionPtr power(const ExpressionPtr& base, const ExpressionPtr& exponent)
     return quotient(number(1), make(Op::power, {base->args[1], exponent}));
 }
 
+/// The formula as it is written inside an inner integral.
+ExpressionPtr with_variable_outside(const ExpressionPtr& e)
+{
+    return rebuilt(e, [](const ExpressionPtr& n) { return n->op == Op::variable ? make(Op::outer, {}) : nullptr; });
+}
+
 /// Every x replaced; `linear` gives what a polynomial of degree 1 becomes, if it is better than that.
 template <class Linear>
 ExpressionPtr replaced(const ExpressionPtr& e, const ExpressionPtr& x, const Linear& linear)
@@ -42,6 +49,13 @@ ExpressionPtr replaced(const ExpressionPtr& e, const ExpressionPtr& x, const Lin
     if (e->op == Op::variable) return x;
     std::vector<ExpressionPtr> args;
     for (const ExpressionPtr& a : e->args) args.push_back(replaced(a, x, linear));
+    if (e->op == Op::integral) {
+        const ExpressionPtr outer = with_variable_outside(x);
+        Expression copy = *e;
+        copy.args = std::move(args);
+        copy.integrand = rebuilt(e->integrand, [&](const ExpressionPtr& n) { return n->op == Op::outer ? outer : nullptr; });
+        return std::make_shared<const Expression>(std::move(copy));
+    }
     if (e->op == Op::divide) return quotient(args[0], args[1]);
     if (e->op == Op::power) return power(args[0], args[1]);
     return make(e->op, std::move(args));
@@ -63,6 +77,11 @@ std::optional<ExpressionPtr> shifted(const ExpressionPtr& e, const ExactSum& cen
     const ExpressionPtr step = product(number(direction), make_variable());
     const auto as_it_is = [](const Expression&) -> std::optional<ExpressionPtr> { return std::nullopt; };
     return replaced(e, centre.is_zero() ? step : make(Op::add, {*c, step}), as_it_is);
+}
+
+ExpressionPtr substituted(const ExpressionPtr& e, const ExpressionPtr& x)
+{
+    return replaced(e, x, [](const Expression&) -> std::optional<ExpressionPtr> { return std::nullopt; });
 }
 
 std::optional<ExpressionPtr> about_infinity(const ExpressionPtr& e, const ExactSum& end, int direction)

@@ -13,6 +13,9 @@ namespace touchstone::quadrature {
 /// The constant as a formula: q, q pi, or nothing where it is another.
 std::optional<ExpressionPtr> formula_of(const ExactSum&);
 
+/// The formula with another in place of x.
+ExpressionPtr substituted(const ExpressionPtr&, const ExpressionPtr& x);
+
 /// f(centre + direction x).
 std::optional<ExpressionPtr> shifted(const ExpressionPtr&, const ExactSum& centre, int direction);
 

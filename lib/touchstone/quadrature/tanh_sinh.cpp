@@ -245,7 +245,7 @@ try {
         result.certificate.precision = precision;
         result.value = total;
         const double shortfall = wanted - static_cast<double>(total.relative_bits());
-        if (shortfall <= 0 || attempt == 3 || !total.is_finite()) break;
+        if (shortfall <= 0 || attempt == 3 || options.of_absolute || !total.is_finite()) break;
         // the integral is much smaller than the integral of |f|: ask for that much more
         log2_tolerance -= std::min(shortfall + 2, 2 * wanted);
     }

@@ -47,6 +47,8 @@ std::string to_string(Status);
 struct Options {
     /// Significant decimal digits wanted of the integral.
     long digits = 30;
+    /// Whether digits of the integral of |f| will do, where the integral itself is smaller.
+    bool of_absolute = false;
     /// If given, the integrand is refused unless |f| <= K u^(alpha-1), resp. r^(beta-1), is proved for it.
     std::optional<Rational> left_exponent, right_exponent;
     /// How often the interval may be bisected near a singularity that is close to it.

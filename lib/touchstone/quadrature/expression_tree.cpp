@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Trees of formulas: made, asked about, and their names bound.
+#include "touchstone/quadrature/expression_tree.hpp"
+
+#include <algorithm>
+
+namespace touchstone::quadrature {
+
+ExpressionPtr make_number(const Rational& r)
+{
+    Expression e;
+    e.number = r;
+    return std::make_shared<const Expression>(std::move(e));
+}
+
+ExpressionPtr make_variable() { return make(Op::variable, {}); }
+
+ExpressionPtr make_ball(const ComplexBall& z)
+{
+    Expression e;
+    e.op = Op::ball;
+    e.ball = std::make_shared<const ComplexBall>(z);
+    return std::make_shared<const Expression>(std::move(e));
+}
+
+ExpressionPtr make(Op op, std::vector<ExpressionPtr> args)
+{
+    Expression e;
+    e.op = op;
+    if (!args.empty()) e.column = args.front()->column;
+    e.args = std::move(args);
+    return std::make_shared<const Expression>(std::move(e));
+}
+
+bool any_node(const Expression& e, const std::function<bool(const Expression&)>& is)
+{
+    if (is(e) || (e.integrand && any_node(*e.integrand, is))) return true;
+    return std::any_of(e.args.begin(), e.args.end(), [&](const ExpressionPtr& a) { return any_node(*a, is); });
+}
+
+bool depends_on_x(const Expression& e)
+{
+    if (e.op == Op::variable) return true;
+    if (e.integrand && any_node(*e.integrand, [](const Expression& n) { return n.op == Op::outer; })) return true;
+    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return depends_on_x(*a); });
+}
+
+bool is_real(const Expression& e)
+{
+    if (e.op == Op::imaginary_unit) return false;
+    const bool part = e.op == Op::real_part || e.op == Op::imaginary_part || e.op == Op::real_value || e.op == Op::imaginary_value;
+    if (part || e.op == Op::abs) return true;
+    if (e.integrand && !is_real(*e.integrand)) return false;
+    return std::all_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return is_real(*a); });
+}
+
+bool has_complex_point(const Expression& e)
+{
+    return any_node(e, [](const Expression& n) { return n.op == Op::ball && n.ball && !acb_is_real(n.ball->get()); });
+}
+
+ExpressionPtr rebuilt(const ExpressionPtr& e, const std::function<ExpressionPtr(const ExpressionPtr&)>& leaf)
+{
+    if (const ExpressionPtr other = leaf(e)) return other;
+    if (e->args.empty() && !e->integrand) return e;
+    Expression copy = *e;
+    for (ExpressionPtr& a : copy.args) a = rebuilt(a, leaf);
+    if (copy.integrand) copy.integrand = rebuilt(copy.integrand, leaf);
+    return std::make_shared<const Expression>(std::move(copy));
+}
+
+namespace {
+
+class Names {
+public:
+    explicit Names(const Parameters& parameters)
+        : parameters_(parameters)
+    {
+    }
+    ExpressionPtr bound(const ExpressionPtr& e) const
+    {
+        if (e->op == Op::integral) return inner(*e);
+        if (e->op == Op::infinity) throw ExpressionError(e->column, "inf is no number: it may only be an end");
+        if (e->op == Op::parameter) return parameter(*e);
+        if (e->op == Op::variable && !own_.empty()) return make(Op::outer, {});
+        if (e->args.empty()) return e;
+        Expression copy = *e;
+        for (ExpressionPtr& a : copy.args) a = bound(a);
+        return std::make_shared<const Expression>(std::move(copy));
+    }
+
+private:
+    ExpressionPtr parameter(const Expression& e) const
+    {
+        if (!own_.empty() && e.name == own_) return make_variable();
+        const auto found = parameters_.find(e.name);
+        if (found == parameters_.end())
+            throw ExpressionError(e.column, "'" + e.name + "' is not known: the variable is x, the constants are pi, e and i" +
+                                                (parameters_.empty() ? "" : ", the parameters those that were set"));
+        if (found->second.radius == 0) return make_number(found->second.middle);
+        Expression b;
+        b.op = Op::ball;
+        b.column = e.column;
+        b.number = found->second.middle;
+        b.radius = found->second.radius;
+        return std::make_shared<const Expression>(std::move(b));
+    }
+    /// An end: an infinite one stays what it is.
+    ExpressionPtr end(const ExpressionPtr& e) const
+    {
+        const bool infinite = e->op == Op::infinity || (e->op == Op::negate && e->args[0]->op == Op::infinity);
+        return infinite ? e : bound(e);
+    }
+    ExpressionPtr inner(const Expression& e) const
+    {
+        if (!own_.empty()) throw ExpressionError(e.column, "an integral inside an inner integral: two levels is the most");
+        const Expression& name = *e.args[1];
+        if (name.op != Op::parameter || parameters_.contains(name.name))
+            throw ExpressionError(name.column, "integral(f, y, a, b) needs a name of its own for its variable, neither x nor a parameter");
+        Names inside(parameters_);
+        inside.own_ = name.name;
+        Expression r;
+        r.op = Op::integral;
+        r.column = e.column;
+        r.integrand = inside.bound(e.args[0]);
+        r.args = {end(e.args[2]), end(e.args[3])};
+        return std::make_shared<const Expression>(std::move(r));
+    }
+
+    const Parameters& parameters_;
+    std::string own_; // inside an integral, its variable
+};
+
+} // namespace
+
+ExpressionPtr with_names_bound(const ExpressionPtr& e, const Parameters& parameters) { return Names(parameters).bound(e); }
+
+} // namespace touchstone::quadrature

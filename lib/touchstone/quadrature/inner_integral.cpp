@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/inner_integral.hpp"
+
+#include "touchstone/quadrature/expression_tree.hpp"
+#include "touchstone/quadrature/integrate.hpp"
+
+#include <algorithm>
+
+namespace touchstone::quadrature {
+
+bool is_infinite_end(const Expression& e)
+{
+    return e.op == Op::infinity || (e.op == Op::negate && e.args[0]->op == Op::infinity);
+}
+
+namespace compiled {
+namespace {
+
+std::optional<Limit> fixed_end(const ExpressionPtr& e)
+{
+    if (is_infinite_end(*e)) return parse_limit(e->op == Op::negate ? "-inf" : "inf");
+    if (depends_on_x(*e)) return std::nullopt;
+    Limit l;
+    l.formula = e;
+    l.exact = exact_value(*e);
+    if (l.exact && !l.exact->is_real()) throw ExpressionError(e->column, "an end of an inner integral must be real or depend on x");
+    l.text = "end";
+    return l;
+}
+
+ExpressionPtr with_outer(const ExpressionPtr& f, const ComplexBall& x)
+{
+    const ExpressionPtr point = make_ball(x);
+    return rebuilt(f, [&](const ExpressionPtr& e) { return e->op == Op::outer ? point : nullptr; });
+}
+
+ExpressionPtr with_variable(const ExpressionPtr& f, const ExpressionPtr& y)
+{
+    return rebuilt(f, [&](const ExpressionPtr& e) { return e->op == Op::variable ? y : nullptr; });
+}
+
+/// Digits that a ball of x supports, and a few.
+long digits_for(const ComplexBall& x)
+{
+    constexpr double bits_per_digit = 3.3219281;
+    constexpr slong least = 16, spare = 10;
+    const slong known = acb_is_exact(x.get()) ? WorkingPrecision::bits() : acb_rel_accuracy_bits(x.get());
+    const slong bits = std::clamp(known + spare, least, WorkingPrecision::bits() + spare);
+    return static_cast<long>(static_cast<double>(bits) / bits_per_digit);
+}
+
+/// y = from + (to - from) t over [0, 1], or from + t (to + t) where the other end is infinite.
+Integral over_moving_ends(const InnerIntegral& inner, const ExpressionPtr& f, const std::optional<ComplexBall>& from,
+                          const std::optional<ComplexBall>& to, const IntegralOptions& options)
+{
+    const ExpressionPtr t = make_variable();
+    if (from && to) {
+        const ExpressionPtr a = make_ball(*from), width = make_ball(*to - *from), step = make(Op::multiply, {width, t});
+        const bool at_zero = acb_is_zero(from->get()) != 0;
+        const ExpressionPtr y = at_zero ? step : make(Op::add, {a, step});
+        return integrate(make(Op::multiply, {with_variable(f, y), width}), parse_limit("0"), parse_limit("1"), options);
+    }
+    if (!from && !to) return integrate(f, *inner.fixed[0], *inner.fixed[1], options);
+    const ExpressionPtr y = make(Op::add, {make_ball(from ? *from : *to), t});
+    return from ? integrate(with_variable(f, y), parse_limit("0"), *inner.fixed[1], options)
+                : integrate(with_variable(f, y), *inner.fixed[0], parse_limit("0"), options);
+}
+
+} // namespace
+
+std::shared_ptr<const InnerIntegral> inner_integral(const Expression& e)
+{
+    const WorkingPrecision precision(256);
+    auto inner = std::make_shared<InnerIntegral>();
+    inner->integrand = e.integrand;
+    for (const std::size_t k : {0, 1}) inner->fixed[k] = fixed_end(e.args[k]);
+    inner->depends_on_outer = any_node(*e.integrand, [](const Expression& n) { return n.op == Op::outer; });
+    return inner;
+}
+
+template <class V>
+V value_of_inner(const InnerIntegral& inner, const V& at, const std::optional<V>& from, const std::optional<V>& to, bool conjugated)
+{
+    const auto placed = [&](const V& v) {
+        ComplexBall z(v);
+        if (conjugated) acb_conj(z.get(), z.get());
+        return z;
+    };
+    const auto placed_end = [&](const std::optional<V>& v) { return v ? std::optional(placed(*v)) : std::nullopt; };
+    const ComplexBall x = placed(at);
+    const auto a = placed_end(from), b = placed_end(to);
+    if ((inner.depends_on_outer && !x.is_finite()) || (a && !a->is_finite()) || (b && !b->is_finite())) return V::indeterminate();
+    IntegralOptions options;
+    options.quick = true;
+    options.digits = digits_for(x);
+    const ExpressionPtr f = with_outer(inner.integrand, x);
+    try {
+        const Integral i = inner.fixed[0] && inner.fixed[1] ? integrate(f, *inner.fixed[0], *inner.fixed[1], options)
+                                                             : over_moving_ends(inner, f, a, b, options);
+        if (!i.value.is_finite() || !i.imaginary.is_finite()) return V::indeterminate();
+        if constexpr (std::same_as<V, Ball>)
+            return arb_is_zero(i.imaginary.get()) ? i.value : Ball::indeterminate();
+        else {
+            ComplexBall z(i.value, i.imaginary);
+            if (conjugated) acb_conj(z.get(), z.get());
+            return z;
+        }
+    }
+    catch (const DomainError&) {
+        return V::indeterminate();
+    }
+}
+
+template Ball value_of_inner(const InnerIntegral&, const Ball&, const std::optional<Ball>&, const std::optional<Ball>&, bool);
+template ComplexBall value_of_inner(const InnerIntegral&, const ComplexBall&, const std::optional<ComplexBall>&,
+                                    const std::optional<ComplexBall>&, bool);
+
+} // namespace compiled
+} // namespace touchstone::quadrature
