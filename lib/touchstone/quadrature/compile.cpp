@@ -400,7 +400,7 @@ std::optional<Zero> Compiler::zero_at(const Node& n, const Expression& e, Side s
         if (!zero.bound.is_finite()) continue;
         best = zero;
         const double tail = to_double(zero.bound) * std::pow(0.25, static_cast<double>(zero.c.size()));
-        if (tail < 0.05 * std::fabs(to_double(zero.c[0].ball()))) break;
+        if (tail < 0.05 * to_double(touchstone::abs(zero.c[0].complex_ball()))) break;
     }
     return best;
 }

@@ -178,6 +178,17 @@ std::optional<ExactSum> sine_of_twelfths(long n)
     }
 }
 
+/// exp(c) for c = i pi q, 12 q whole, where both parts are one square root.
+std::optional<ExactSum> root_of_unity(const ExactSum& c)
+{
+    if (c.is_zero()) return ExactSum(1);
+    const auto turns = c.real().is_zero() ? c.imaginary().times_pi() : std::nullopt;
+    if (!turns || Rational(12 * *turns).get_den() != 1) return std::nullopt;
+    const long twelfths = Integer(Rational(12 * *turns).get_num() % 24).get_si();
+    const auto sine = sine_of_twelfths(twelfths), cosine = sine_of_twelfths(twelfths + 6);
+    return sine && cosine ? std::optional(*cosine + ExactSum::i() * *sine) : std::nullopt;
+}
+
 /// sine and cosine of an angle that is a multiple of pi/4 or pi/6 plus a series without constant term (sign = -1), or their hyperbolic kin
 /// at 0 (sign = 1).
 std::optional<std::pair<Coefficients, Coefficients>> sine_cosine(const Coefficients& a, int sign)
@@ -281,8 +292,11 @@ Series Expansion::analytic(const Expression& e, const Series& argument) const
     switch (e.op) {
     case Op::exp:
     case Op::expm1: {
-        if (!at_zero) return std::nullopt;
-        const Series r = from_taylor(exponential(a));
+        const auto front = root_of_unity(a[0]);
+        if (!front) return std::nullopt;
+        Coefficients rest = a;
+        rest[0] = ExactSum(0);
+        const Series r = product(constant(*front), from_taylor(exponential(rest)));
         return e.op == Op::exp ? r : sum(r, constant(-1));
     }
     case Op::log: return a[0] == ExactSum(1) ? integrated(a, inverse(argument), 0) : std::nullopt;

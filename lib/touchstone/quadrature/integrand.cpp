@@ -89,6 +89,7 @@ struct Integrand::Body {
     Place place;
     compiled::NodePtr root;
     double width = 1;
+    bool has_inner_integral = false;
 };
 
 Integrand::Integrand(const ExpressionPtr& e, Range range)
@@ -98,6 +99,7 @@ Integrand::Integrand(const ExpressionPtr& e, Range range)
     body_->range = std::move(range);
     body_->place.range = &body_->range;
     body_->root = compiled::compile(e, body_->place);
+    body_->has_inner_integral = any_node(*e, [](const Expression& n) { return n.op == Op::integral; });
     if (body_->range.map == Map::finite)
         body_->width = arf_get_d(arb_midref((body_->range.to.ball() - body_->range.from.ball()).get()), ARF_RND_NEAR);
 }
@@ -105,6 +107,7 @@ Integrand::~Integrand() = default;
 Integrand::Integrand(Integrand&&) noexcept = default;
 
 const Range& Integrand::range() const { return body_->range; }
+bool Integrand::has_inner_integral() const { return body_->has_inner_integral; }
 
 EndpointNumber<Ball> Integrand::at(const EndpointNumber<Ball>& x, const EndpointNumber<Ball>& left, const EndpointNumber<Ball>& right) const
 {
@@ -189,7 +192,7 @@ private:
     void multiples(const Expression& argument, const ExactSum& base, const ExactSum& step)
     {
         const auto p = polynomial(argument);
-        if (!p || p->size() != 2 || from_.infinite || to_.infinite) return;
+        if (!p || p->size() != 2 || !(*p)[0].is_real() || !(*p)[1].is_real() || from_.infinite || to_.infinite) return;
         const auto slope = (*p)[1].inverse(), over = step.inverse();
         if (!slope || !over) return;
         const auto index = [&](const Limit& end) {

@@ -79,6 +79,7 @@ public:
     /// Whether it is analytic and bounded on a neighbourhood of each end of the finite range.
     bool is_regular_at_ends() const;
     const Range& range() const;
+    bool has_inner_integral() const;
 
 private:
     ComplexBall about_an_end(const ComplexBall& z, bool on_the_line) const;

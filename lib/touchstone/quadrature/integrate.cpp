@@ -56,7 +56,7 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long 
     acb_calc_integrate_opt_init(options);
     // beyond these limits tanh-sinh, with a proof of its own, may still do better; each kink takes as many halvings as there are bits
     options->eval_limit = (4000 + 200 * digits) * (kinks ? 16 : 1);
-    if (quick) options->eval_limit = 400 + 20 * digits;
+    if (quick || f.has_inner_integral()) options->eval_limit = 400 + 20 * digits;
     options->depth_limit = kinks ? 2 * bits : 200;
     mag_t tolerance;
     mag_init(tolerance);
@@ -76,11 +76,15 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long 
 
 Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, long digits, const IntegralOptions& wanted)
 {
-    constexpr long quick_budget = 1500;
+    constexpr long quick_budget = 3000; // pieces, of an integrand that is itself an integral or stands inside one
+    constexpr int quick_bisections = 2;
     Options options;
     options.digits = digits;
     options.of_absolute = wanted.of_absolute || wanted.quick;
-    if (wanted.quick) options.proof_budget = quick_budget;
+    if (wanted.quick || f->has_inner_integral()) {
+        options.proof_budget = quick_budget;
+        options.bisections = quick_bisections;
+    }
     const Enclosure e = tanh_sinh([f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); },
                                   f->range().interval(), options);
     Attempt a;
@@ -217,8 +221,10 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
         const auto f = std::make_shared<const Integrand>(e_, Range{from, to, map});
         const bool regular = f->is_regular_at_ends(), kinks = has_kinks(*e_);
         const auto gauss_legendre = [&] { return by_gauss_legendre(*f, complex_, digits, kinks, options_.quick); };
-        if (options_.gauss_legendre && regular)
+        if (options_.gauss_legendre && regular) {
             if (auto a = gauss_legendre()) return *a;
+            if (options_.quick) return first; // a ball of the outer variable so wide that nothing is proved
+        }
         Attempt a = complex_ ? both_parts(from, to, digits, map) : by_tanh_sinh(f, digits, options_);
         if (a.value.is_finite()) return a;
         if (options_.gauss_legendre && !regular && kinks && map == Map::finite)
@@ -420,16 +426,22 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
         out.reason = a.reason;
         return false;
     }
-    if (complex_) return add_parts_by_themselves(from, to, digits, depth, out);
+    if (any_node(*e_, [](const Expression& n) { return n.op == Op::integral; })) {
+        out.reason = "not proved on [" + from.text + ", " + to.text + "]" + (a.at ? " near x = " + short_number(*a.at) : "") +
+                     ": the inner integral is not proved analytic in x about the path (its integrand must be analytic in both variables, "
+                     "a singular end of it must not move with x, nor may it be singular at an end of the outer range)";
+        return false;
+    }
     constexpr int deepest = 4;
+    if (depth < deepest && a.at)
+        if (const auto cut = named_point(*a.at, from, to)) return add_cut(from, to, *cut, digits, depth, out);
+    if (complex_) return add_parts_by_themselves(from, to, digits, depth, out);
     if (add_oscillating_tail(from, to, digits, depth, out)) return true;
     for (const bool left : {true, false})
         if (depth <= deepest && a.reason.find(left ? "left end" : "right end") != std::string::npos && !(left ? from : to).infinite &&
             add_about_infinity(from, to, left, digits, depth, out))
             return true;
     if (depth < deepest) {
-        if (a.at)
-            if (const auto cut = named_point(*a.at, from, to)) return add_cut(from, to, *cut, digits, depth, out);
         if (from.infinite && to.infinite) return add_cut(from, to, ExactSum(0), digits, depth, out);
         // the two ends may ask for different maps
         if (to.infinite && from.exact && depth < 2) {

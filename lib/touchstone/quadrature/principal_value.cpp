@@ -80,11 +80,13 @@ Integral principal_value(const ExpressionPtr& e, const Limit& from, const Limit&
     IntegralOptions each = options;
     each.principal_value.clear();
     each.at.clear();
+    each.of_absolute = !is_real(*e);
     if (each.tolerance) *each.tolerance /= static_cast<long>(pieces.size());
     const auto add = [&](long digits, Integral& out) {
         each.digits = digits;
         out = {};
         out.value = Ball(0);
+        out.imaginary = Ball(0);
         for (const Piece& p : pieces) {
             Integral part = integrate(p.formula, p.from, p.to, each);
             if (!part.value.is_finite()) {
@@ -95,6 +97,8 @@ Integral principal_value(const ExpressionPtr& e, const Limit& from, const Limit&
             }
             const WorkingPrecision precision(bits_for_digits(digits) + 64);
             out.value += part.value;
+            out.imaginary += part.imaginary;
+            out.is_complex = out.is_complex || part.is_complex;
             for (Part& q : part.parts) {
                 q.rule += p.in;
                 out.parts.push_back(std::move(q));

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Complex formulas, paths in the plane, parameters that are balls, inner integrals: against closed forms, and what must be refused.
+#include "touchstone/quadrature/path.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+ComplexBall constant(const char* text)
+{
+    const WorkingPrecision precision(200);
+    return PlainFormula(parse_expression(text)).at(ComplexBall(0));
+}
+
+Integral along(const char* formula, const std::vector<const char*>& path, long digits = 25, const Parameters& parameters = {})
+{
+    std::vector<Vertex> vertices;
+    for (const char* v : path) vertices.push_back(parse_vertex(v, parameters));
+    IntegralOptions options;
+    options.digits = digits;
+    return integrate_along(parse_expression(formula, parameters), vertices, options);
+}
+
+void is_value(const Integral& i, const char* value)
+{
+    CHECK_MESSAGE(i.status == Status::certified, i.reason);
+    const ComplexBall got(i.value, i.imaginary), truth = constant(value);
+    CHECK_MESSAGE(acb_overlaps(got.get(), truth.get()), value, ": ", i.value.to_string(20), " + i ", i.imaginary.to_string(20));
+    CHECK(acb_rel_accuracy_bits(got.get()) >= 80);
+}
+
+} // namespace
+
+TEST_CASE("complex formulas on real ranges")
+{
+    const struct {
+        const char *formula, *from, *to, *value;
+    } cases[] = {{"exp(i*x)", "0", "1", "(exp(i)-1)/i"},
+                 {"x^(i-1/2)", "0", "1", "1/(1/2+i)"},
+                 {"x^(2+3*i)*(1-x)^(-1/3+i)", "0", "1", "gamma(3+3*i)*gamma(2/3+i)/gamma(11/3+4*i)"},
+                 {"(exp(i*x)-1-i*x)/x^(5/2)", "0", "1", nullptr},
+                 {"exp(-(1+i)*x)/sqrt(x)", "0", "inf", "sqrt(pi/(1+i))"},
+                 {"exp(-(1+i)*x^2)", "-inf", "inf", "sqrt(pi/(1+i))"},
+                 {"exp(i*x)/sqrt(x)", "0", "inf", "sqrt(pi)*exp(i*pi/4)"},
+                 {"exp(-i*x)/sqrt(x)", "0", "inf", "sqrt(pi)*exp(-i*pi/4)"},
+                 {"exp(i*x)/(1+x^2)", "-inf", "inf", "pi/e"},
+                 {"1/(x-i/1000)", "-1", "1", "log(1-i/1000)-log(-1-i/1000)"},
+                 {"abs(1+i*x)^2", "0", "1", "4/3"},
+                 {"re(exp(i*x))^2+im(exp(i*x))^2", "0", "1", "1"},
+                 {"conj(exp(i*x))", "0", "1", "(exp(-i)-1)/(-i)"},
+                 {"(1+i)^x", "0", "1", "i/log(1+i)"}};
+    for (const auto& c : cases) {
+        CAPTURE(c.formula);
+        const Integral i = along(c.formula, {c.from, c.to});
+        if (c.value)
+            is_value(i, c.value);
+        else
+            CHECK(i.status == Status::certified);
+    }
+    // the principal value of exp(ix)/x is i pi: both parts are counted
+    IntegralOptions options;
+    options.principal_value = {parse_limit("0")};
+    is_value(integrate(parse_expression("exp(i*x)/x"), parse_limit("-inf"), parse_limit("inf"), options), "i*pi");
+}
+
+TEST_CASE("paths in the plane")
+{
+    const struct {
+        const char* formula;
+        std::vector<const char*> path;
+        const char* value;
+    } cases[] = {{"1/x", {"1", "i", "-1", "-i", "1"}, "2*pi*i"},
+                 {"1/x^2", {"1", "i", "-1", "-i", "1"}, nullptr}, // 0: no digit of it
+                 {"conj(x)", {"1", "i", "-1", "-i", "1"}, "4*i"},
+                 {"abs(x)", {"0", "1+i"}, "(1+i)/sqrt(2)"},
+                 {"1/sqrt(1+x^2)", {"-i", "i"}, "i*pi"},
+                 {"exp(i*x^2)", {"0", "(1+i)*inf"}, "sqrt(pi)/2*exp(i*pi/4)"},
+                 {"exp(i*x^3)", {"0", "exp(i*pi/6)*inf"}, "gamma(4/3)*exp(i*pi/6)"},
+                 {"exp(-x^2)", {"-inf", "-1+i", "1+i", "inf"}, "sqrt(pi)"},
+                 {"exp(i*x)", {"1", "i*inf"}, "i*exp(i)"},
+                 {"exp(i*x)", {"i*inf", "1"}, "-i*exp(i)"},
+                 {"sqrt(x)", {"0", "i"}, "2/3*i*sqrt(i)"},
+                 {"log(x)", {"0", "1+i"}, "(1+i)*(log(1+i)-1)"}};
+    for (const auto& c : cases) {
+        CAPTURE(c.formula);
+        const Integral i = along(c.formula, c.path);
+        if (c.value)
+            is_value(i, c.value);
+        else
+            CHECK((i.status == Status::undecided && i.digits == 0 && i.value.contains_zero() && i.imaginary.contains_zero()));
+    }
+}
+
+TEST_CASE("what has no value on a path is refused, and says why")
+{
+    const auto not_certified = [](const char* formula, const std::vector<const char*>& path) {
+        const Integral i = along(formula, path);
+        CAPTURE(formula);
+        CHECK(i.status != Status::certified);
+        CHECK(!i.reason.empty());
+    };
+    not_certified("log(x)", {"-1+i", "-1-i"});          // a cut
+    not_certified("log(x)", {"1", "i", "-1", "-i", "1"}); // the same, met at a corner
+    not_certified("sqrt(x)", {"-1", "-2"});             // along it
+    not_certified("1/(x-i)^2", {"0", "2*i"});
+    CHECK(along("1/(x-(1+i)/2)", {"0", "1+i"}).divergent);
+    CHECK(along("1/x", {"0", "i"}).divergent);
+    CHECK_THROWS_AS(along("sign(x)", {"0", "i"}), ExpressionError);
+    CHECK_THROWS_AS(along("ei(x)", {"1", "i"}), ExpressionError);
+    CHECK_THROWS_AS(along("besselj(i,x)", {"0", "1"}), ExpressionError);
+    CHECK_THROWS_AS(along("x", {"-inf", "i*inf"}), DomainError);
+    CHECK_THROWS_AS(along("x", {"0", "x"}), ExpressionError);
+    CHECK_THROWS_AS(along("x", {"0", "0*inf"}), ExpressionError);
+    CHECK_THROWS_AS(parse_limit("i"), ExpressionError);
+}
+
+TEST_CASE("parameters that are balls: the integral for every number of the ball, and not much more")
+{
+    const Parameters parameters{{"a", {Rational(1, 2), Rational(1, 1000000)}}, {"b", {Rational(3), Rational(0)}}};
+    const struct {
+        const char *formula, *from, *to, *low, *high;
+    } cases[] = {{"x^a", "0", "1", "1/1.500001", "1/1.499999"},
+                 {"exp(-a*x)", "0", "inf", "1/0.500001", "1/0.499999"},
+                 {"cos(a*x)", "0", "b", "sin(1.500003)/0.500001", "sin(1.499997)/0.499999"},
+                 {"1/(x+a)", "0", "1", "log(1.500001/0.500001)", "log(1.499999/0.499999)"},
+                 {"x^(-a)*(1-x)^(a-1)", "0", "1", "pi/sin(0.500000*pi)", "pi/sin(0.500001*pi)"}};
+    for (const auto& c : cases) {
+        CAPTURE(c.formula);
+        const Integral i = along(c.formula, {c.from, c.to}, 20, parameters);
+        CHECK(i.status == Status::undecided);
+        CHECK(i.digits >= 4);
+        CHECK(i.value.contains(constant(c.low).real()));
+        CHECK(i.value.contains(constant(c.high).real()));
+    }
+    CHECK(along("x^b", {"0", "1"}, 20, parameters).status == Status::certified);
+    CHECK(parse_parameter("1/3+/-1e-20").radius == *parse_rational("1e-20"));
+    CHECK_THROWS_AS(parse_parameter("1+/-"), ExpressionError);
+    CHECK_THROWS_AS(parse_parameter("1+/--1"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("c*x", parameters), ExpressionError);
+    CHECK(!is_free_name("x"));
+    CHECK(!is_free_name("sin"));
+    CHECK(!is_free_name("1a"));
+    CHECK(is_free_name("alpha_1"));
+}
+
+TEST_CASE("inner integrals")
+{
+    const struct {
+        const char *formula, *from, *to, *value;
+    } cases[] = {{"integral(x*y,y,0,x)", "0", "1", "1/8"},
+                 {"integral(exp(i*x*y),y,0,1)", "0", "1", "si(1)+i*(-ci(1)+0.57721566490153286060651209008240243104215933593992)"},
+                 {"re(integral(exp(i*x*y),y,0,1))", "0", "1", "si(1)"},
+                 {"integral(re(exp(i*x*y)),y,0,1)", "0", "1", "si(1)"},
+                 {"integral(exp(-y*(1+x^2)),y,0,inf)", "0", "1", "pi/4"},
+                 {"integral(y^(-1/2)*exp(-x*y),y,0,1)", "0", "1", "2*(sqrt(pi)*erf(1)+exp(-1)-1)"},
+                 {"x^(-1/2)*integral(exp(x*y),y,0,0)+1", "0", "1", "1"},
+                 {"integral(x*y,y,0,x)", "0", "1+i", "(1+i)^4/8"}};
+    for (const auto& c : cases) {
+        CAPTURE(c.formula);
+        is_value(along(c.formula, {c.from, c.to}), c.value);
+    }
+}
+
+TEST_CASE("inner integrals that are not analytic in x, or not proved, have no value")
+{
+    // each is a continuous function of x; what is asked of it is that it be analytic, so nothing may be certified from a rule
+    for (const char* formula : {"integral(abs(x-y),y,0,1)", "integral(floor(x+y),y,0,1)", "integral(sign(x-y),y,0,1)",
+                                "integral(1/(x-y),y,0,1)", "integral(max(x,y),y,0,1)"}) {
+        CAPTURE(formula);
+        const Integral i = along(formula, {"0", "1"}, 10);
+        CHECK(i.status != Status::certified);
+        CHECK(i.reason.find("inner integral") != std::string::npos);
+    }
+    CHECK_THROWS_AS(parse_expression("integral(x,x,0,1)"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(y,y,0)"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(integral(y*z,z,0,1),y,0,1)"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("y"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("1+inf"), ExpressionError);
+}
