@@ -180,3 +180,40 @@ TEST_CASE("inner integrals that are not analytic in x, or not proved, have no va
     CHECK_THROWS_AS(parse_expression("y"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("1+inf"), ExpressionError);
 }
+
+TEST_CASE("an inner integral at points of the plane is the analytic continuation, in a formula's real part too")
+{
+    const char* both = "(sqrt(pi/(i*x))*erf(sqrt(i*x))+sqrt(pi/(-i*x))*erf(sqrt(-i*x)))/2"; // of exp(ixy) and exp(-ixy)
+    const struct {
+        const char *formula, *value;
+    } cases[] = {{"integral(exp(-x*y)/sqrt(y),y,0,1)", "sqrt(pi/x)*erf(sqrt(x))"},
+                 {"integral(re(exp(i*x*y))/sqrt(y),y,0,1)", both},
+                 {"re(integral(exp(i*x*y)/sqrt(y),y,0,1))", both},
+                 {"integral(im(i*exp(i*x*y))/sqrt(y),y,0,1)", both},
+                 {"conj(integral(exp(i*x*y)/sqrt(y),y,0,1))", "sqrt(pi/(i*x))*erf(sqrt(i*x))"},
+                 {"integral(abs(exp(i*x*y))/sqrt(y),y,0,1)", "2"},
+                 {"integral(exp(i*x*y),y,0,x)", "(exp(i*x^2)-1)/(i*x)"}};
+    const WorkingPrecision precision(100);
+    for (const auto& c : cases) {
+        CAPTURE(c.formula);
+        for (const ComplexBall& z : {ComplexBall(Ball(1), Ball(1) / Ball(2)), ComplexBall(Ball(2), Ball(-1) / Ball(3))}) {
+            const ComplexBall got = PlainFormula(parse_expression(c.formula)).at(z), truth = PlainFormula(parse_expression(c.value)).at(z);
+            CHECK(got.is_finite());
+            CHECK(acb_overlaps(got.get(), truth.get()));
+        }
+    }
+}
+
+TEST_CASE("the real part of a value mirrors i and the points of an outer variable; that of a formula, i alone")
+{
+    const WorkingPrecision precision(100);
+    const ComplexBall outer(Ball(2), Ball(3)), z(Ball(5), Ball(7)), i(Ball(0), Ball(1));
+    const ExpressionPtr f = make(Op::multiply, {make_ball(outer), make(Op::multiply, {make(Op::imaginary_unit, {}), make_variable()})});
+    const auto at_z = [&](Op op) { return PlainFormula(make(op, {f})).at(z); };
+    const auto is = [](const ComplexBall& got, const ComplexBall& truth) { return acb_overlaps(got.get(), truth.get()) != 0; };
+    CHECK(is(at_z(Op::real_value), ComplexBall(-3) * z)); // Re(2i - 3)
+    CHECK(is(at_z(Op::imaginary_value), ComplexBall(2) * z));
+    CHECK(is(at_z(Op::real_part), ComplexBall(0)));
+    CHECK(is(at_z(Op::imaginary_part), outer * z));
+    CHECK(is(at_z(Op::conjugate), -i * outer * z));
+}
