@@ -83,8 +83,8 @@ quadrature::Vertex vertex_of(const std::string& text, const char* what, const qu
         return quadrature::parse_vertex(text, parameters);
     }
     catch (const quadrature::ExpressionError& e) {
-        throw Failure(bad_input,
-                      fmt::format("{} '{:.60}': {} (an end is a number such as 0, 1/3, pi/2, log(2), 1+i, inf, -inf, i*inf)", what, text, e.what()));
+        throw Failure(bad_input, fmt::format("{} '{:.60}': {} (an end is a number such as 0, 1/3, pi/2, log(2), 1+i, inf, -inf, i*inf)",
+                                             what, text, e.what()));
     }
 }
 
@@ -131,7 +131,9 @@ quadrature::Parameters parameters_of(const std::vector<std::string>& set)
         const auto equals = word.find('=');
         const std::string name = word.substr(0, equals);
         if (equals == std::string::npos || !quadrature::is_free_name(name))
-            throw Failure(bad_input, fmt::format("--set '{:.60}': NAME=NUMBER or NAME=NUMBER+/-RADIUS with a name that means nothing yet (a, b, c1, ...)", word));
+            throw Failure(bad_input, fmt::format("--set '{:.60}': NAME=NUMBER or NAME=NUMBER+/-RADIUS, the name one that means nothing yet "
+                                                 "(a, b, c1, ...)",
+                                                 word));
         try {
             if (!parameters.emplace(name, quadrature::parse_parameter(word.substr(equals + 1))).second)
                 throw Failure(bad_input, fmt::format("--set: '{}' is set twice", name));
@@ -218,7 +220,8 @@ Answer computed(const IntegrateOptions& o, const Problem& problem, const quadrat
         }
         if (!a.integral.value.is_finite()) break;
         a.shown = shown(a.integral, o, asked);
-        if (a.shown.digits == o.digits || a.integral.status != quadrature::Status::certified || !a.shown.value.empty()) break;
+        const bool enough = a.shown.digits == o.digits || (asked && !a.shown.value.empty());
+        if (enough || a.integral.status != quadrature::Status::certified) break;
     }
     return a;
 }
@@ -339,7 +342,8 @@ void add_integrate(CLI::App& app, Run& run)
     command->add_option("--path", o->path, "Points of the plane between the ends, separated by commas: 1+i,-1+i");
     command->add_option("--set", o->set, "A parameter of the formula, a number or a ball: a=1/3, a=0.5+/-1e-20");
     command->add_option("--at", o->at, "Points where the formula changes, separated by commas");
-    command->add_option("--principal-value", o->principal_value, "Poles inside, separated by commas, about which Cauchy's principal value is meant");
+    command->add_option("--principal-value", o->principal_value,
+                        "Poles inside, separated by commas, about which Cauchy's principal value is meant");
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000")->capture_default_str();
     command->add_option("--tolerance", o->tolerance, "An absolute error that is enough (for an integral that may be 0)");
     command->add_flag("--json", o->json, "One JSON object");

@@ -92,6 +92,41 @@ class Integrate(unittest.TestCase):
         self.assertIn("not inside", self.refused(65, "1/x", "-1", "1", "--principal-value", "2"))
         self.assertIn("diverges", self.refused(65, "1/x^2", "-1", "2", "--principal-value", "0"))
 
+    def test_complex_values_have_two_parts_to_one_place(self):
+        code, j = as_json("1/x", "1", "1", "--path", "i,-1,-i", "--digits", "20")
+        self.assertEqual((code, j["status"], j["value"], j["imaginary"], j["error"]), (0, "certified", "0", "6.2831853071795864769", "5e-20"))
+        code, j = as_json("1/(1000-x*i)", "0", "1", "--digits", "10")  # begins four places later, and is close to a tie
+        self.assertEqual((code, j["value"], j["imaginary"]), (0, "0.0009999996667", "4.999998e-07"))
+        answer = integrate("exp(i*x)", "0", "pi", "--digits", "10")
+        self.assertEqual(answer.stdout.splitlines()[0], "0 + 2.000000000*i")
+        self.assertEqual(integrate("exp(-i*x)", "0", "pi", "--digits", "10").stdout.splitlines()[0], "0 - 2.000000000*i")
+        self.assertEqual(as_json("exp(i*x)", "0", "2*pi", "--tolerance", "1e-9")[1]["value"], "0")
+
+    def test_parameters(self):
+        code, j = as_json("x^a", "0", "1", "--set", "a=1/2")
+        self.assertEqual((code, j["value"][:8]), (0, "0.666666"))
+        code, j = as_json("x^a", "0", "b", "--set", "a=0.5+/-1e-10", "--set", "b=1")
+        self.assertEqual((code, j["status"], j["digits"]), (2, "undecided", 9))
+        for word in ("a", "a=", "x=1", "sin=1", "a=1+/-", "a=1+/--1", "a=y", "=1"):
+            self.refused(65, "x", "0", "1", "--set", word)
+        self.refused(65, "x", "0", "1", "--set", "a=1", "--set", "a=2")
+        self.assertIn("column 1", self.refused(65, "b*x", "0", "1", "--set", "a=1"))
+
+    def test_inner_integrals(self):
+        code, j = as_json("integral(exp(-x*y),y,0,1)", "0", "1")
+        self.assertEqual((code, j["value"]), (0, "0.796599599297053134283675865543"))
+        self.assertIn("inner integral", self.refused(2, "integral(abs(x-y),y,0,1)", "0", "1"))
+        self.assertIn("two levels", self.refused(65, "integral(integral(y,z,0,1),y,0,1)", "0", "1"))
+        self.assertIn("column 12", self.refused(65, "integral(x,x,0,1)", "0", "1"))
+
+    def test_paths_that_are_none(self):
+        self.refused(65, "x", "0", "1", "--path", "x")
+        self.refused(65, "x", "-inf", "i*inf")
+        self.refused(65, "x", "0", "i", "--at", "1/2")
+        self.refused(65, "sign(x)", "0", "i")
+        self.assertIn("diverges", self.refused(65, "1/x", "0", "i"))
+        self.refused(2, "log(x)", "-1+i", "-1-i")
+
     def test_what_is_not_proved_is_undecided_with_its_place(self):
         self.assertIn("0.707", self.refused(2, "1/(x^2-1/2)", "0", "1"))
         self.assertIn("inf", self.refused(2, "exp(x)", "0", "inf"))

@@ -381,7 +381,8 @@ bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long 
         for (const auto& [wave, supremum] : turned) {
             const auto t = tail(*wave, base, distance, supremum, digits);
             if (!t) return false;
-            whole.parts.push_back({middle.text, middle.text + "+i*inf", "gauss-legendre on a turned path", t->value, {}, t->evaluations, {}});
+            const char* rule = "gauss-legendre on a turned path";
+            whole.parts.push_back({middle.text, middle.text + "+i*inf", rule, t->value, {}, t->evaluations, {}});
         }
         if (steady && !add_of_another(steady, middle, to, "", digits, whole)) return false;
         if (!add_part(from, middle, digits, depth + 1, whole)) return false;
@@ -553,8 +554,8 @@ Integral with_enough_digits(const IntegralOptions& options, const std::function<
         digits += std::min<long>(static_cast<long>(shortfall / bits_per_digit) + 3, 2 * options.digits + 20);
     }
     const double have = static_cast<double>(bits_of(out));
-    out.digits =
-        out.value.is_exact() && out.imaginary.is_exact() ? options.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options.digits);
+    const bool exact = out.value.is_exact() && out.imaginary.is_exact();
+    out.digits = exact ? options.digits : std::clamp(static_cast<long>(std::floor(have / bits_per_digit)), 0L, options.digits);
     const bool enough = out.digits == options.digits || is_within_tolerance(out, options);
     out.status = enough ? Status::certified : Status::undecided;
     const long shown = out.digits + 3;
