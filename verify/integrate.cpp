@@ -112,7 +112,7 @@ std::vector<std::string> words_of(const std::string& text, char separator)
         else
             word += c;
     }
-    if (!text.empty()) words.push_back(word);
+    if (!text.empty()) words.push_back(word); // "x;" has an empty second word, which is no formula
     return words;
 }
 
@@ -173,10 +173,10 @@ void explain(const quadrature::Part& p)
                p.certificate.truncation().to_string(3), p.certificate.rounding().to_string(3));
 }
 
-/// What is to be integrated, and along what.
+/// What is to be integrated, and along what: several formulas are separated by semicolons.
 struct Problem {
-    std::string text;
-    quadrature::ExpressionPtr formula;
+    std::vector<std::string> texts;
+    std::vector<quadrature::ExpressionPtr> formulas;
     std::vector<quadrature::Vertex> path;
 };
 
@@ -205,25 +205,40 @@ Shown shown(const quadrature::Integral& i, const IntegrateOptions& o, const std:
     return {real.value, o.tolerance, std::max(real.digits, imaginary.digits), imaginary.value};
 }
 
-Answer computed(const IntegrateOptions& o, const Problem& problem, const quadrature::IntegralOptions& options,
-                const std::optional<Rational>& asked)
+std::vector<quadrature::Integral> integrals(const Problem& problem, const quadrature::IntegralOptions& options)
 {
-    Answer a;
+    const auto& path = problem.path;
+    if (problem.formulas.size() > 1 && path.size() == 2 && path[0].is_real && path[1].is_real)
+        return quadrature::integrate_several(problem.formulas, quadrature::limit_of(path[0]), quadrature::limit_of(path[1]), options);
+    std::vector<quadrature::Integral> all;
+    for (const auto& formula : problem.formulas) all.push_back(quadrature::integrate_along(formula, path, options));
+    return all;
+}
+
+std::vector<Answer> computed(const IntegrateOptions& o, const Problem& problem, const quadrature::IntegralOptions& options,
+                             const std::optional<Rational>& asked)
+{
+    std::vector<Answer> answers;
     for (const long more : {0L, 4L, 16L}) { // a value close to the middle between two decimals asks for more
         auto with_more = options;
         with_more.digits += more;
+        answers.clear();
         try {
-            a.integral = quadrature::integrate_along(problem.formula, problem.path, with_more);
+            for (auto& i : integrals(problem, with_more)) answers.push_back({std::move(i), {}});
         }
         catch (const quadrature::ExpressionError& e) {
-            throw Failure(bad_input, fmt::format("formula '{:.60}', {}", problem.text, e.what()));
+            throw Failure(bad_input, fmt::format("formula '{:.60}', {}", o.formula, e.what()));
         }
-        if (!a.integral.value.is_finite()) break;
-        a.shown = shown(a.integral, o, asked);
-        const bool enough = a.shown.digits == o.digits || (asked && !a.shown.value.empty());
-        if (enough || a.integral.status != quadrature::Status::certified) break;
+        bool close_to_a_tie = false;
+        for (Answer& a : answers) {
+            if (!a.integral.value.is_finite()) continue;
+            a.shown = shown(a.integral, o, asked);
+            const bool enough = a.shown.digits == o.digits || (asked && !a.shown.value.empty());
+            if (!enough && a.integral.status == quadrature::Status::certified) close_to_a_tie = true;
+        }
+        if (!close_to_a_tie) break;
     }
-    return a;
+    return answers;
 }
 
 /// Without the blank that keeps a minus from being read as an option (main.cpp), and any other around it.
@@ -249,11 +264,11 @@ quadrature::IntegralOptions options_of(const IntegrateOptions& o)
     return options;
 }
 
-nlohmann::ordered_json as_json(const IntegrateOptions& o, const Problem& problem, const Answer& a, const char* status,
+nlohmann::ordered_json as_json(const IntegrateOptions& o, const std::string& formula, const Answer& a, const char* status,
                                const std::string& reason)
 {
     const auto& [result, s] = a;
-    nlohmann::ordered_json j{{"formula", problem.text}, {"from", o.from}, {"to", o.to}};
+    nlohmann::ordered_json j{{"formula", formula}, {"from", o.from}, {"to", o.to}};
     if (!o.path.empty()) j["path"] = o.path;
     const auto text_or_null = [&](const std::string& text) {
         return !s.value.empty() ? nlohmann::ordered_json(text) : nlohmann::ordered_json(nullptr);
@@ -284,46 +299,72 @@ std::string value_text(const Answer& a, long digits)
     return fmt::format("{} {} {}*i", s.value, negative ? '-' : '+', negative ? s.imaginary.substr(1) : s.imaginary);
 }
 
-void print(const IntegrateOptions& o, const Problem& problem, const Answer& a, const char* status, const std::string& reason)
+void print(const IntegrateOptions& o, const std::string& formula, const Answer& a, const char* status, const std::string& reason)
 {
     const Shown& s = a.shown;
     fmt::print("{}\n", value_text(a, o.digits));
     const std::string accuracy = s.value.empty() ? "no digit proven"
                                  : s.digits > 0  ? fmt::format("{} digits, |error| <= {}", s.digits, s.error)
                                                  : fmt::format("|error| <= {}", s.error);
-    fmt::print("  integral of {} from {}{} to {}: {}, {}\n", problem.text, o.from, o.path.empty() ? "" : " by " + o.path, o.to, status,
+    fmt::print("  integral of {} from {}{} to {}: {}, {}\n", formula, o.from, o.path.empty() ? "" : " by " + o.path, o.to, status,
                accuracy);
     if (!reason.empty()) fmt::print("  {}\n", reason);
     if (o.explain)
         for (const auto& p : a.integral.parts) explain(p);
 }
 
-int integrate_and_print(IntegrateOptions o)
+Problem problem_of(const IntegrateOptions& o)
 {
-    for (std::string* text : {&o.formula, &o.from, &o.to, &o.path, &o.at, &o.principal_value, &o.tolerance}) *text = bare(*text);
-    quadrature::IntegralOptions options = options_of(o);
     const quadrature::Parameters parameters = parameters_of(o.set);
-    Problem problem{o.formula, formula_of(o.formula, parameters), {vertex_of(o.from, "lower end", parameters)}};
+    Problem problem;
+    problem.texts = words_of(o.formula, ';');
+    if (problem.texts.empty()) problem.texts.push_back("");
+    for (std::string& text : problem.texts) {
+        text = bare(text);
+        problem.formulas.push_back(formula_of(text, parameters));
+    }
+    problem.path.push_back(vertex_of(o.from, "lower end", parameters));
     for (const std::string& word : words_of(o.path, ',')) problem.path.push_back(vertex_of(word, "point of the path", parameters));
     problem.path.push_back(vertex_of(o.to, "upper end", parameters));
-    const std::optional<Rational> tolerance = options.tolerance;
-    if (tolerance) *options.tolerance /= 100; // so that a decimal within it exists
-    const Answer a = computed(o, problem, options, tolerance);
+    return problem;
+}
+
+/// Prints the answer, or adds it to `all`; its exit code.
+int report(const IntegrateOptions& o, const std::string& formula, const Answer& a, bool alone, nlohmann::ordered_json& all)
+{
     const quadrature::Integral& result = a.integral;
-    if (result.divergent && !o.json) throw Failure(bad_input, result.reason);
+    if (result.divergent && !o.json && alone) throw Failure(bad_input, result.reason);
     const bool certified =
-        result.status == quadrature::Status::certified && (tolerance ? !a.shown.value.empty() : a.shown.digits == o.digits);
+        result.status == quadrature::Status::certified && (!o.tolerance.empty() ? !a.shown.value.empty() : a.shown.digits == o.digits);
     const std::string reason = certified               ? ""
                                : result.reason.empty() ? fmt::format("only {} of {} digits proven", a.shown.digits, o.digits)
                                                        : result.reason;
     const char* status = result.divergent ? "divergent" : certified ? "certified" : "undecided";
     if (o.json)
-        fmt::print("{}\n", as_json(o, problem, a, status, reason).dump());
-    else if (!result.value.is_finite())
+        all.push_back(as_json(o, formula, a, status, reason));
+    else if (!result.value.is_finite() && alone)
         throw Failure(undecided, reason);
+    else if (!result.value.is_finite())
+        fmt::print("-\n  integral of {} from {} to {}: {}\n  {}\n", formula, o.from, o.to, status, reason);
     else
-        print(o, problem, a, status, reason);
+        print(o, formula, a, status, reason);
     return result.divergent ? bad_input : certified ? holds : undecided;
+}
+
+int integrate_and_print(IntegrateOptions o)
+{
+    for (std::string* text : {&o.formula, &o.from, &o.to, &o.path, &o.at, &o.principal_value, &o.tolerance}) *text = bare(*text);
+    quadrature::IntegralOptions options = options_of(o);
+    const Problem problem = problem_of(o);
+    const std::optional<Rational> tolerance = options.tolerance;
+    if (tolerance) *options.tolerance /= 100; // so that a decimal within it exists
+    const std::vector<Answer> answers = computed(o, problem, options, tolerance);
+    auto all = nlohmann::ordered_json::array();
+    int code = holds;
+    for (std::size_t k = 0; k < answers.size(); ++k)
+        code = std::max(code, report(o, problem.texts[k], answers[k], answers.size() == 1, all));
+    if (o.json) fmt::print("{}\n", answers.size() == 1 ? all[0].dump() : nlohmann::ordered_json{{"integrals", all}}.dump());
+    return code;
 }
 
 } // namespace

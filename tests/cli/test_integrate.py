@@ -119,6 +119,14 @@ class Integrate(unittest.TestCase):
         self.assertIn("two levels", self.refused(65, "integral(integral(y,z,0,1),y,0,1)", "0", "1"))
         self.assertIn("column 12", self.refused(65, "integral(x,x,0,1)", "0", "1"))
 
+    def test_several_formulas(self):
+        code, j = as_json("1/sqrt(x); log(x)/sqrt(x)", "0", "1")
+        self.assertEqual((code, [i["status"] for i in j["integrals"]], j["integrals"][1]["value"][:8]), (0, ["certified"] * 2, "-4.00000"))
+        code, j = as_json("1/x; x", "0", "1")
+        self.assertEqual((code, [i["status"] for i in j["integrals"]]), (65, ["divergent", "certified"]))
+        self.refused(65, "x;", "0", "1")
+        self.refused(65, ";", "0", "1")
+
     def test_paths_that_are_none(self):
         self.refused(65, "x", "0", "1", "--path", "x")
         self.refused(65, "x", "-inf", "i*inf")

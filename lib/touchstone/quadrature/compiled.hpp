@@ -88,6 +88,10 @@ struct Place {
 template <class V>
 EndpointNumber<V> evaluate(const Node&, const Point<V>&, const Place&);
 
+/// At a node, the real and the imaginary part of the value; on a piece of the strip f and its mirror image, which bound both.
+std::array<EndpointNumber<Ball>, 2> both_parts(const Node&, const Point<Ball>&, const Place&);
+std::array<EndpointNumber<ComplexBall>, 2> both_parts(const Node&, const Point<ComplexBall>&, const Place&);
+
 /// The disc about one end, where only that end's distance keeps its powers.
 class Disc : public Frame<ComplexBall> {
 public:

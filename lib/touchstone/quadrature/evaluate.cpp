@@ -121,16 +121,23 @@ N<ComplexBall> lifted(const N<Ball>& x, const Lifted& frame)
     return {x.frame() ? &frame : nullptr, x.left(), x.right(), ComplexBall(x.factor())};
 }
 
+/// The value at a real point, complex, and the frame of the point.
+std::pair<N<ComplexBall>, const Frame<Ball>*> complex_value(const Node& node, const Point<Ball>& p, const Place& place)
+{
+    const Frame<Ball>* real = p.x.frame() ? p.x.frame() : p.left.frame() ? p.left.frame() : p.right.frame();
+    const Lifted frame(real);
+    Point<ComplexBall> q{lifted(p.x, frame), lifted(p.left, frame), lifted(p.right, frame), std::nullopt};
+    if (p.exp_x) q.exp_x = lifted(*p.exp_x, frame);
+    const N<ComplexBall> f = evaluate(node, q, place);
+    return {N<ComplexBall>(nullptr, f.left(), f.right(), f.factor()), real};
+}
+
 /// (f + f*)/2, (f - f*)/(2i) or f*: tanh_sinh.md, section 13.
 template <class V>
 N<V> part(const Node& node, const Point<V>& p, const Place& place)
 {
     if constexpr (std::same_as<V, Ball>) {
-        const Frame<Ball>* real = p.x.frame() ? p.x.frame() : p.left.frame() ? p.left.frame() : p.right.frame();
-        const Lifted frame(real);
-        Point<ComplexBall> q{lifted(p.x, frame), lifted(p.left, frame), lifted(p.right, frame), std::nullopt};
-        if (p.exp_x) q.exp_x = lifted(*p.exp_x, frame);
-        const N<ComplexBall> f = evaluate(*node.args[0], q, place);
+        const auto [f, real] = complex_value(*node.args[0], p, place);
         if (node.kind == Kind::conjugate && !acb_is_real(f.factor().get())) return N<V>(Ball::indeterminate());
         return {real, f.left(), f.right(), node.kind == Kind::imaginary_part ? f.factor().imag() : f.factor().real()};
     }
@@ -290,6 +297,19 @@ template <class V>
 EndpointNumber<V> evaluate(const Node& node, const Point<V>& p, const Place& place)
 {
     return node.zero[0] || node.zero[1] ? with_zeros(node, p, place) : ordinary(node, p, place);
+}
+
+std::array<N<Ball>, 2> both_parts(const Node& node, const Point<Ball>& p, const Place& place)
+{
+    const auto [f, frame] = complex_value(node, p, place);
+    return {N<Ball>(frame, f.left(), f.right(), f.factor().real()), N<Ball>(frame, f.left(), f.right(), f.factor().imag())};
+}
+
+std::array<N<ComplexBall>, 2> both_parts(const Node& node, const Point<ComplexBall>& p, const Place& place)
+{
+    Place mirrored = place;
+    mirrored.conjugated = mirrored.mirrored = true;
+    return {evaluate(node, p, place), evaluate(node, p, mirrored)};
 }
 
 template EndpointNumber<Ball> evaluate(const Node&, const Point<Ball>&, const Place&);

@@ -120,6 +120,18 @@ EndpointNumber<ComplexBall> Integrand::at(const EndpointNumber<ComplexBall>& x, 
     return compiled::evaluate(*body_->root, Point<ComplexBall>{x, left, right, body_->place.exp_x(left, right)}, body_->place);
 }
 
+template <class V>
+std::array<EndpointNumber<V>, 2> Integrand::both_parts(const EndpointNumber<V>& x, const EndpointNumber<V>& left,
+                                                       const EndpointNumber<V>& right) const
+{
+    return compiled::both_parts(*body_->root, Point<V>{x, left, right, body_->place.exp_x(left, right)}, body_->place);
+}
+template std::array<EndpointNumber<Ball>, 2> Integrand::both_parts(const EndpointNumber<Ball>&, const EndpointNumber<Ball>&,
+                                                                   const EndpointNumber<Ball>&) const;
+template std::array<EndpointNumber<ComplexBall>, 2> Integrand::both_parts(const EndpointNumber<ComplexBall>&,
+                                                                          const EndpointNumber<ComplexBall>&,
+                                                                          const EndpointNumber<ComplexBall>&) const;
+
 ComplexBall Integrand::in_plane(const ComplexBall& z) const { return about_an_end(z, false); }
 ComplexBall Integrand::on_the_line(const ComplexBall& z) const { return about_an_end(z, arb_is_zero(acb_imagref(z.get())) != 0); }
 

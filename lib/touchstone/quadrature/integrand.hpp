@@ -20,6 +20,8 @@
 #include "touchstone/quadrature/exact_series.hpp"
 #include "touchstone/quadrature/interval.hpp"
 
+#include <array>
+
 namespace touchstone::quadrature {
 
 /// An end of the range: a constant formula, or -oo or oo.
@@ -72,6 +74,9 @@ public:
     EndpointNumber<Ball> at(const EndpointNumber<Ball>& x, const EndpointNumber<Ball>& left, const EndpointNumber<Ball>& right) const;
     EndpointNumber<ComplexBall> at(const EndpointNumber<ComplexBall>& x, const EndpointNumber<ComplexBall>& left,
                                    const EndpointNumber<ComplexBall>& right) const;
+    /// Of a complex formula, the two parts of its value at a node; on a piece f and f*, which bound them (tanh_sinh.md, section 13).
+    template <class V>
+    std::array<EndpointNumber<V>, 2> both_parts(const EndpointNumber<V>& x, const EndpointNumber<V>& left, const EndpointNumber<V>& right) const;
     /// At a point of the plane: non-finite unless analytic on the whole ball. For finite ranges.
     ComplexBall in_plane(const ComplexBall& z) const;
     /// The values on a real ball (z without imaginary part), across kinks and steps too.

@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/integrate.hpp"
 
 #include "touchstone/quadrature/oscillation.hpp"
+#include "touchstone/quadrature/rules.hpp"
 #include "touchstone/quadrature/substitution.hpp"
 #include "touchstone/quadrature/upper.hpp"
 
@@ -23,122 +24,6 @@ std::string short_number(double x)
 }
 
 double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
-
-/// What became of one part.
-struct Attempt {
-    Ball value = Ball::indeterminate(), imaginary;
-    std::string reason;
-    std::optional<double> at; ///< where the proof stopped, in x
-    Part part;
-};
-
-/// Arb's adaptive Gauss-Legendre quadrature: each panel by a rule with a bound from an ellipse on which the formula is proved analytic.
-/// Across `kinks` panels are halved down to the tolerance, where an enclosure of the values is enough.
-std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long digits, bool kinks, bool quick)
-{
-    struct Call {
-        const Integrand* f;
-        long evaluations = 0;
-    } call{&f};
-    constexpr slong for_kinks = 16; // each kink adds an enclosure as wide as the tolerance
-    const slong bits = bits_for_digits(digits) + (kinks ? for_kinks : 0);
-    const WorkingPrecision precision(bits);
-    const auto evaluate = [](acb_ptr out, const acb_t z, void* data, slong order, slong working) -> int {
-        auto& c = *static_cast<Call*>(data);
-        ++c.evaluations;
-        const WorkingPrecision here(working);
-        ComplexBall argument;
-        acb_set(argument.get(), z);
-        acb_set(out, (order == 0 ? c.f->on_the_line(argument) : c.f->in_plane(argument)).get());
-        return 0;
-    };
-    acb_calc_integrate_opt_t options;
-    acb_calc_integrate_opt_init(options);
-    // beyond these limits tanh-sinh, with a proof of its own, may still do better; each kink takes as many halvings as there are bits
-    options->eval_limit = (4000 + 200 * digits) * (kinks ? 16 : 1);
-    if (quick || f.has_inner_integral()) options->eval_limit = 400 + 20 * digits;
-    options->depth_limit = kinks ? 2 * bits : 200;
-    mag_t tolerance;
-    mag_init(tolerance);
-    mag_set_ui_2exp_si(tolerance, 1, -bits);
-    ComplexBall value;
-    const int status = acb_calc_integrate(value.get(), evaluate, &call, ComplexBall(f.range().from.ball()).get(),
-                                          ComplexBall(f.range().to.ball()).get(), bits, tolerance, options, bits);
-    mag_clear(tolerance);
-    if (status != ARB_CALC_SUCCESS || !value.is_finite()) return std::nullopt;
-    Attempt a;
-    a.value = value.real();
-    if (complex) a.imaginary = value.imag();
-    a.part.rule = "gauss-legendre";
-    a.part.evaluations = call.evaluations;
-    return a;
-}
-
-Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, long digits, const IntegralOptions& wanted)
-{
-    constexpr long quick_budget = 3000; // pieces, of an integrand that is itself an integral or stands inside one
-    constexpr int quick_bisections = 2;
-    Options options;
-    options.digits = digits;
-    options.of_absolute = wanted.of_absolute || wanted.quick;
-    if (wanted.quick || f->has_inner_integral()) {
-        options.proof_budget = quick_budget;
-        options.bisections = quick_bisections;
-    }
-    const Enclosure e = tanh_sinh([f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); },
-                                  f->range().interval(), options);
-    Attempt a;
-    a.value = e.value;
-    a.reason = e.reason;
-    a.part.rule = "tanh-sinh";
-    a.part.certificate = e.certificate;
-    a.part.evaluations = e.certificate.points();
-    if (e.status == Status::indeterminate && e.fraction) {
-        const double u = *e.fraction;
-        const Range& r = f->range();
-        switch (r.map) {
-        case Map::finite: a.at = to_double(r.from.ball()) + u * to_double(r.to.ball() - r.from.ball()); break;
-        case Map::right_algebraic: a.at = to_double(r.from.ball()) + u / (1 - u); break;
-        case Map::right_exponential: a.at = to_double(r.from.ball()) - std::log1p(-u); break;
-        case Map::left_algebraic: a.at = to_double(r.to.ball()) - (1 - u) / u; break;
-        case Map::left_exponential: a.at = to_double(r.to.ball()) + std::log(u); break;
-        case Map::line_algebraic: a.at = (u / (1 - u) - (1 - u) / u) / 2; break;
-        case Map::line_exponential: a.at = std::log(u / (1 - u)); break;
-        }
-    }
-    return a;
-}
-
-/// Whether a function that decays (or grows) exponentially is named: which map is tried first.
-bool names_exponential(const Expression& e)
-{
-    switch (e.op) {
-    case Op::exp:
-    case Op::expm1:
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-    case Op::coth:
-    case Op::sech:
-    case Op::csch:
-    case Op::erf:
-    case Op::erfc:
-    case Op::airy_ai:
-    case Op::bessel_k: return depends_on_x(e);
-    case Op::power:
-        if (depends_on_x(*e.args[1])) return true;
-        break;
-    default: break;
-    }
-    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return names_exponential(*a); });
-}
-
-/// Whether the formula has branches that may lie where no exact number is.
-bool has_kinks(const Expression& e)
-{
-    if (e.op == Op::abs || e.op == Op::sign || e.op == Op::floor || e.op == Op::ceil || e.op == Op::max || e.op == Op::min) return true;
-    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return has_kinks(*a); });
-}
 
 /// Whether something that abs, sign, max, min, a root or a logarithm is taken of vanishes there, exactly.
 bool changes_branch(const Expression& e, const ExactSum& at)
@@ -174,7 +59,6 @@ private:
     bool add_about_infinity(const Limit& from, const Limit& to, bool left, long digits, int depth, Integral& out);
     bool add_of_another(const ExpressionPtr& e, const Limit& from, const Limit& to, const std::string& in, long digits, Integral& out);
     Attempt attempt(const Limit& from, const Limit& to, long digits) const;
-    Attempt both_parts(const Limit& from, const Limit& to, long digits, Map map) const;
     bool add_parts_by_themselves(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
     std::optional<ExactSum> named_point(double x, const Limit& from, const Limit& to) const;
     bool diverges(const Limit& end, int direction, Integral& out) const;
@@ -200,23 +84,8 @@ bool Integration::diverges(const Limit& end, int direction, Integral& out) const
 
 Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) const
 {
-    std::vector<Map> maps;
-    const bool exponential = names_exponential(*e_);
-    const auto either = [&](Map algebraic_map, Map exponential_map) {
-        if (exponential)
-            maps = {exponential_map, algebraic_map};
-        else
-            maps = {algebraic_map, exponential_map};
-    };
-    if (from.infinite && to.infinite)
-        either(Map::line_algebraic, Map::line_exponential);
-    else if (to.infinite)
-        either(Map::right_algebraic, Map::right_exponential);
-    else if (from.infinite)
-        either(Map::left_algebraic, Map::left_exponential);
-    else
-        maps = {Map::finite};
     Attempt first;
+    const std::vector<Map> maps = maps_for(from, to, names_exponential(*e_));
     for (const Map map : maps) {
         const auto f = std::make_shared<const Integrand>(e_, Range{from, to, map});
         const bool regular = f->is_regular_at_ends(), kinks = has_kinks(*e_);
@@ -225,33 +94,13 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
             if (auto a = gauss_legendre()) return *a;
             if (options_.quick) return first; // a ball of the outer variable so wide that nothing is proved
         }
-        Attempt a = complex_ ? both_parts(from, to, digits, map) : by_tanh_sinh(f, digits, options_);
+        Attempt a = by_tanh_sinh(f, complex_, digits, options_);
         if (a.value.is_finite()) return a;
         if (options_.gauss_legendre && !regular && kinks && map == Map::finite)
             if (auto b = gauss_legendre()) return *b;
         if (map == maps.front()) first = std::move(a);
     }
     return first;
-}
-
-/// Real and imaginary part by one rule each.
-Attempt Integration::both_parts(const Limit& from, const Limit& to, long digits, Map map) const
-{
-    Attempt both;
-    IntegralOptions absolute = options_;
-    absolute.of_absolute = true;
-    for (const Op op : {Op::real_value, Op::imaginary_value}) {
-        Attempt a = by_tanh_sinh(std::make_shared<const Integrand>(make(op, {e_}), Range{from, to, map}), digits, absolute);
-        if (!a.value.is_finite()) return a;
-        if (op == Op::real_value)
-            both = std::move(a);
-        else {
-            both.imaginary = a.value;
-            both.part.evaluations += a.part.evaluations;
-            both.part.rule += ", each part by itself";
-        }
-    }
-    return both;
 }
 
 /// Where the two parts want different cuts, or turned paths, they are two integrals.
@@ -452,6 +301,11 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
                 return true;
             }
         }
+    }
+    if (a.reason.find("huge next to") != std::string::npos && !options_.patient) {
+        IntegralOptions patient = options_;
+        patient.patient = true;
+        if (Integration(e_, patient, substituted_).add_part(from, to, digits, deepest, out)) return true;
     }
     if (a.reason.find(" end ") != std::string::npos) // what can be done about an end
         a.reason += from.infinite || to.infinite

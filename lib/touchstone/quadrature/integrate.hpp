@@ -35,6 +35,7 @@ struct IntegralOptions {
     std::optional<Rational> tolerance; ///< an absolute error that is enough
     bool gauss_legendre = true;        ///< whether that rule may be chosen
     bool of_absolute = false;          ///< digits of the integral of |f| are enough
+    bool patient = false;              ///< many bits where the formula is huge next to its integral; used where nothing else helps
     bool quick = false;                ///< so are they, one attempt for each part and few evaluations: for integrals inside others
 };
 
@@ -60,6 +61,9 @@ struct Integral {
 
 /// Errors: DomainError for a break point or pole that is not inside.
 Integral integrate(const ExpressionPtr&, const Limit& from, const Limit& to, const IntegralOptions& = {});
+
+/// Of several formulas over one range. Where tanh-sinh is the rule the strip is proved once for all of them, and they share their nodes.
+std::vector<Integral> integrate_several(const std::vector<ExpressionPtr>&, const Limit& from, const Limit& to, const IntegralOptions& = {});
 
 /// Used by integrate where `principal_value` names poles.
 Integral principal_value(const ExpressionPtr&, const Limit& from, const Limit& to, const IntegralOptions&);

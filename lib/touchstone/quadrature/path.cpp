@@ -29,16 +29,6 @@ ExpressionPtr constant_of(std::string_view text, const Parameters& parameters)
     return e;
 }
 
-Limit limit_of(const Vertex& v)
-{
-    if (!v.point) return parse_limit(v.text);
-    Limit l;
-    l.formula = v.point;
-    l.exact = exact_value(*v.point);
-    l.text = v.text;
-    return l;
-}
-
 /// One side of the polygon as an integral over a real variable.
 struct Stretch {
     ExpressionPtr formula;
@@ -78,6 +68,16 @@ Stretch stretch_between(const ExpressionPtr& e, const Vertex& a, const Vertex& b
 }
 
 } // namespace
+
+Limit limit_of(const Vertex& v)
+{
+    if (!v.point) return parse_limit(v.text);
+    Limit l;
+    l.formula = v.point;
+    l.exact = exact_value(*v.point);
+    l.text = v.text;
+    return l;
+}
 
 Vertex parse_vertex(std::string_view text, const Parameters& parameters)
 {

@@ -24,6 +24,9 @@ struct Vertex {
 /// `1+i`, `exp(i*pi/3)`, `inf`, `-inf`, `i*inf`, `(1+i)*inf`. \throws ExpressionError
 Vertex parse_vertex(std::string_view text, const Parameters& = {});
 
+/// A real vertex as an end of a range.
+Limit limit_of(const Vertex&);
+
 /// The value has its digits relative to its modulus. On the real line it is what integrate() gives.
 /// Errors: DomainError for fewer than two vertices, two neighbours at infinity, break points or poles on a path that is not one real range.
 Integral integrate_along(const ExpressionPtr&, const std::vector<Vertex>& path, const IntegralOptions& = {});

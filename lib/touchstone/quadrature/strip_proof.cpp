@@ -14,6 +14,13 @@ namespace touchstone::quadrature::detail {
 namespace {
 
 /// x with pi sinh(x) cos(d) >= depth, up to rounding (only efficiency depends on it).
+/// How much of the exponent is spent on rho^k: the more, the smaller is (k/(e epsilon))^k; only efficiency depends on it.
+Exponent share_for_logarithms(const Exponent& k)
+{
+    constexpr long few = 4, many = 64;
+    return k < Exponent(few) ? Exponent(1, 32) : k < Exponent(many) ? Exponent(1, 8) : Exponent(1, 2);
+}
+
 double edge(double depth, double d) { return std::ceil(std::asinh(depth / (M_PI * std::cos(d))) * 64) / 64; }
 
 } // namespace
@@ -40,7 +47,7 @@ End StripProof::end(Side side, double d)
         if (!c.factor().is_finite()) continue;
         e.bound = upper_ball(c.factor());
         if (!own.logs.is_zero()) { // rho^k <= (sup of |u|^epsilon rho^k) |u|^-epsilon
-            const Exponent epsilon = Exponent(0) < own.logs ? e.here * Exponent(1, 32) : Exponent(0);
+            const Exponent epsilon = Exponent(0) < own.logs ? e.here * share_for_logarithms(own.logs) : Exponent(0);
             e.bound = e.bound * upper_ball(piece.vanishing(side, epsilon.ball(), own.logs));
             e.here = e.here - epsilon;
         }

@@ -60,8 +60,14 @@ struct ProvedPanel {
     End left, right;
 };
 
-/// The sum over one panel, to within 2^log2_tolerance.
-Ball evaluate(ProvedPanel& proved, double log2_tolerance, slong& precision)
+/// Sums over a panel, and about the largest of those of the terms' sizes, which is compared with what was proved of it.
+struct Sums {
+    std::vector<Ball> values;
+    Ball absolute{0};
+};
+
+/// The sums over one panel, to within 2^log2_tolerance.
+Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slong& precision)
 {
     Panel& p = proved.panel;
     {
@@ -82,25 +88,38 @@ Ball evaluate(ProvedPanel& proved, double log2_tolerance, slong& precision)
 
     const WorkingPrecision full(bits);
     proved.f.prepare();
-    Ball sum(0);
+    std::vector<Ball> sums(count, Ball(0));
+    Ball absolute(0);
+    std::vector<EndpointNumber<Ball>> g;
     const double alpha = p.alpha.to_double(), beta = p.beta.to_double();
     const auto add = [&](long k, Side side) {
         const Node node(*table, k, side);
         const slong lost = static_cast<slong>((side == Side::left ? alpha : beta) * node.depth() / M_LN2);
         const WorkingPrecision here(std::max<slong>(40, std::min<slong>(bits, bits - lost + k / p.m + 4)));
-        const EndpointNumber<Ball> g = proved.f.at_node(node);
-        arb_addmul(sum.get(), g.factor().get(), node.weighted(g.left().power, g.right().power).get(), bits);
+        proved.f.at_node(node, g);
+        Ball weight;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i == 0 || !(g[i].left() == g[i - 1].left()) || !(g[i].right() == g[i - 1].right()))
+                weight = node.weighted(g[i].left().power, g[i].right().power);
+            arb_addmul(sums[i].get(), g[i].factor().get(), weight.get(), bits);
+            const Ball size = upper_ball(g[i].factor()), w = upper_ball(weight);
+            arb_addmul(absolute.get(), size.get(), w.get(), strip_bits);
+        }
     };
     add(0, Side::right);
     for (long k = 1; k <= p.right_nodes; ++k) add(k, Side::right);
     for (long k = 1; k <= p.left_nodes; ++k) add(k, Side::left);
     Ball log2;
     arb_const_log2(log2.get(), bits);
-    sum *= pi<Ball>() * log2 / Ball(p.m);
-    p.rounding = radius_of(sum);
-    widen(sum, p.discretisation);
-    widen(sum, p.truncation);
-    return sum;
+    p.rounding = Ball(0);
+    for (Ball& sum : sums) {
+        sum *= pi<Ball>() * log2 / Ball(p.m);
+        const Ball rounding = radius_of(sum);
+        if (!arb_le(rounding.get(), p.rounding.get())) p.rounding = rounding;
+        widen(sum, p.discretisation);
+        widen(sum, p.truncation);
+    }
+    return {std::move(sums), absolute * Ball(4) / Ball(p.m)}; // pi log 2 < 4
 }
 
 /// Prove panels, bisecting near what stops a proof or makes its strip thin.
@@ -169,7 +188,7 @@ long digits_of(const Ball& x)
 }
 
 /// Sums of more bits than this are not tried: the program's limit for every other value, 16 times what the digits take.
-constexpr double most_bits_per_bit = 16, most_spare_bits = 8192;
+constexpr double most_bits_per_bit = 16, most_spare_bits = 8192, most_patient_bits = 65536;
 
 /// log2 of the largest bound that errors are held against.
 double bits_against(const std::vector<ProvedPanel>& panels)
@@ -187,17 +206,98 @@ std::string digits_text(long proven, long asked)
 
 } // namespace
 
-Enclosure integrate(const MakePanel& make, const Interval& interval, const Options& options)
+EndpointNumber<ComplexBall> majorant(const std::vector<EndpointNumber<ComplexBall>>& all, const Frame<ComplexBall>& frame)
+{
+    Order p = all.front().left(), q = all.front().right();
+    for (const auto& g : all) {
+        p = Order::dominant(p, g.left());
+        q = Order::dominant(q, g.right());
+    }
+    const EndpointNumber<ComplexBall> common(&frame, p, q, ComplexBall(1));
+    Ball most(0);
+    for (const auto& g : all) {
+        const Ball size = upper_ball((g / common).value());
+        if (!size.is_finite()) return {&frame, p, q, ComplexBall::indeterminate()};
+        if (arb_gt(size.get(), most.get())) most = size;
+    }
+    return {&frame, p, q, ComplexBall(most)};
+}
+
+namespace {
+
+/// What is known of the bits that the integrands' values lack.
+double largest_shortfall(const std::vector<Ball>& totals, double wanted)
+{
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Ball& t : totals) most = std::max(most, wanted - static_cast<double>(t.relative_bits()));
+    return most;
+}
+
+/// The result where nothing is proven.
+Enclosure refused(const Interval& interval, long digits, std::string why, const std::optional<double>& fraction = {})
+{
+    Enclosure r;
+    r.value = Ball::indeterminate();
+    r.certificate.interval = interval.to_string();
+    r.certificate.digits = digits;
+    r.reason = std::move(why);
+    r.fraction = fraction;
+    return r;
+}
+
+/// What was declared of the exponents and is not what is proved; empty if it is.
+std::string not_as_declared(const Options& options, const std::vector<ProvedPanel>& panels)
+{
+    const auto differs = [](const std::optional<Rational>& e, const Exponent& proved, const char* end) {
+        if (!e || !(proved < Exponent(*e))) return std::string();
+        return std::string("declared exponent ") + e->get_str() + " at the " + end + " end, proved only " + proved.to_string();
+    };
+    const std::string left = differs(options.left_exponent, panels.front().panel.alpha, "left");
+    return !left.empty() ? left : differs(options.right_exponent, panels.back().panel.beta, "right");
+}
+
+/// The sums over all panels, the tolerance lowered until each has its digits; the reason if that takes too many bits.
+std::vector<Ball> summed(std::vector<ProvedPanel>& panels, std::size_t count, const Options& options, double wanted, const Ball& scale,
+                         slong& precision, std::string& reason)
+{
+    constexpr int most_attempts = 4;
+    double log2_tolerance = log2_upper(scale) - wanted - 2 - std::log2(static_cast<double>(panels.size()));
+    std::vector<Ball> totals;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+        const double bits =
+            std::max(bits_against(panels) - log2_tolerance, log2_upper(scale)); // the bound of |f| may itself be all there is
+        if (!(bits <= most_bits_per_bit * wanted + (options.patient ? most_patient_bits : most_spare_bits))) {
+            if (attempt > 0) break;
+            std::ostringstream why;
+            why << "digits against the proven bound of |f| would take " << std::llround(bits) << " bits: f is huge next to the interval";
+            reason = why.str();
+            return {};
+        }
+        precision = 0;
+        Ball absolute(0);
+        totals.assign(count, Ball(0));
+        for (ProvedPanel& p : panels) {
+            const Sums parts = evaluate(p, count, log2_tolerance, precision);
+            const WorkingPrecision full(precision + 8);
+            absolute += parts.absolute;
+            for (std::size_t i = 0; i < count; ++i) totals[i] += parts.values[i];
+        }
+        const double shortfall = largest_shortfall(totals, wanted);
+        const bool finite = std::all_of(totals.begin(), totals.end(), [](const Ball& t) { return t.is_finite(); });
+        if (shortfall <= 0 || options.of_absolute || !finite) break;
+        // the integral is much smaller than what bounds that of |f|, because that is or because it cancels: ask for that much more
+        const double excess = options.patient ? std::max(0.0, log2_upper(scale) - log2_upper(absolute)) : 0;
+        log2_tolerance -= std::min(shortfall + 2, 2 * wanted + excess);
+    }
+    return totals;
+}
+
+} // namespace
+
+std::vector<Enclosure> integrate(const MakePanel& make, std::size_t count, const Interval& interval, const Options& options)
 try {
-    Enclosure result;
-    result.value = Ball::indeterminate();
-    result.certificate.interval = interval.to_string();
-    result.certificate.digits = options.digits;
-    const auto refuse = [&](std::string why) {
-        result.status = Status::indeterminate;
-        result.value = Ball::indeterminate();
-        result.reason = std::move(why);
-        return result;
+    const auto refuse = [&](std::string why, const std::optional<double>& fraction = {}) {
+        return std::vector<Enclosure>(count, refused(interval, options.digits, std::move(why), fraction));
     };
     if (options.digits < 1) return refuse("digits must be at least 1");
     Interval ends = interval;
@@ -209,61 +309,41 @@ try {
     const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
     std::vector<ProvedPanel> panels;
     std::string reason;
-    if (!prove_panels(make, 0, 1, options, 0, wanted, panels, reason, result.fraction)) return refuse(std::move(reason));
-
-    const auto declared = [&](const std::optional<Rational>& e, const Exponent& proved, const char* end) {
-        if (!e || !(proved < Exponent(*e))) return true;
-        result.reason = std::string("declared exponent ") + e->get_str() + " at the " + end + " end, proved only " + proved.to_string();
-        return false;
-    };
-    if (!declared(options.left_exponent, panels.front().panel.alpha, "left") ||
-        !declared(options.right_exponent, panels.back().panel.beta, "right"))
-        return refuse(result.reason);
+    std::optional<double> stopped;
+    if (!prove_panels(make, 0, 1, options, 0, wanted, panels, reason, stopped)) return refuse(std::move(reason), stopped);
+    if (std::string other = not_as_declared(options, panels); !other.empty()) return refuse(std::move(other));
 
     Ball scale(0);
     {
         const WorkingPrecision precision(strip_bits);
         for (const ProvedPanel& p : panels) scale += p.panel.scale;
     }
-    double log2_tolerance = log2_upper(scale) - wanted - 2 - std::log2(static_cast<double>(panels.size()));
-    for (int attempt = 0;; ++attempt) {
-        const double bits =
-            std::max(bits_against(panels) - log2_tolerance, log2_upper(scale)); // the bound of |f| may itself be all there is
-        if (!(bits <= most_bits_per_bit * wanted + most_spare_bits)) {
-            if (attempt > 0) break;
-            std::ostringstream why;
-            why << "digits against the proven bound of |f| would take " << std::llround(bits) << " bits: f is huge next to the interval";
-            return refuse(why.str());
+    Certificate certificate;
+    certificate.interval = interval.to_string();
+    certificate.digits = options.digits;
+    const std::vector<Ball> totals = summed(panels, count, options, wanted, scale, certificate.precision, reason);
+    if (totals.empty()) return refuse(std::move(reason), stopped);
+    for (ProvedPanel& p : panels) certificate.panels.push_back(std::move(p.panel));
+    std::vector<Enclosure> all;
+    for (const Ball& total : totals) {
+        Enclosure r = refused(interval, options.digits, "", stopped);
+        r.certificate = certificate;
+        if (!total.is_finite())
+            r.reason = "the integrand is not finite at a node";
+        else {
+            r.value = total;
+            r.digits = std::clamp(digits_of(total), 0L, options.digits);
+            r.status = r.digits == options.digits ? Status::certified : Status::undecided;
+            if (r.status == Status::undecided)
+                r.reason = digits_text(r.digits, options.digits) + ": the error is at most " + bound_text(radius_of(total)) +
+                           ", where |f| integrates to at most " + bound_text(scale);
         }
-        slong precision = 0;
-        Ball total(0);
-        for (ProvedPanel& p : panels) {
-            const Ball part = evaluate(p, log2_tolerance, precision);
-            const WorkingPrecision full(precision + 8);
-            total += part;
-        }
-        result.certificate.precision = precision;
-        result.value = total;
-        const double shortfall = wanted - static_cast<double>(total.relative_bits());
-        if (shortfall <= 0 || attempt == 3 || options.of_absolute || !total.is_finite()) break;
-        // the integral is much smaller than the integral of |f|: ask for that much more
-        log2_tolerance -= std::min(shortfall + 2, 2 * wanted);
+        all.push_back(std::move(r));
     }
-    result.certificate.panels.clear();
-    for (ProvedPanel& p : panels) result.certificate.panels.push_back(std::move(p.panel));
-    if (!result.value.is_finite()) return refuse("the integrand is not finite at a node");
-    result.digits = std::clamp(digits_of(result.value), 0L, options.digits);
-    result.status = result.digits == options.digits ? Status::certified : Status::undecided;
-    if (result.status == Status::undecided)
-        result.reason = digits_text(result.digits, options.digits) + ": the error is at most " + bound_text(radius_of(result.value)) +
-                        ", where |f| integrates to at most " + bound_text(scale);
-    return result;
+    return all;
 }
 catch (const DomainError& error) { // an exponent that Exponent cannot hold
-    Enclosure refused;
-    refused.value = Ball::indeterminate();
-    refused.reason = error.what();
-    return refused;
+    return std::vector<Enclosure>(count, refused(interval, options.digits, error.what()));
 }
 
 } // namespace touchstone::quadrature::detail

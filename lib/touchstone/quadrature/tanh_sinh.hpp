@@ -49,6 +49,8 @@ struct Options {
     long digits = 30;
     /// Whether digits of the integral of |f| will do, where the integral itself is smaller.
     bool of_absolute = false;
+    /// Whether many bits may be spent where f is huge next to its integral (x^1000 exp(-x) takes 12000).
+    bool patient = false;
     /// If given, the integrand is refused unless |f| <= K u^(alpha-1), resp. r^(beta-1), is proved for it.
     std::optional<Rational> left_exponent, right_exponent;
     /// How often the interval may be bisected near a singularity that is close to it.
@@ -100,48 +102,70 @@ namespace detail {
 template <class V>
 using PanelFunction = std::function<EndpointNumber<V>(const Frame<V>&)>;
 
-/// f dx/du on a panel, as a function of the panel's own u and r.
+/// f dx/du on a panel, as a function of the panel's own u and r: of one integrand or several.
 struct PanelIntegrand {
-    PanelFunction<ComplexBall> on_strip;
-    PanelFunction<Ball> at_node;
+    PanelFunction<ComplexBall> on_strip; ///< of several, what bounds them all
+    std::function<void(const Frame<Ball>&, std::vector<EndpointNumber<Ball>>&)> at_node;
     std::function<void()> prepare; ///< to be called after each change of precision
 };
 
 using MakePanel = std::function<PanelIntegrand(const Rational& from, const Rational& to)>;
 
-Enclosure integrate(const MakePanel&, const Interval&, const Options&);
+/// One enclosure for each of `count` integrands; the certificates are one and the same.
+std::vector<Enclosure> integrate(const MakePanel&, std::size_t count, const Interval&, const Options&);
 
-template <class V, class F>
-EndpointNumber<V> panel_value(const F& f, const Interval& interval, const Frame<V>& frame, const Rational& from, const Rational& to)
+/// u^p r^q c with |g| <= |u^p r^q| c for each g of them: the orders of the largest at either end.
+EndpointNumber<ComplexBall> majorant(const std::vector<EndpointNumber<ComplexBall>>&, const Frame<ComplexBall>&);
+
+/// f dx/du and its factors on the panel; f returns a number or a range of them.
+template <class V, class F, class Take>
+void panel_values(const F& f, const Interval& interval, const Frame<V>& frame, const Rational& from, const Rational& to, const Take& take)
 {
     using N = EndpointNumber<V>;
-    const N v(&frame, {1, 0}, {}, V(1)), s(&frame, {}, {1, 0}, V(1));
-    if (from == 0 && to == 1) {
-        const auto p = interval.at(v, s);
-        return N(f(p.x, p.left, p.right)) * p.slope;
-    }
-    const N width{Rational(to - from)};
-    const N u = from == 0 ? width * v : N(from) + width * v;
-    const N r = to == 1 ? width * s : N(Rational(1 - to)) + width * s;
+    const N v(&frame, {1, 0}, {}, V(1)), s(&frame, {}, {1, 0}, V(1)), width{Rational(to - from)};
+    const bool whole = from == 0 && to == 1;
+    const N u = whole ? v : from == 0 ? width * v : N(from) + width * v;
+    const N r = whole ? s : to == 1 ? width * s : N(Rational(1 - to)) + width * s;
     const auto p = interval.at(u, r);
-    return N(f(p.x, p.left, p.right)) * p.slope * width;
+    const auto scaled = [&](const N& g) { return whole ? g * p.slope : g * p.slope * width; };
+    const auto values = f(p.x, p.left, p.right);
+    if constexpr (requires { values.begin(); })
+        for (const auto& g : values) take(scaled(N(g)));
+    else
+        take(scaled(N(values)));
 }
 
 } // namespace detail
+
+/// The integrals of `count` functions of the same singular structure: f returns a range of numbers in place of one. The strip is proved
+/// once, for all of them together, and they share their nodes; each has an enclosure of its own. What is singular for one is taken to be
+/// so for all: functions that differ in that cost each other nodes, never digits.
+template <class F>
+std::vector<Enclosure> tanh_sinh_of_several(F f, std::size_t count, Interval interval, const Options& options = {})
+{
+    const auto shared = std::make_shared<Interval>(std::move(interval));
+    const detail::MakePanel make = [f, shared](const Rational& from, const Rational& to) {
+        detail::PanelIntegrand g;
+        g.on_strip = [f, shared, from, to](const Frame<ComplexBall>& frame) {
+            std::vector<EndpointNumber<ComplexBall>> all;
+            detail::panel_values<ComplexBall>(f, *shared, frame, from, to, [&](auto&& v) { all.push_back(v); });
+            return all.size() == 1 ? all.front() : detail::majorant(all, frame);
+        };
+        g.at_node = [f, shared, from, to](const Frame<Ball>& frame, std::vector<EndpointNumber<Ball>>& out) {
+            out.clear();
+            detail::panel_values<Ball>(f, *shared, frame, from, to, [&](auto&& v) { out.push_back(v); });
+        };
+        g.prepare = [shared] { shared->prepare(); };
+        return g;
+    };
+    return detail::integrate(make, count, *shared, options);
+}
 
 /// The integral of f over the interval. See the head of this file.
 template <class F>
 Enclosure tanh_sinh(F f, Interval interval, const Options& options = {})
 {
-    const auto shared = std::make_shared<Interval>(std::move(interval));
-    const detail::MakePanel make = [f, shared](const Rational& from, const Rational& to) {
-        detail::PanelIntegrand g;
-        g.on_strip = [f, shared, from, to](const Frame<ComplexBall>& frame) { return detail::panel_value<ComplexBall>(f, *shared, frame, from, to); };
-        g.at_node = [f, shared, from, to](const Frame<Ball>& frame) { return detail::panel_value<Ball>(f, *shared, frame, from, to); };
-        g.prepare = [shared] { shared->prepare(); };
-        return g;
-    };
-    return detail::integrate(make, *shared, options);
+    return tanh_sinh_of_several(std::move(f), 1, std::move(interval), options).front();
 }
 
 } // namespace touchstone::quadrature

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::quadrature {
+namespace {
+
+double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+/// x where the fraction of the range is u.
+double place_of(const Range& r, double u)
+{
+    switch (r.map) {
+    case Map::finite: return to_double(r.from.ball()) + u * to_double(r.to.ball() - r.from.ball());
+    case Map::right_algebraic: return to_double(r.from.ball()) + u / (1 - u);
+    case Map::right_exponential: return to_double(r.from.ball()) - std::log1p(-u);
+    case Map::left_algebraic: return to_double(r.to.ball()) - (1 - u) / u;
+    case Map::left_exponential: return to_double(r.to.ball()) + std::log(u);
+    case Map::line_algebraic: return (u / (1 - u) - (1 - u) / u) / 2;
+    case Map::line_exponential: break;
+    }
+    return std::log(u / (1 - u));
+}
+
+Attempt attempt_of(const Enclosure& e, const Range& range)
+{
+    Attempt a;
+    a.value = e.value;
+    a.reason = e.reason;
+    a.part.rule = "tanh-sinh";
+    a.part.certificate = e.certificate;
+    a.part.evaluations = e.certificate.points();
+    if (e.status == Status::indeterminate && e.fraction) a.at = place_of(range, *e.fraction);
+    return a;
+}
+
+} // namespace
+
+std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long digits, bool kinks, bool quick)
+{
+    struct Call {
+        const Integrand* f;
+        long evaluations = 0;
+    } call{&f};
+    constexpr slong for_kinks = 16; // each kink adds an enclosure as wide as the tolerance
+    const slong bits = bits_for_digits(digits) + (kinks ? for_kinks : 0);
+    const WorkingPrecision precision(bits);
+    const auto evaluate = [](acb_ptr out, const acb_t z, void* data, slong order, slong working) -> int {
+        auto& c = *static_cast<Call*>(data);
+        ++c.evaluations;
+        const WorkingPrecision here(working);
+        ComplexBall argument;
+        acb_set(argument.get(), z);
+        acb_set(out, (order == 0 ? c.f->on_the_line(argument) : c.f->in_plane(argument)).get());
+        return 0;
+    };
+    acb_calc_integrate_opt_t options;
+    acb_calc_integrate_opt_init(options);
+    // beyond these limits tanh-sinh, with a proof of its own, may still do better; each kink takes as many halvings as there are bits
+    options->eval_limit = (4000 + 200 * digits) * (kinks ? 16 : 1);
+    if (quick || f.has_inner_integral()) options->eval_limit = 400 + 20 * digits;
+    options->depth_limit = kinks ? 2 * bits : 200;
+    mag_t tolerance;
+    mag_init(tolerance);
+    mag_set_ui_2exp_si(tolerance, 1, -bits);
+    ComplexBall value;
+    const int status = acb_calc_integrate(value.get(), evaluate, &call, ComplexBall(f.range().from.ball()).get(),
+                                          ComplexBall(f.range().to.ball()).get(), bits, tolerance, options, bits);
+    mag_clear(tolerance);
+    if (status != ARB_CALC_SUCCESS || !value.is_finite()) return std::nullopt;
+    Attempt a;
+    a.value = value.real();
+    if (complex) a.imaginary = value.imag();
+    a.part.rule = "gauss-legendre";
+    a.part.evaluations = call.evaluations;
+    return a;
+}
+
+Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, bool complex, long digits, const IntegralOptions& wanted)
+{
+    constexpr long quick_budget = 3000; // pieces, of an integrand that is itself an integral or stands inside one
+    constexpr int quick_bisections = 2;
+    Options options;
+    options.digits = digits;
+    options.of_absolute = wanted.of_absolute || wanted.quick || complex; // with_enough_digits looks at the modulus
+    options.patient = wanted.patient;
+    if (wanted.quick || f->has_inner_integral()) {
+        options.proof_budget = quick_budget;
+        options.bisections = quick_bisections;
+    }
+    if (!complex) {
+        const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
+        return attempt_of(tanh_sinh(at, f->range().interval(), options), f->range());
+    }
+    const auto parts = [f](const auto& x, const auto& left, const auto& right) { return f->both_parts(x, left, right); };
+    const std::vector<Enclosure> both = tanh_sinh_of_several(parts, 2, f->range().interval(), options);
+    Attempt a = attempt_of(both[0], f->range());
+    a.imaginary = both[1].value;
+    if (!a.imaginary.is_finite()) a.value = Ball::indeterminate();
+    return a;
+}
+
+std::vector<Attempt> by_one_tanh_sinh(const std::vector<std::shared_ptr<const Integrand>>& all, long digits)
+{
+    Options options;
+    options.digits = digits;
+    const auto values = [all](const auto& x, const auto& left, const auto& right) {
+        std::vector<std::decay_t<decltype(x)>> r;
+        for (const auto& f : all) r.push_back(f->at(x, left, right));
+        return r;
+    };
+    std::vector<Attempt> attempts;
+    const Range& range = all.front()->range();
+    for (const Enclosure& e : tanh_sinh_of_several(values, all.size(), range.interval(), options)) attempts.push_back(attempt_of(e, range));
+    return attempts;
+}
+
+std::vector<Map> maps_for(const Limit& from, const Limit& to, bool exponential)
+{
+    const auto either = [&](Map algebraic_map, Map exponential_map) {
+        return exponential ? std::vector{exponential_map, algebraic_map} : std::vector{algebraic_map, exponential_map};
+    };
+    if (from.infinite && to.infinite) return either(Map::line_algebraic, Map::line_exponential);
+    if (to.infinite) return either(Map::right_algebraic, Map::right_exponential);
+    if (from.infinite) return either(Map::left_algebraic, Map::left_exponential);
+    return {Map::finite};
+}
+
+bool names_exponential(const Expression& e)
+{
+    switch (e.op) {
+    case Op::exp:
+    case Op::expm1:
+    case Op::sinh:
+    case Op::cosh:
+    case Op::tanh:
+    case Op::coth:
+    case Op::sech:
+    case Op::csch:
+    case Op::erf:
+    case Op::erfc:
+    case Op::airy_ai:
+    case Op::bessel_k: return depends_on_x(e);
+    case Op::power:
+        if (depends_on_x(*e.args[1])) return true;
+        break;
+    default: break;
+    }
+    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return names_exponential(*a); });
+}
+
+bool has_kinks(const Expression& e)
+{
+    if (e.op == Op::abs || e.op == Op::sign || e.op == Op::floor || e.op == Op::ceil || e.op == Op::max || e.op == Op::min) return true;
+    return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return has_kinks(*a); });
+}
+
+} // namespace touchstone::quadrature

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The rules that integrate() chooses from, for one range of one formula or several (internal to quadrature/).
+#pragma once
+
+#include "touchstone/quadrature/integrate.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace touchstone::quadrature {
+
+/// What became of one part.
+struct Attempt {
+    Ball value = Ball::indeterminate(), imaginary;
+    std::string reason;
+    std::optional<double> at; ///< where the proof stopped, in x
+    Part part;
+};
+
+/// Arb's adaptive Gauss-Legendre quadrature: each panel by a rule with a bound from an ellipse on which the formula is proved analytic.
+/// Across `kinks` panels are halved down to the tolerance, where an enclosure of the values is enough.
+std::optional<Attempt> by_gauss_legendre(const Integrand&, bool complex, long digits, bool kinks, bool quick);
+
+/// tanh_sinh.hpp; of a complex formula both parts, by one proof.
+Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>&, bool complex, long digits, const IntegralOptions&);
+
+/// Real formulas of one range by one proof and the same nodes; their values are non-finite if it fails.
+std::vector<Attempt> by_one_tanh_sinh(const std::vector<std::shared_ptr<const Integrand>>&, long digits);
+
+/// The maps for a range, the likely one first.
+std::vector<Map> maps_for(const Limit& from, const Limit& to, bool exponential);
+
+/// Whether a function that decays (or grows) exponentially is named: which map is tried first.
+bool names_exponential(const Expression&);
+
+/// Whether the formula has branches that may lie where no exact number is.
+bool has_kinks(const Expression&);
+
+} // namespace touchstone::quadrature

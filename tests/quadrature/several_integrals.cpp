@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Several integrands by one proof: each value is right, whatever the others are; the majorant bounds every one of them.
+#include "touchstone/quadrature/integrate.hpp"
+
+#include "touchstone/quadrature/strip.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+std::vector<Integral> several(const std::vector<const char*>& formulas, const char* from, const char* to, long digits = 30)
+{
+    std::vector<ExpressionPtr> all;
+    for (const char* f : formulas) all.push_back(parse_expression(f));
+    IntegralOptions options;
+    options.digits = digits;
+    return integrate_several(all, parse_limit(from), parse_limit(to), options);
+}
+
+} // namespace
+
+TEST_CASE("several integrals over one range, the strip proved once")
+{
+    const auto all = several({"1/sqrt(x)", "log(x)/sqrt(x)", "1e-40*x", "x^(-0.9)", "1/sqrt(x*(1-x))"}, "0", "1");
+    const char* values[] = {"2", "-4", "5e-41", "10", "pi"};
+    REQUIRE(all.size() == 5);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        CAPTURE(values[k]);
+        CHECK_MESSAGE(all[k].status == Status::certified, all[k].reason);
+        CHECK(all[k].value.overlaps(parse_limit(values[k]).ball()));
+        CHECK(all[k].value.relative_bits() >= 99);
+        REQUIRE(all[k].parts.size() == 1);
+        CHECK(all[k].parts[0].certificate.to_json() == all[0].parts[0].certificate.to_json());
+    }
+}
+
+TEST_CASE("several integrals: one that fails takes no other with it")
+{
+    const auto all = several({"1/sqrt(x)", "1/x", "abs(x-1/3)^(-1/2)", "i*x", "sign(x-1/2)*x"}, "0", "1", 20);
+    CHECK(all[0].status == Status::certified);
+    CHECK(all[1].divergent);
+    CHECK(all[2].status == Status::certified);
+    CHECK(all[2].value.overlaps(parse_limit("2*(sqrt(1/3)+sqrt(2/3))").ball()));
+    CHECK(all[3].imaginary.overlaps(parse_limit("1/2").ball()));
+    CHECK(all[4].value.overlaps(parse_limit("1/4").ball()));
+    const auto tails = several({"exp(-x)", "exp(-x)*x^3", "exp(-x)/sqrt(x)"}, "0", "inf");
+    CHECK(tails[1].value.overlaps(parse_limit("6").ball()));
+    CHECK(tails[2].value.overlaps(parse_limit("sqrt(pi)").ball()));
+    CHECK_THROWS_AS(
+        [] {
+            IntegralOptions options;
+            options.at = {parse_limit("2")};
+            return integrate_several({parse_expression("x"), parse_expression("x^2")}, parse_limit("0"), parse_limit("1"), options);
+        }(),
+        DomainError);
+}
+
+TEST_CASE("the majorant of numbers u^p r^q c is at least each of them, and no more than the largest of their kind")
+{
+    const WorkingPrecision precision(strip_bits);
+    const StripPiece piece = StripPiece::at(Side::left, 1, 1.25, 0, 0.25);
+    using N = EndpointNumber<ComplexBall>;
+    const N a(&piece, {Exponent(-1, 2), 0}, {}, ComplexBall(3)), b(&piece, {Exponent(1), 0}, {Exponent(-1, 3), 0}, ComplexBall(Ball(0), Ball(-2)));
+    const auto size = [&](const N& g) { return abs(g.value()); };
+    for (const auto& all : {std::vector{a, b}, std::vector{b, a}, std::vector{a}}) {
+        const N m = quadrature::detail::majorant(all, piece);
+        for (const N& g : all) {
+            const Ball low = size(g), high = size(m);
+            CHECK(!arb_gt(low.get(), high.get()));
+        }
+        CHECK(m.left().power == Exponent(-1, 2));
+    }
+    // of one kind: the larger, and hardly more
+    const N c(&piece, {Exponent(-1, 2), 0}, {}, ComplexBall(Ball(-4)));
+    const Ball larger = quadrature::detail::majorant({a, c}, piece).factor().real(), more = Ball(4) + Ball(1) / Ball(1000000);
+    CHECK(arb_ge(larger.get(), Ball(4).get()));
+    CHECK(arb_le(larger.get(), more.get()));
+    // an end's piece, where a logarithm is the larger
+    const StripPiece end = StripPiece::at(Side::left, 1, std::numeric_limits<double>::infinity(), 0, 0.25);
+    const N plain(&end, {}, {}, ComplexBall(1)), logarithm(&end, {0, 1}, {}, ComplexBall(1));
+    CHECK(quadrature::detail::majorant({plain, logarithm}, end).left().logs == Exponent(1));
+    CHECK(!quadrature::detail::majorant({plain, N(&end, {}, {}, ComplexBall::indeterminate())}, end).factor().is_finite());
+}
