@@ -27,32 +27,43 @@ Ball log_step_slope(const Ball& delta)
     return log(Ball(2)) + (digamma(1 + delta / 2) - digamma(Ball(Rational(3, 2)) + delta / 2)) / 2;
 }
 
+namespace {
+
+/// The slope of log step on [1/2, 1], enclosed piece by piece.
+Ball log_step_slopes(long pieces)
+{
+    Rational low(1, 2);
+    const Rational piece = (1 - low) / pieces;
+    Ball slopes = log_step_slope(Ball(low));
+    while (low < 1) {
+        const Rational high = low + piece;
+        slopes = hull(slopes, log_step_slope(hull(Ball(low), Ball(high))));
+        low = high;
+    }
+    return slopes;
+}
+
+} // namespace
+
 Check K_converges()
 {
     const Check one = identity(archard::step<GiNaC::ex>(GiNaC::ex(1)), 1, Points{"n=1"});
     if (one.verdict != Verdict::proved) return one;
-    const int pieces = 16;
-    for (int i = 0; i < pieces; ++i) {
-        const Ball delta = hull(Ball(Rational(pieces + i, 2 * pieces)), Ball(Rational(pieces + i + 1, 2 * pieces)));
-        const Ball slope = log_step_slope(delta);
-        if (!certainly(less(Ball(0), slope)) || !slope.is_finite()) return {Verdict::undecided, "the slope of log step is not enclosed in positive numbers"};
-    }
+    const Ball slopes = log_step_slopes(16);
+    if (!certainly(less(Ball(0), slopes)) || !slopes.is_finite()) return {Verdict::undecided, "the slope of log step is not enclosed in positive numbers"};
     return as_lemma({Verdict::proved, "log step(1) = 0 and its slope on [1/2, 1] is enclosed in positive numbers, none above a bound: each step below 1, the logarithms summable"});
 }
 
 Check least_step_slope_exceeds(const Ball& number)
 {
-    const int pieces = 128;
-    Ball least = log_step_slope(Ball(1));
-    for (int i = 0; i < pieces; ++i) least = at_most(least, log_step_slope(hull(Ball(Rational(pieces + i, 2 * pieces)), Ball(Rational(pieces + i + 1, 2 * pieces)))));
-    return less_than(number, least, "the number and the least slope of log step");
+    return less_than(number, log_step_slopes(128), "the number and the slope of log step");
 }
 
 Ball K_infinity()
 {
     const long N = 64;
     const Ball h = ScalarTraits<Ball>::power_of_two(-(N + 1)); // the steps left out have delta >= 1 - h
-    const Ball slope = log_step_slope(hull(Ball(1) - h, Ball(1)));
+    const Ball slope = log_step_slope(hull(archard::delta<Ball>(N), Ball(1)));
     return archard::K_by_recursion<Ball>(N) * exp(-(slope * (2 * h)));
 }
 

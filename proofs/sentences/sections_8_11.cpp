@@ -45,8 +45,8 @@ Finding peak_at_centre(const Print& p)
     Argument a("exact phases");
     a.add("the phase at the centre of the k-th part is 2 pi k + pi (1 - gamma^n)", identity(phase, 2 * Pi * k + Pi * (1 - N), Points{"N=3 k=1"}));
     const bool odd = p.text("condition").find("odd") != std::string::npos;
-    a.add("odd gamma^n: cosine one", identity(cos(phase.subs(lst{N == 5, k == 1})), p("rhs"), Points{"N=5"}));
-    if (!odd) a.add("gamma^n = 10, as in figures 3 to 5", identity(cos(phase.subs(lst{N == 10, k == 1})), p("rhs"), Points{"N=10"}));
+    a.add("odd gamma^n: cosine one", identity(cos(phase.subs(lst{N == 5, k == 0})), p("rhs"), Points{"N=5"}));
+    if (!odd) a.add("gamma^n = 10, as in figures 3 to 5", identity(cos(phase.subs(lst{N == 10, k == 0})), p("rhs"), Points{"N=10"}));
     return a.conclude("for odd gamma^n");
 }
 
@@ -63,7 +63,7 @@ Finding load_power(const Print& p)
 Finding slope_grows(const Print& p)
 {
     const ex b = sym("b");
-    const ex power_of_load = 1 - pow(ex(2), -n());
+    const ex power_of_load = -pow(ex(2), -n()); // and 1, at every scale
     return Argument("exponents in normal form")
         .add("from n to n + 1 the power of the load in (8.2) grows by 2^-(n+1)", power_identity(pow(b, power_of_load.subs(n() == n() + 1) - power_of_load), pow(b, p("rhs")), Points{"b=3 n=2"}))
         .conclude("in the Hertzian approximation (8.2); positive, and halved at each scale");
@@ -154,7 +154,8 @@ std::vector<Claim> sentences_of_sections_8_11()
         {"text.peak-at-centre", "Each of the gamma^n subintervals has a peak of the n-th wave at its centre.", "integer gamma", peak_at_centre, {}, Correction{"wording", "'at the centre': for even gamma^n the centres are troughs", "for odd gamma^n; for even gamma^n with the origin shifted by half a wavelength lambda_n", {{"condition", "integer", "odd"}}, "nothing: the number of peaks in lambda_0 is gamma^n either way"}, {"3.1"}},
         {"text.load-linear", "The mean length of the segments is almost independent of the load.", hertz_everywhere, load_power, {{"2^-(n-1)", {{"rhs", "n+1", "n-1"}}}}, {}, {"7.16", "8.2"}},
         {"text.slope-grows-with-load", "The apparent dimension grows with the load at the first scales.", hertz_everywhere, slope_grows, {{"falls", {{"rhs", "2^(-(n+1))", "-2^(-(n+1))"}}}}, {}, {"8.2"}},
-        {"text.several-scales", "At small loads several scales pass before there is more than one segment.", the_model, several_scales, {{"at all loads up to 1", {{"rhs", "gamma^(-2*m)", "1"}}}}, {}, {"8.1"}},
+        {"text.several-scales", "At small loads several scales pass before there is more than one segment.", the_model, several_scales,
+         {{"at all loads up to 1", {{"rhs", "gamma^(-2*m)", "1"}}}, {"up to gamma^-m", {{"rhs", "-2*m", "-m"}}}, {"up to twice that", {{"rhs", "gamma^(-2*m)", "2*gamma^(-2*m)"}}}}, {}, {"8.1"}},
         {"text.figure-5-load", "The load of figure 5 is pbar = 0.001.", "", figure_5_load, {}, Correction{"misprint", "pbar for ptilde: a pressure is not a number", "ptilde = 0.001", {{"lhs", "pbar", "ptilde"}}, "the same slip stands twice more in the paragraph after (9.4)"}, {"6.8"}},
         {"text.beyond-20", "Beyond n = 20 the normalised distributions do not change.", the_model + ", gamma^(D-1) > 2, ptilde < 1", beyond_20, {}, {}, {"6.1"}},
         {"text.distribution-load", "The limiting normalised distributions do not depend on the load.", the_model + ", gamma^(D-1) > 2, ptilde < 1", load_independent, {{"one", {{"rhs", "0", "1"}}}}, {}, {"5.6", "6.1"}},

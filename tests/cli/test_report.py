@@ -22,7 +22,7 @@ import xml.etree.ElementTree as ElementTree
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 FIGURES = ["figure1", "figure2", "figure3", "figure4", "figure5", "hertz-error", "apparent-dimension", "print-errors", "hertzian-share", "edge-error", "certified-digits"]
-ENTRIES = ["2.14", "2.5", "7.17", "9.4", "table1.n07"]  # a ledger in small: judging all of it has a test of its own
+ENTRIES = ["2.14", "2.5", "7.17", "9.4", "table1.n07", "text.lopez-pages"]  # a ledger in small: judging all of it has a test of its own
 
 
 def run(*arguments):
@@ -114,6 +114,9 @@ class Report(unittest.TestCase):
         for entry in ENTRIES:
             self.assertIn("entry-" + entry, Page(self.text).ids)
             self.assertIn("touchstone paper " + entry, self.text)
+
+    def test_italics_and_bold_of_the_print(self):
+        self.assertIn("<em>J. Physique</em> <strong>4</strong>, 2501", self.text)
 
     def test_the_checks_see_what_is_wrong(self):
         """Each check fails on a page that is spoilt in the way it is there to see."""

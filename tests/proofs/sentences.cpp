@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A judge of a sentence judges what is said: a weaker true bound is not refuted, a false one is.
 #include "proofs/ledger.hpp"
+#include "proofs/lemmas/area_bounds.hpp"
+#include "proofs/sentences/sentences.hpp"
 
 #include <doctest/doctest.h>
 
@@ -54,8 +56,26 @@ TEST_CASE("a bound that is false is refuted")
     CHECK(verdict_of("text.area-decreases", {{"relation", "<=", ">"}}) == Verdict::refuted);
 }
 
+TEST_CASE("a bound is compared for all G > 1, and a lower end that only a radius makes negative is 0")
+{
+    const ex G = sym("G");
+    CHECK_FALSE(at_most_for_all_G(1 / (16 * GiNaC::pow(G - 1, 2)), 1 / (4 * G * G))); // it is for G >= 2
+    CHECK(at_most_for_all_G(1 / (5 * G * G), 1 / (4 * G * G)));
+    CHECK(between(touchstone::hull(touchstone::Ball(0), touchstone::Ball(100))) == "0 to 100.00");
+}
+
+TEST_CASE("a share of full contacts is held by the rarer of the two: to climb above load 1, and to stay there")
+{
+    using touchstone::Ball, touchstone::Rational;
+    const Ball G(Rational(11, 10)), far(Rational(4, 5)); // where staying is the rarer
+    const Ball stay = acos(G - 1) / touchstone::pi<Ball>();
+    CHECK(least_full_share(G, far).overlaps((1 - G * far) * stay * (G - 1) / (G * G)));
+    CHECK(touchstone::certainly(less(least_full_share(G, Ball(Rational(3, 5))), (1 - G * 3 / 5) * stay * (G - 1) / (G * G)))); // climbing is
+}
+
 TEST_CASE("between what is proved and what is refuted nothing is claimed")
 {
     CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(3*G^2)"}}) == Verdict::undecided);
+    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "G/80"}}) == Verdict::undecided); // at G = 100 above load 1, where A_1 may be below the Hertzian area
     CHECK(verdict_of("text.defines-limit", {{"relation", "=", ">"}, {"rhs", "1", "3/2"}}) == Verdict::undecided);
 }

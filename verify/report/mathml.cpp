@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <regex>
 
 namespace touchstone::program::report {
 namespace {
@@ -52,6 +53,17 @@ std::string formula(const std::string& tex, bool display)
     return std::string("<math") + (display ? " display=\"block\"" : "") + ">" + *found->second + "</math>";
 }
 
+namespace {
+
+/// What the print has in bold or italics, **4** and *et al.* in the transcription.
+std::string emphasised(const std::string& words)
+{
+    static const std::regex bold(R"(\*\*([^*]+)\*\*)"), italics(R"(\*([^*]+)\*)");
+    return std::regex_replace(std::regex_replace(escaped(words), bold, "<strong>$1</strong>"), italics, "<em>$1</em>");
+}
+
+} // namespace
+
 std::string prose(const std::string& text)
 {
     std::string out;
@@ -60,7 +72,7 @@ std::string prose(const std::string& text)
     while (from <= text.size()) {
         const std::size_t to = std::min(text.find('$', from), text.size());
         const std::string piece = text.substr(from, to - from);
-        if (!piece.empty()) out += inside ? formula(piece, false) : escaped(piece);
+        if (!piece.empty()) out += inside ? formula(piece, false) : emphasised(piece);
         inside = !inside;
         from = to + 1;
     }

@@ -10,7 +10,7 @@ namespace touchstone::program::report {
 /// `<math>` of a formula; its TeX as code where blahtexml is missing or refuses it, so that nothing is lost.
 std::string formula(const std::string& tex, bool display);
 
-/// Prose with formulas between dollar signs.
+/// Prose with formulas between dollar signs, **bold** and *italics*.
 std::string prose(const std::string& text);
 
 /// What HTML gives a meaning of its own, replaced.

@@ -87,9 +87,16 @@ bool test_finds(std::string name)
 /// The claims are handed over one by one below: those who take them all again would find the same, later.
 bool looks_at_everything(const std::string& test) { return test.starts_with("every entry has its recorded verdict") || test.starts_with("every lemma and every constant holds"); }
 
+/// Numbers in the words of a correction are put together when the claims are: a look at the record alone finds them.
+bool consequence_differs(const Claim& c)
+{
+    return c.correction && !c.correction->consequence.empty() && recorded_text().find("  consequence: " + c.correction->consequence + "\n") == std::string_view::npos;
+}
+
 std::vector<Finder> all_finders()
 {
     std::vector<Finder> all;
+    for (const Claim& c : claims()) all.push_back({c.id + "'s consequence", [&c] { return consequence_differs(c); }});
     for (const Claim& c : claims()) all.push_back({c.id, [&c] { return claim_finds(c); }});
     for (const OwnClaim& c : own_claims()) all.push_back({c.id, [&c] { return own_claim_finds(c); }});
     for (const auto& test : doctest::detail::getRegisteredTests())
