@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 namespace touchstone::proofs {
-
 namespace {
 
 /// The midpoint of an enclosure that is far tighter than the digits shown.
@@ -27,7 +26,11 @@ std::string shown(const Ball& b, int digits)
     return out;
 }
 
+} // namespace
+
 std::string percent(const Ball& share) { return shown(100 * share, 3) + " percent"; }
+
+namespace {
 
 /// K_n of (7.17) as printed.
 Ball K_as_printed(long n)

@@ -119,7 +119,7 @@ Finding peak_at_large_n(const Print& p)
     const ex r = sym("r");
     a.add("in partial contact x_n/x_P is the square root of x_{n-1}/x_P, so it equals 1 only if it always did", power_identity(2 * sqrt(r * 4 / (G * G)) / G / (4 / (G * G)), sqrt(r), Points{"G=3 r=1/2"}));
     if (p.text("relation") == "=") {
-        const Ball x = peaks::iterate(4, Ball(Rational(1, 64)), Ball(4)), x_P = peaks::fixed_point(Ball(4));
+        const Ball G_4(4), x = peaks::iterate(4, Ball(Rational(1, 64)), G_4), x_P = peaks::fixed_point(G_4);
         Check differs = less_than(x, x_P, "x_4 and x_P at G = 4 (gamma = 16, D = 3/2), load 1/64");
         if (differs.verdict == Verdict::proved) differs = {Verdict::refuted, differs.detail + "; x_n/x_P = 16^-(2^-(n+1)) stays below 1 for every n: (5.10) is a limit, not an equality"};
         a.add("equality for sufficiently large n", differs);
@@ -147,7 +147,6 @@ Finding load_bound(const Print& p, const std::string& field, const Rational& bou
     const GiNaC::numeric b(bound.get_str().c_str());
     Argument a("monotone iteration");
     a.add("dimensions", units(p));
-    if (p.parts() == 2) a.add("the load is pbar/p*_0", identity(p("0.rhs"), sym("pbar") / sym("pstar_0"), Points{"pbar=2 pstar_0=3"}));
     a.add("each x_n lies between load = x_{-1} and x_P, both below the bound", unique_fixed_point(prints().at("5.4")("rhs"), prints().at("5.5")("rhs")));
     a.add("the bound of the load is that of x_P", identity(p(field), b, Points{"x=1"}));
     a.add("from above", exactly(p.text(field == "1.rhs" ? "1.relation" : "0.relation") == "<", "the relation is <"));

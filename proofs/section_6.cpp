@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Section 6 of the paper: the recursion for the pressure distribution and the contact area.
+#include "proofs/lemmas/area_bounds.hpp"
 #include "proofs/consequences.hpp"
 #include "proofs/ledger.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -24,32 +25,22 @@ const Points any{"p_n=1/2 p_nm1=1/3 pstar_n=2 L=3 lambda=3 lambda_0=3"};
 
 Finding recursion(const Print& p)
 {
-    const ex x = sym("x_load"), s = sym("sin_psi"), c = sym("cos_psi");
-    Ring ring;
-    ring.root("cos_psi", 1 - s * s);
-    ring.root("w", 1 - x * s * s);
-    // (2.4) with sin(pi x/lambda) = sqrt(load) sin psi
-    const ex pressure = 2 * sqrt(x) * c * sym("w");
-    const ex weight = 2 / Pi * sqrt(x) * c / sym("w");
     return Argument("law of total probability")
         .add("dimensions", units(p))
         .add("the two ranges join at p*_n", identity(p("J1.to") - p("J2.from"), 0, any))
         .add("and cover all positive pressures", exactly(p("J1.from").is_zero() && p.text("J2.to") == "infinity", "from " + p.text("J1.from") + " to " + p.text("J2.to")))
         .add("both sum the conditional density times the density before", identity(p("J1.integrand") * p("J2.integrand"), pow(sym("q") * sym("q_nm1"), 2), Points{"q=2 q_nm1=3"}))
-        .add("in partial contact the conditional law keeps the mean: with sin(pi x/lambda) = sqrt(load) sin psi in (2.4) pressure times weight is (4/pi) load cos^2 psi, whose integral over (0, pi/2) is load",
-             identity(pressure * weight, 4 / Pi * x * c * c, Points{"x_load=1/3 sin_psi=1/2"}, ring))
+        .add("in partial contact the conditional law keeps the mean: with sin(pi x/lambda) = sqrt(load) sin psi in (2.4) pressure times weight is (4/pi) load cos^2 psi, whose integral over (0, pi/2) is load", force_weighting())
         .note("the model's recursion: it says how the densities of two scales are related under (5.1); out of contact the pressure stays zero")
         .conclude("the densities miss the share of the surface out of contact, which stays at zero pressure", Verdict::definition);
 }
 
 Finding partial_integral(const Print& p)
 {
-    Ring ring;
-    ring.root("R", pow(sym("pstar_n") - sym("p_nm1"), 2) + pow(sym("p_n"), 2));
     const ex q = at_scale_n(prints().at("2.19")("1.rhs"));
     return Argument("normal form, the square root adjoined")
         .add("dimensions", units(p))
-        .add("the integrand over pi is the density (2.19) under (5.1) times q_{n-1}: their squares", identity(pow(p("J.integrand") * p("rhs").coeff(sym("J"), 1), 2), pow(q * sym("q_nm1"), 2), partial, ring))
+        .add("the integrand over pi is the density (2.19) under (5.1) times q_{n-1}: their squares", identity(pow(p("J.integrand") * p("rhs").coeff(sym("J"), 1), 2), pow(q * sym("q_nm1"), 2), partial))
         .add("the range begins where the peak pressure 2 sqrt(p*_n p_{n-1}) is p_n", identity(4 * sym("pstar_n") * p("J.from"), pow(sym("p_n"), 2), any))
         .add("and ends with partial contact", identity(p("J.to"), sym("pstar_n"), any))
         .add("it is not empty if p_n < 2 p*_n", identity(p.sides("condition").back(), 2 * sym("pstar_n"), any))
