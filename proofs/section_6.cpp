@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Section 6 of the paper: the recursion for the pressure distribution and the contact area.
-#include "proofs/lemmas/area_bounds.hpp"
 #include "proofs/consequences.hpp"
+#include "proofs/lemmas/area_bounds.hpp"
 #include "proofs/ledger.hpp"
 #include "proofs/symbolic/symbolic.hpp"
 #include "proofs/symbolic/units.hpp"
@@ -37,10 +37,12 @@ Finding recursion(const Print& p)
 
 Finding partial_integral(const Print& p)
 {
+    Ring ring;
+    ring.root("R", pow(sym("pstar_n") - sym("p_nm1"), 2) + pow(sym("p_n"), 2));
     const ex q = at_scale_n(prints().at("2.19")("1.rhs"));
     return Argument("normal form, the square root adjoined")
         .add("dimensions", units(p))
-        .add("the integrand over pi is the density (2.19) under (5.1) times q_{n-1}: their squares", identity(pow(p("J.integrand") * p("rhs").coeff(sym("J"), 1), 2), pow(q * sym("q_nm1"), 2), partial))
+        .add("the integrand over pi is the density (2.19) under (5.1) times q_{n-1}: their squares", identity(pow(p("J.integrand") * p("rhs").coeff(sym("J"), 1), 2), pow(q * sym("q_nm1"), 2), partial, ring))
         .add("the range begins where the peak pressure 2 sqrt(p*_n p_{n-1}) is p_n", identity(4 * sym("pstar_n") * p("J.from"), pow(sym("p_n"), 2), any))
         .add("and ends with partial contact", identity(p("J.to"), sym("pstar_n"), any))
         .add("it is not empty if p_n < 2 p*_n", identity(p.sides("condition").back(), 2 * sym("pstar_n"), any))

@@ -64,6 +64,14 @@ TEST_CASE("a bound is compared for all G > 1, and a lower end that only a radius
     CHECK(between(touchstone::hull(touchstone::Ball(0), touchstone::Ball(100))) == "0 to 100.00");
 }
 
+TEST_CASE("digits with dots are the first ones, and without them rounded")
+{
+    CHECK(holds(verdict_of("7.20", {{"1.digits", "0.39139...", "0.39138..."}, {"1.rhs", "0.39139", "0.39138"}})));
+    CHECK(verdict_of("7.20", {{"1.digits", "0.39139...", "0.39137..."}, {"1.rhs", "0.39139", "0.39137"}}) == Verdict::refuted);
+    CHECK(holds(verdict_of("7.20", {{"1.digits", "0.39139...", "0.391"}, {"1.rhs", "0.39139", "0.391"}}))); // off by 0.39 of a unit
+    CHECK(verdict_of("7.20", {{"1.digits", "0.39139...", "0.39138"}, {"1.rhs", "0.39139", "0.39138"}}) == Verdict::refuted);
+}
+
 TEST_CASE("a share of full contacts is held by the rarer of the two: to climb above load 1, and to stay there")
 {
     using touchstone::Ball, touchstone::Rational;
