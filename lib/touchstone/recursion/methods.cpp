@@ -362,13 +362,18 @@ Budget proven_levels_budget(const Problem& p, Accuracy a)
     return {transfer::density_by_proven_levels_certificate(p.n, ratio, arguments(p), a)};
 }
 
-const Rational largest_load_of_levels = 100;
+struct LevelsReach {
+    long scales;
+    Rational load;
+};
+const LevelsReach shares_reach{ProvenLevels::most_levels, 1000}, densities_reach{20, 100};
 
 /// What the levels of every law need.
-std::string refusal_of_levels(const Problem& p)
+std::string refusal_of_levels(const Problem& p, const LevelsReach& reach)
 {
-    if (p.n > ProvenLevels::levels) return fmt::format("with full contact, areas and distributions are certified for n <= {} only", ProvenLevels::levels);
-    if (p.load > largest_load_of_levels) return fmt::format("with full contact and so many digits, certified for load <= {} only", largest_load_of_levels.get_str());
+    if (p.n > reach.scales)
+        return fmt::format("with full contact, {} are certified for n <= {} only", p.asked == Asked::density ? "densities" : "areas and exceedances", reach.scales);
+    if (p.load > reach.load) return fmt::format("with full contact and so many digits, certified for load <= {} only", reach.load.get_str());
     if (!G_above(p, Rational(1003, 1000))) return "G too near 1 for the proven levels";
     const double G = about_G(p); // below: the first panel of the finest mesh begins above all ratios
     return 4 * p.load.get_d() < 1e-53 * G * G ? "load too small for the proven levels" : "";
@@ -381,10 +386,10 @@ Method proven_shares()
     return {
         .name = "proven-levels",
         .asked = {Asked::area, Asked::exceedance},
-        .reach = fmt::format("1 <= n <= {}, load <= {}, G > 1.003", ProvenLevels::levels, largest_load_of_levels.get_str()),
-        .refusal = [](const Problem& p) -> std::string { return p.n < 1 ? "n must be at least 1" : refusal_of_levels(p); },
+        .reach = fmt::format("1 <= n <= {}, load <= {}, G > 1.003", shares_reach.scales, shares_reach.load.get_str()),
+        .refusal = [](const Problem& p) -> std::string { return p.n < 1 ? "n must be at least 1" : refusal_of_levels(p, shares_reach); },
         .digits = 20,
-        .cost = [](const Problem&, Accuracy a) { return 6 * growth(a, 2); },
+        .cost = [](const Problem& p, Accuracy a) { return (p.load > 10 ? 20 : 4) * (1 + static_cast<double>(p.n) / 40) * growth(a, 2); },
         .enclose = by_proven_levels,
         .budget = proven_levels_budget,
         .second = "",
@@ -404,11 +409,11 @@ Method proven_densities()
     return {
         .name = "proven-levels",
         .asked = {Asked::density},
-        .reach = fmt::format("2 <= n <= {}, load <= {}, G > 1.003, p >= p*_n/1024", ProvenLevels::levels, largest_load_of_levels.get_str()),
+        .reach = fmt::format("2 <= n <= {}, load <= {}, G > 1.003, p >= p*_n/1024", densities_reach.scales, densities_reach.load.get_str()),
         .refusal = [](const Problem& p) -> std::string {
             if (p.n < 2) return "n must be at least 2";
             if (p_is_0(p)) return no_density_at_0;
-            if (const std::string refused = refusal_of_levels(p); !refused.empty()) return refused;
+            if (const std::string refused = refusal_of_levels(p, densities_reach); !refused.empty()) return refused;
             return pressure_too_low(p) ? "the pressure is too low for the proven levels of densities: below p*_n/1024" : "";
         },
         .digits = 15, // beyond, the meshes grow without end (proven_levels.md)
@@ -435,7 +440,7 @@ Method third_wave_density()
     return {
         .name = "three-waves",
         .asked = {Asked::density},
-        .reach = fmt::format("n = 2, load <= {}, G > 1.003, p >= p*_n/1024", largest_load_of_levels.get_str()),
+        .reach = fmt::format("n = 2, load <= {}, G > 1.003, p >= p*_n/1024", densities_reach.load.get_str()),
         .refusal = [levels = proven_densities()](const Problem& p) -> std::string { return p.n == 2 ? levels.refusal(p) : "n must be 2"; },
         .digits = 22, // of the 31 of two binary64
         .cost = [](const Problem&, Accuracy a) { return 6 * growth(a, 2); },
@@ -461,7 +466,7 @@ Witness observe(Grid grid, const Problem& p, Accuracy a)
 }
 
 /// Scales up to which the two grids resolve what they compute, in seconds.
-long observed_scales(Asked asked) { return asked == Asked::area ? 100 : 20; }
+long observed_scales(Asked asked) { return asked == Asked::density ? 20 : 100; }
 
 } // namespace
 
@@ -512,7 +517,7 @@ std::string observers_refusal(const Problem& p)
 {
     if (p.n > observed_scales(p.asked))
         return p.asked == Asked::area ? fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", observed_scales(p.asked))
-                                      : fmt::format("distributions of pressure are computed for the scales n <= {} only", observed_scales(p.asked));
+                                      : fmt::format("{} of pressure are computed for the scales n <= {} only", p.asked == Asked::density ? "densities" : "exceedances", observed_scales(p.asked));
     if (!G_above(p, Rational(1'000'001, 1'000'000))) return "not computed for G within 1e-6 of 1";
     if (p.load > 1'000'000 || p.load < power(Rational(10), -300)) return "not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)";
     return p_is_0(p) ? no_density_at_0 : "";

@@ -6,6 +6,7 @@
 #include "touchstone/transfer/progress.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace touchstone::transfer::levels {
@@ -62,22 +63,23 @@ struct Series {
     Wide coefficients; ///< [panel * terms + k]
 };
 
-/// Halves panels of `on` until f, a function of z, is resolved on each of them.
-Series resolve(const Search& s, std::vector<Panel> on, const std::function<Real(const Real&)>& f, int m)
+/// Halves panels of `on` until f, a function of z, is resolved on each of them. \param series the polynomials through f on them
+Series resolve(const Search& s, std::vector<Panel> on, Wide series, const std::function<Real(const Real&)>& f, int m)
 {
     const auto& orders = s.rules.orders;
-    const double tolerance = s.tolerance;
     constexpr std::size_t most = 30'000;
     const std::size_t terms = static_cast<std::size_t>(orders.terms);
+    double largest = 0; // late levels are small all over
+    for (std::size_t j = 0; j < on.size(); ++j) largest = max(largest, std::fabs(series.high[j * terms]));
+    const double tolerance = s.tolerance * min(1.0, largest), small = 1e-6 * min(1.0, largest);
     const Real lowest = on.front().z0;
     std::vector<std::pair<Panel, std::vector<Real>>> done;
     while (!on.empty()) {
-        const Wide series = series_through(s.rules, on, f);
         std::vector<Panel> halves;
         for (std::size_t j = 0; j < on.size(); ++j) {
             const auto c = [&](std::size_t k) { return std::fabs(series.high[j * terms + k]); };
             const double left = 4 * max({c(terms - 1), c(terms - 2), c(terms - 3)}), width = on[j].width();
-            const bool unbounded = !s.first.is_share() && m == 0, resolved = left <= tolerance * max(c(0), 1e-6);
+            const bool unbounded = !s.first.is_share() && m == 0, resolved = left <= s.tolerance * max(c(0), small);
             bool negligible = left * largest_share(double(s.G), width) <= tolerance / 1024; // the narrow ones are many
             if (unbounded) { // a constant will do there
                 double change = 0;
@@ -95,6 +97,7 @@ Series resolve(const Search& s, std::vector<Panel> on, const std::function<Real(
         }
         if (done.size() + halves.size() > most) throw BeyondReach("the mesh would be too large");
         on = std::move(halves);
+        series = series_through(s.rules, on, f);
     }
     std::sort(done.begin(), done.end(), [](const auto& a, const auto& b) { return a.first.z0 < b.first.z0; });
     Series result{{}, Wide(done.size() * terms)};
@@ -116,22 +119,55 @@ std::vector<Panel> first_panels(const Search& s, double highest)
     return start;
 }
 
+/// T at the nodes of a mesh. Levels that keep the mesh follow the plan of the first of them: what is sparse and expensive to find is the kernel, not the sums.
+class Step {
+public:
+    Wide at_nodes(const Search& s, const Layer& V)
+    {
+        constexpr std::size_t most_memory = std::size_t{384} << 20; // of nodes beyond it, no plan is kept
+        const auto& own = s.rules.own.at;
+        const std::size_t nodes = V.panels.size() * own.size();
+        const bool again = nodes == nodes_before; // halving is all that changes a mesh
+        if (!again) plans = {};
+        else if (plans.empty()) plans.resize(nodes);
+        nodes_before = nodes;
+        std::atomic<std::size_t> memory{0};
+        Wide nodal(nodes);
+        in_parallel(nodes, [&](std::size_t i) {
+            if (again && !plans[i].sums.empty()) return nodal.set(i, V.follow(plans[i]));
+            thread_local Result result;
+            const Panel& p = V.panels[i / own.size()];
+            result.plan = again && memory < most_memory ? &plans[i] : nullptr;
+            V.apply(sqrt(p.centre + p.half * own[i % own.size()]), result);
+            if (result.plan) memory += plans[i].memory();
+            nodal.set(i, result.value[0]);
+        });
+        return nodal;
+    }
+
+private:
+    std::size_t nodes_before = 0;
+    std::vector<Plan> plans;
+};
+
 /// V_m, each on the mesh it needs, which is that of V_(m-1) or finer.
 std::vector<Series> level_by_level(const Search& s, double highest, int levels)
 {
     std::vector<Series> found;
-    found.push_back(resolve(s, first_panels(s, highest), [&](const Real& z) {
-        return s.first.value(sqrt(z)).first;
-    }, 0));
+    const std::vector<Panel> start = first_panels(s, highest);
+    const auto first = [&](const Real& z) { return s.first.value(sqrt(z)).first; };
+    found.push_back(resolve(s, start, series_through(s.rules, start, first), first, 0));
+    Step step;
     for (int m = 1; m < levels; ++m) {
         progress("mesh, level", m, levels);
         Layer before = layer_on(s.rules, s.G, s.tolerance, found.back().panels, 1);
         before.set(0, found.back().coefficients);
-        found.push_back(resolve(s, found.back().panels, [&](const Real& z) {
+        const auto next = [&](const Real& z) {
             thread_local Result result;
             before.apply(sqrt(z), result);
             return result.value[0];
-        }, m));
+        };
+        found.push_back(resolve(s, before.panels, series_of(s.rules, step.at_nodes(s, before)), next, m));
     }
     return found;
 }

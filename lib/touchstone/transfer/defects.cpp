@@ -3,6 +3,7 @@
 
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/progress.hpp"
+#include "touchstone/wave/lemmas.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -15,13 +16,8 @@ using namespace bounds;
 
 namespace {
 
-constexpr int most_intervals = 20'000; // of x, on one panel
-
 /// The larger, and infinite where v is not a number: nothing is known then.
 void raise(double& bound, double v) { bound = v <= infinite ? max(bound, v) : infinite; }
-
-/// The rho of the Bernstein ellipse through focal sum 2(1 + d): what lies within d of [-1, 1] lies inside.
-double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
 
 /// Of a panel's width w: a part s w, where what increases is off by some s w, counts with the root of its width, (s w)^(3/2).
 double smallest_part_for(double tolerance)
@@ -49,7 +45,7 @@ void Defects::found(int m, const Real& low, const Real& high, std::size_t panel,
 {
     const auto [left, right] = domain_of(panel);
     // what increases is bounded below the first panel by what is known all over that one
-    const double kept_apart = monotone ? tolerance : tolerance / 16; // a few large ones
+    const double kept_apart = tolerance_of(m) * (monotone ? 1 : 1.0 / 16); // a few large ones
     const bool apart = !(monotone && panel == 0) && defect_ > kept_apart && double(high - low) < 0.3 * size_of(right - left);
     if (apart) return add_hole(m, low, high, defect_, known);
     raise(defect[at(panel, m)], defect_);
@@ -124,158 +120,6 @@ void Defects::prove_first(const First& first, std::size_t i)
     }
 }
 
-void Defects::prove_panel(std::size_t i, const std::vector<double>& overlap_defect)
-{
-    const auto& panels = V.panels;
-    const auto& rounding = V.rounding;
-    const Panel& p = panels[i];
-    const int terms = rules.orders.terms;
-    double* D = &defect[at(i, 0)];
-    const double half_z = double(p.half);
-    struct End {
-        int panel = -1;
-        double factor = 0, distance = 0, outside = 0;
-    };
-    // the polynomial to use where the kernel ends at z, and the edge where it takes over
-    const auto end_panel = [&](const Real& z, bool upper) {
-        int j = V.find(z);
-        const int last = static_cast<int>(panels.size()) - 1;
-        if (upper && j > 0 && z - panels[j].z0 < (panels[j - 1].right() - panels[j - 1].z1) * 0.5) --j;
-        if (!upper && j < last && panels[j].z1 - z < (panels[j + 1].z0 - panels[j + 1].left()) * 0.5) ++j;
-        return j;
-    };
-    const double g = double(V.G);
-    const auto [left, right] = domain_of(i);
-    const double width = size_of(right - left);
-    int intervals = 0;
-    std::vector<std::pair<Real, Real>> waiting{{left, right}};
-    Result here, a, b;
-    while (!waiting.empty()) {
-        if (!monotone && ++intervals > most_intervals) {
-            std::fill(D, D + columns, infinite);
-            return;
-        }
-        const auto [low, high] = waiting.back();
-        waiting.pop_back();
-        const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
-        const double x_ = double(x), h = size_of(half), above_one = double(x - 1);
-        const bool seam = low < 1 && high > 1, share = monotone;
-        if (seam && !share) {
-            waiting.emplace_back(low, Real(1));
-            waiting.emplace_back(Real(1), high);
-            continue;
-        }
-        bool hopeless = false; // halving would not help
-        End ends[2];
-        double middle = 0;
-        const auto analytic = [&](double r) {
-            if (seam) return false;
-            if (above_one >= 0) {
-                if (above_one <= r * margin) return false;
-                for (const bool upper : {false, true}) {
-                    const auto image = [&](const Real& v) { return (upper ? v + 1 : v - 1) / V.G; };
-                    const Real y = image(x), y_low = image(low), y_high = image(high);
-                    if (y < panels.front().y0 * 1.3) {
-                        hopeless = true;
-                        return false;
-                    }
-                    const int e = end_panel(y * y, upper);
-                    const Panel& q = panels[e];
-                    const Real inner = upper ? max(q.y0, y - 0.8 / V.G) : min(q.y1, y + 0.8 / V.G); // any point of the panel will do
-                    const double gap = double(upper ? 1 + x - V.G * inner : V.G * inner - x + 1);
-                    if (r > 0.79 * gap || gap > 0.9 || y_low * y_low < q.left() * Real{1, 8 * u} || y_high * y_high > q.right() * Real{1, -8 * u}) return false;
-                    ends[upper] = {e, std::sqrt(1.8 * gap) * 2 / std::sqrt(2 - 1.8 * gap) / pi_below, (2 * double(max(y, inner)) * r + r * r / g) / g / double(q.half),
-                                   std::sqrt(g * max(0.0, double(upper ? sqrt(q.right()) - q.y1 : q.y0 - sqrt(max(Real(0), q.left())))) / 2)};
-                }
-                middle = 5;
-            }
-            else {
-                if (r > -0.24 * above_one || r > 0.5 * x_) return false;
-                const Real y2 = 4 * x / (V.G * V.G);
-                if (y2 < panels.front().z0 * 1.7) {
-                    hopeless = true;
-                    return false;
-                }
-                const int e = end_panel(y2, true);
-                const Panel& q = panels[e];
-                const Kernel k(x, V.G, false);
-                const Real at_gap = positive_part((2 - Real(0.8)) * (2 * x - 0.8)) / k.G2; // 1 - c = 0.8
-                const double gap = double(k.one_minus_c(max(q.z0, at_gap))), dc = 2.36 * r;
-                if (dc > 0.79 * gap || gap > 0.9 || 4 * low / k.G2 < q.left() * Real{1, 8 * u} || 4 * high / k.G2 > q.right() * Real{1, -8 * u}) return false;
-                ends[1] = {e, std::sqrt(1.8 * gap) * 2 / std::sqrt(2 - 1.8 * gap) / pi_below,
-                           (2 * (2 * r + dc) + 2 * x_ * dc + dc * (2 * r + dc)) / (g * g) / double(q.half), std::sqrt(g * max(0.0, double(sqrt(q.right()) - q.y1)) / 2)};
-                middle = 4.1;
-            }
-            return true;
-        };
-        std::vector<double> bounds(static_cast<std::size_t>(levels));
-        const double small = max(share ? smallest_part * width : 0, 2 * narrowest * x_);
-        const Check* check = nullptr;
-        for (const Check& c : checks) { // the fewest points first
-            const double r = h * c.spread;
-            if (h < narrowest * x_ || !analytic(r)) continue;
-            const double own_rho = ellipse_of_distance((2 * x_ * r + r * r) / half_z);
-            bool enough = true;
-            for (int m = 1; m < levels && enough; ++m) {
-                double bound = V.growth_at(i, m, own_rho) + middle * V.largest[m - 1];
-                for (const End& e : ends)
-                    if (e.panel >= 0) bound += e.factor * V.growth_at(e.panel, m - 1, ellipse_of_distance(e.distance));
-                bounds[m] = margin * bound * c.tail;
-                enough = bounds[m] <= tolerance / 4 || (share && h <= 100 * small && &c == &checks.back() && bounds[m] < infinite);
-            }
-            if (enough) {
-                check = &c;
-                break;
-            }
-        }
-        if (!check && h > small && !(hopeless && h < 0.02 * width)) {
-            waiting.emplace_back(low, x);
-            waiting.emplace_back(x, high);
-            continue;
-        }
-        if (!check && !share) { // T V at the middle, and what two laws mu_x of ratios, a distance h apart, may differ by
-            V.apply(x, here);
-            for (int m = 1; m < levels; ++m) {
-                double slope = 0;
-                for (int k = 1; k < terms; ++k) slope += V.magnitude(i, k, m) * k * k;
-                const double change = min(slope * double(high * high - low * low) / half_z, 2 * V.size[at(i, m)]);
-                const Real v = V.value(i, m, (x * x - p.centre) / p.half);
-                add_hole(m, low, high, margin * (size_of(here.value[m - 1] - v) + here.error[m - 1] + change + 2 * rounding[at(i, m)] + std::sqrt(32 * h) * V.largest[m - 1]));
-            }
-            continue;
-        }
-        if (!check) { // B_m is increasing: between its values at the ends
-            V.apply(low * Real{1, -4 * u}, a);
-            V.apply(high * Real{1, 4 * u}, b);
-            for (int m = 1; m < levels; ++m) {
-                double slope = 0;
-                for (int k = 1; k < terms; ++k) slope += V.magnitude(i, k, m) * k * k;
-                const double change = margin * min(slope * double(high * high - low * low) / half_z, 2 * V.size[at(i, m)]);
-                const Real v = V.value(i, m, (low * low - p.centre) / p.half);
-                const double off = size_of(b.value[m - 1] - v) + size_of(v - a.value[m - 1]);
-                found(m, low, high, i, margin * (off + change + a.error[m - 1] + b.error[m - 1] + 2 * rounding[at(i, m)]), Known::by_monotony);
-            }
-            continue;
-        }
-        std::vector<double> most(static_cast<std::size_t>(levels));
-        for (std::size_t n = 0; n < check->points.at.size(); ++n) {
-            const Real at_x = x + half * check->points.at[n], local = (at_x * at_x - p.centre) / p.half;
-            V.apply(at_x, here);
-            V.values(i, local, a);
-            for (int m = 1; m < levels; ++m) {
-                const double difference = size_of(here.value[m - 1] - a.value[m]) + here.error[m - 1] + 2 * rounding[at(i, m)];
-                raise(most[m], difference);
-            }
-        }
-        for (int m = 1; m < levels; ++m) {
-            double outside = 0;
-            for (const End& e : ends)
-                if (e.panel >= 0) outside += e.outside * overlap_defect[at(e.panel, m - 1)];
-            found(m, low, high, i, margin * (check->lebesgue * (most[m] + outside) + outside + bounds[m]));
-        }
-    }
-}
-
 std::vector<double> Defects::overlaps() const
 {
     // how far the polynomial of a panel is from its neighbours' on their side of the edge: polynomials of terms - 1, so nodes suffice
@@ -316,10 +160,20 @@ void Defects::prove_steps()
     });
 }
 
+std::vector<double> mass_after_steps(double G, double highest, int steps)
+{
+    std::vector<double> mass{1};
+    wave::Power power;
+    for (int k = 1; k <= steps; ++k, power = wave::after_steps(power, G)) mass.push_back(min(mass.back(), margin * power.factor * std::pow(highest, power.exponent)));
+    return mass;
+}
+
 void Defects::add_up()
 {
     // where monotony of B_m was used, T V_{m-1} stood for T B_{m-1}
     double so_far = 0;
+    const std::vector<double> mass = mass_after_steps(double(V.G) / margin, double(V.panels.back().y1) * margin, levels);
+    std::vector<double> effects;
     for (int m = 0; m < levels; ++m) {
         if (m > 0 && monotone) {
             for (std::size_t i = 0; i < V.panels.size(); ++i)
@@ -328,7 +182,10 @@ void Defects::add_up()
                 if (h.known == Known::by_monotony) h.defect += margin * so_far;
         }
         sum_of_effects.push_back(so_far); // of the levels before m, for effect(m)
-        sum_of_effects.back() = so_far += effect(m, infinite);
+        effects.push_back(effect(m, infinite));
+        so_far = 0; // T |B_m - V_m| <= sum of T^(m-k) (T D_k)
+        for (int k = 0; k <= m; ++k) so_far += margin * effects[k] * mass[m - k];
+        sum_of_effects.back() = so_far;
     }
 }
 
@@ -351,8 +208,8 @@ double Defects::effect(int m, double reach) const
     const double y = double(V.panels.front().y0); // below it V = 0
     double below;
     if (!monotone) below = m == 0 ? 0 : margin * (std::sqrt(y) * V.largest[m - 1] + sum_of_effects[m - 1]); // B_m = T B_{m-1}, T 1 <= x^(1/2)
-    // B_m(x) <= B_m(y) <= B_0(y) <= y^(1/2)
-    else below = m == 0 ? std::sqrt(y) : min(std::sqrt(y), margin * (V.size[m] + defect[m] + sum_of_effects[m - 1]));
+    // B_m(x) <= B_m(y) <= T^(m+1) 1, for B_0(y) <= y^(1/2) as T 1 is
+    else below = m == 0 ? std::sqrt(y) : min(mass_after_steps(double(V.G) / margin, y * margin, m + 1).back(), margin * (V.size[m] + defect[m] + sum_of_effects[m - 1]));
     return margin * (best + below * largest_share(double(V.G), y));
 }
 

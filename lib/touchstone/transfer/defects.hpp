@@ -23,6 +23,9 @@ struct Check {
     }
 };
 
+/// The rho of the Bernstein ellipse through focal sum 2(1 + d): what lies within d of [-1, 1] lies inside.
+inline double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
+
 /// Where a defect is known.
 struct Part {
     double defect, width;
@@ -45,6 +48,9 @@ double least_sum(const std::vector<Part>& parts, const Weight& weight)
     }
     return std::min(best, above + rest);
 }
+
+/// At least T^k 1 on 0 < x <= highest, k = 0 ... steps: wave::after_steps. \param G at most the true one
+std::vector<double> mass_after_steps(double G, double highest, int steps);
 
 class Defects {
 public:
@@ -70,6 +76,9 @@ public:
     std::vector<Part> parts(int m, double reach) const;
 
 private:
+    friend class StepOnPanel;
+    static constexpr int most_intervals = 20'000; ///< of x, on one panel
+
     /// From an analytic function's values; of what increases, from those at the ends, of T V_(m-1) where T B_(m-1) is meant; or only what counts for a bound.
     enum class Known { by_values, by_monotony, on_average };
     /// Where |B_m - T V_(m-1)| is not bounded by `defect`. In all else a panel.
@@ -79,6 +88,8 @@ private:
         Known known;
     };
 
+    /// Late levels are small all over: what their defects should be.
+    double tolerance_of(int m) const { return tolerance * std::min(1.0, V.largest[static_cast<std::size_t>(m)]); }
     std::size_t at(std::size_t panel, int m) const { return panel * static_cast<std::size_t>(columns) + static_cast<std::size_t>(m); }
     /// The part of x that is proven with a panel: a thousandth of its width beyond it too.
     std::pair<Real, Real> domain_of(std::size_t panel) const;

@@ -264,11 +264,11 @@ std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& loa
     });
 }
 
-constexpr long most_scales_of_areas = 100, most_scales_of_distributions = 40; ///< some seconds each
+constexpr long most_scales = 100; ///< some seconds each
 
-void require_reach(long n, long most, const Ball& load, const Ball& G)
+void require_reach(long n, const Ball& load, const Ball& G)
 {
-    if (n > most) throw BeyondReach(fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", most));
+    if (n > most_scales) throw BeyondReach(fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", most_scales));
     if (!certainly(less(Ball(1) + Ball::exactly(1e-6), G))) throw BeyondReach("not computed for G within 1e-6 of 1");
     if (certainly(less(Ball(1'000'000), load)) || certainly(less(load, Ball(power(Rational(10), -300)))))
         throw BeyondReach("not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)");
@@ -290,7 +290,7 @@ Witness estimate(const Levels::Mean& mean, long n, const BlindRule& blind)
 Witness estimated_area(Grid grid, long n, const Ball& load, const Ball& G, Accuracy wanted)
 {
     const WorkingPrecision precision(256);
-    require_reach(n, most_scales_of_areas, load, G);
+    require_reach(n, load, G);
     const Pair<Real> x = extended_pair(load);
     const BlindRule blind = blind_rule(grid, wanted);
     return estimate(n == 0 ? Levels::Mean{first_area(x), Real(0)} : areas_of(grid, G, load, blind)->mean(n - 1, wave_from(x, extended_pair(G)), false), n, blind);
@@ -300,7 +300,7 @@ Witness estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load,
 {
     const BlindRule blind = blind_rule(grid, wanted);
     const WorkingPrecision precision(256);
-    require_reach(n, most_scales_of_distributions, load, G);
+    require_reach(n, load, G);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
     return estimate(exceedances_of(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), false), false), n, blind);
@@ -310,7 +310,7 @@ Witness estimated_density(Grid grid, long n, const Ball& p, const Ball& load, co
 {
     const BlindRule blind = blind_rule(grid, wanted);
     const WorkingPrecision precision(256);
-    require_reach(n, most_scales_of_distributions, load, G);
+    require_reach(n, load, G);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
     const Witness slope = estimate(exceedances_of(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n, blind);

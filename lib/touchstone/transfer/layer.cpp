@@ -178,6 +178,7 @@ void AtPoint::piece(int j, Substitution variable, const Real& low, const Real& h
         const std::size_t at = layer.at(j, m);
         out.error[m] += (layer.growth[at] == 0 ? 0 : quadrature * layer.growth[at]) + margin * measure * layer.rounding[at];
     }
+    if (out.plan) out.plan->add(false, layer.row(j, 0), out.moment);
     if (layer.count == 1) out.value.set(0, out.value[0] + dot(layer.coefficients, layer.row(j, 0), out.moment));
     else add_products(layer.coefficients, layer.row(j, 0), out.moment, layer.count, out.value);
 }
@@ -207,6 +208,7 @@ void AtPoint::cluster(int index, const ClusterError& lost)
     const Cluster& c = layer.clusters[index];
     wave_densities(k, c.mid, c.half, layer.points.at, out.kernel);
     const std::size_t first = static_cast<std::size_t>(index) * layer.orders.kernel * layer.count;
+    if (out.plan) out.plan->add(true, first, out.kernel);
     if (layer.count == 1) out.value.set(0, out.value[0] + dot(layer.weights, first, out.kernel));
     else add_products(layer.weights, first, out.kernel, layer.count, out.value);
     const std::size_t here = static_cast<std::size_t>(index) * layer.count;
@@ -263,6 +265,20 @@ void AtPoint::run()
 } // namespace
 
 void Layer::apply(const Real& x, Result& out) const { AtPoint(*this, x, out).run(); }
+
+void Plan::add(bool cluster, std::size_t first, const Wide& by)
+{
+    sums.push_back({cluster, first, factors.size(), by.size()});
+    factors.high.insert(factors.high.end(), by.high.begin(), by.high.end());
+    factors.low.insert(factors.low.end(), by.low.begin(), by.low.end());
+}
+
+Real Layer::follow(const Plan& plan) const
+{
+    Real total = 0;
+    for (const Plan::Sum& s : plan.sums) total += dot(s.cluster ? weights : coefficients, s.first, plan.factors, s.from, s.count);
+    return total;
+}
 
 void Layer::set(int m, const Wide& series)
 {
@@ -322,6 +338,9 @@ void Layer::set_clusters(int m)
             weight.set(i, inside[from + i]);
         }
         chebyshev_moments(local, weight, orders.kernel, moment);
+        for (int k = 1; k < orders.kernel; ++k) moment.set(k, 2 * moment[k]);
+        Wide lagrange(orders.kernel);
+        add_products(points.T, 0, moment, orders.kernel, lagrange);
         double lost = 0, most_here = 0;
         for (int j = c.first; j <= c.last; ++j) {
             lost += rounding[at(j, m)] * double(panels[j].z1 - panels[j].z0);
@@ -329,11 +348,7 @@ void Layer::set_clusters(int m)
         }
         noise[index * count + m] = margin * lost / (2 * double(c.half));
         top[index * count + m] = most_here;
-        for (int q = 0; q < orders.kernel; ++q) {
-            Real sum = moment[0];
-            for (int k = 1; k < orders.kernel; ++k) sum += 2 * points.T[k * orders.kernel + q] * moment[k];
-            weights.set((index * orders.kernel + q) * count + m, sum / orders.kernel);
-        }
+        for (int q = 0; q < orders.kernel; ++q) weights.set((index * orders.kernel + q) * count + m, lagrange[q] / orders.kernel);
     });
 }
 

@@ -69,10 +69,24 @@ struct Orders {
     }
 };
 
+/// T V at one point as sums over the numbers of V: the same for every V on one mesh.
+struct Plan {
+    struct Sum {
+        bool cluster;
+        std::size_t first; ///< of the layer's weights, resp. coefficients
+        std::size_t from, count; ///< of the factors
+    };
+    std::vector<Sum> sums;
+    Wide factors;
+    void add(bool cluster, std::size_t first, const Wide& by);
+    std::size_t memory() const { return sums.capacity() * sizeof(Sum) + 2 * factors.high.capacity() * sizeof(double); }
+};
+
 /// What apply() writes to.
 struct Result {
     Wide value;
     std::vector<double> error;
+    Plan* plan = nullptr;                ///< is written too, where V is one
     Wide kernel, moment, local, weight; ///< scratch
 };
 
@@ -144,6 +158,8 @@ struct Layer {
     void set(int m, const Wide& series);
     /// T V_m at x for all m, with bounds of the error.
     void apply(const Real& x, Result&) const;
+    /// T V at the point of a plan, where V is one. Its error is not bounded.
+    Real follow(const Plan&) const;
 
     const ChebyshevPoints& points; ///< of the clusters
     const Gauss& exact;            ///< for polynomials of degree terms + kernel

@@ -16,7 +16,7 @@ namespace touchstone::transfer {
 using std::max, std::min;
 using namespace bounds;
 using namespace levels;
-constexpr int most_levels = ProvenLevels::levels;
+constexpr int most_levels = ProvenLevels::most_levels;
 
 /// Search, then proof: the V_m are found in one line and may be anything in the next.
 struct ProvenLevels::State {
@@ -48,13 +48,15 @@ static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<
     const Real nearest = to_real(G);
     const Ball off = abs(to_ball(nearest) / G - Ball(1));
     if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u)))) throw BeyondReach("G must be above 1 and known to 101 bits");
-    const double top = max(highest, 1.1 / double(nearest - 1)); // so that (x + 1)/G stays below
-    if (!(top <= 400)) throw BeyondReach("G too near 1, or the load too high, for the proven levels");
+    const double stays_below = 1.1 / double(nearest - 1), top = max(highest, stays_below); // and (x + 1)/G with x
+    constexpr double most_panels_wide = 400; // of ratios next to each of which panels are narrow, whatever the load
+    if (!(stays_below <= most_panels_wide)) throw BeyondReach("G too near 1 for the proven levels");
+    if (!(highest <= 1.001 * ProvenLevels::highest_load)) throw BeyondReach("the load is too high for the proven levels");
     return std::make_unique<ProvenLevels::State>(nearest, std::move(first), top * 1.01, tolerance, spoiled, scales);
 }
 
-ProvenLevels::ProvenLevels(const Ball& G, double highest, double tolerance, const Spoiled& spoiled)
-    : state_(made(G, in_contact(), highest, tolerance, spoiled, most_levels))
+ProvenLevels::ProvenLevels(const Ball& G, double highest, double tolerance, int scales, const Spoiled& spoiled)
+    : state_(made(G, in_contact(), highest, tolerance, spoiled, scales))
 {
 }
 ProvenLevels::ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales, const Spoiled& spoiled)
@@ -107,9 +109,7 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
     Result below, above;
     s.V->apply(share ? low : x, below);
     s.V->apply(share ? high : x, above);
-    // T^k 1 <= c x^a: by Hoelder's inequality T x^a <= (T x)^a (T 1)^(1-a) <= (x/G)^a x^((1-a)/2)
-    std::vector<double> at_most{1};
-    for (double k = 1, c = 1, a = 0.5; k <= levels; ++k, c /= std::pow(g, a), a = (1 + a) / 2) at_most.push_back(min(at_most.back(), margin * c * std::pow(top, a)));
+    std::vector<double> at_most = mass_after_steps(g, top, levels);
     Ball result;
     for (int scale = 1; scale <= n; ++scale) { // B_scale = T B_{scale-1} (load), error sum_m T^{scale-m} D_m
         double lost = 0;
@@ -157,14 +157,14 @@ std::string ProvenLevels::certificate(long n, const Ball& load) const
 
 namespace {
 
-/// The tolerance of the mesh; \param spare digits it loses to the proven error
-double tolerance_for(Accuracy wanted, double spare)
-{
-    constexpr double least = 4, finest = 25; // scale 20 loses up to two and a half
-    return std::pow(10.0, -min(finest, max(least, static_cast<double>(wanted.digits)) + spare));
-}
-
 enum class Law { area, exceedance, density };
+
+/// The tolerance of the mesh. The proven error is larger by up to a hundred at scale 20, usually by less; where it leaves a digit open, more are asked for.
+double tolerance_for(Accuracy wanted, Law law)
+{
+    constexpr double least = 4, finest = 25, spare = 3, spare_of_densities = 2;
+    return std::pow(10.0, -min(finest, max(least, static_cast<double>(wanted.digits)) + (law == Law::density ? spare_of_densities : spare)));
+}
 
 struct Mesh {
     Law law;
@@ -180,14 +180,17 @@ std::list<std::shared_ptr<Mesh>> meshes; // most recently used first
 /// \param scales at least as many levels as these
 std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Arguments& a, Accuracy wanted, const std::function<Ball()>& pressure = {})
 {
-    const double tolerance = tolerance_for(wanted, law == Law::density ? 2 : 4.5);
+    const double tolerance = tolerance_for(wanted, law);
     const WorkingPrecision precision(256);
     const Ball G = a.G(), P = law == Law::area ? Ball(0) : pressure();
     const double load = double(to_real(a.load()));
-    if (!(load <= 100)) throw BeyondReach("load above 100");
+    if (!(load <= ProvenLevels::highest_load)) throw BeyondReach(fmt::format("load above {}", ProvenLevels::highest_load));
     const double g = double(to_real(G)); // below: the first panel of the finest mesh begins above all ratios
     if (4 * load < 1e-53 * g * g) throw BeyondReach("load too small for the proven levels");
-    const double highest = law != Law::area ? load * (1 + 0x1p-40) : load <= 10 ? 10 : 100; // one mesh for the loads of figure 3
+    // one mesh of areas for the loads of figure 3 and the scales of most tables; beyond, few
+    const double highest = law != Law::area ? load * (1 + 0x1p-40) : load <= 10 ? 10 : load <= 100 ? 100 : ProvenLevels::highest_load;
+    constexpr long step = ProvenLevels::usual_levels;
+    if (law == Law::area) scales = (scales + step - 1) / step * step;
     std::shared_ptr<Mesh> mine;
     {
         const std::lock_guard lock(meshes_mutex);
@@ -203,14 +206,14 @@ std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Ar
             m.pressure = P.dump();
             m.highest = highest;
             m.tolerance = tolerance;
-            m.scales = law == Law::area ? most_levels : static_cast<int>(scales);
+            m.scales = static_cast<int>(scales);
         }
         mine = meshes.front();
         if (meshes.size() > 4) meshes.pop_back(); // up to 200 MB each
     }
     const std::lock_guard lock(mine->making);
     if (!mine->made)
-        mine->made = law == Law::area       ? std::make_shared<const ProvenLevels>(G, mine->highest, mine->tolerance)
+        mine->made = law == Law::area       ? std::make_shared<const ProvenLevels>(G, mine->highest, mine->tolerance, mine->scales)
                    : law == Law::exceedance ? std::make_shared<const ProvenLevels>(G, P, mine->highest, mine->tolerance, mine->scales)
                                             : std::make_shared<const ProvenLevels>(ProvenLevels::densities(G, P, mine->highest, mine->tolerance, mine->scales));
     return mine->made;
@@ -225,7 +228,7 @@ Ball share_at(const ProvenLevels& levels, long n, const Arguments& a)
 
 void require_level(long n)
 {
-    if (n > most_levels) throw BeyondReach(fmt::format("with full contact, areas and distributions are certified for n <= {} only", most_levels));
+    if (n > most_levels) throw BeyondReach(fmt::format("with full contact, areas and exceedances are certified for n <= {} only", most_levels));
 }
 
 } // namespace

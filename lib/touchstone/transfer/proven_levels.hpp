@@ -33,24 +33,25 @@ struct Layer;
 
 class ProvenLevels {
 public:
-    static constexpr int levels = 20;
+    static constexpr int usual_levels = 20, most_levels = 100;
+    static constexpr double highest_load = 1000;
     /// For tests: what V_m is made worse by on the panel y0 <= y <= y1. V_m may be anything; the proof has to see it.
     using Spoiled = std::function<double(int m, double y0, double y1)>;
 
-    /// Shares in contact, for 0 < load <= highest and every scale n <= levels.
+    /// Shares in contact, for 0 < load <= highest <= highest_load and every scale n <= scales <= most_levels.
     /// tolerance: what the mesh is made for, 1e-25 ... 1e-5; the proven error comes out between it and 100 times that, and
     /// relative errors at scale 20 up to 1000 times.
     /// \throws BeyondReach where the mesh would be too large (G too near 1, highest too large)
-    ProvenLevels(const Ball& G, double highest, double tolerance, const Spoiled& = {});
+    ProvenLevels(const Ball& G, double highest, double tolerance, int scales = usual_levels, const Spoiled& = {});
     /// Shares above `pressure` > 0 in units of p*_n, the same at every scale.
-    ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = levels, const Spoiled& = {});
+    ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = usual_levels, const Spoiled& = {});
     /// Densities instead, -dB_m/dP: share(n, load) is q_{n+1} p*_{n+1} at P = pressure, n <= 19. Level 0 is two waves (two_waves.hpp),
     /// which wants G and pressure to some 200 bits.
-    static ProvenLevels densities(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = levels, const Spoiled& = {});
+    static ProvenLevels densities(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = usual_levels, const Spoiled& = {});
     ~ProvenLevels();
     ProvenLevels(ProvenLevels&&) noexcept;
 
-    /// The share at scale n, 1 <= n <= levels.
+    /// The share at scale n, 1 <= n <= scales.
     Ball share(long n, const Ball& load) const;
     /// The error of a share, scale by scale.
     std::string certificate(long n, const Ball& load) const;
@@ -67,7 +68,7 @@ private:
 };
 
 /// A_n/lambda_0 (6.7), and the share above a pressure given in p*_n, or as far as 106 bits go, about 22 digits; meshes are
-/// kept for later calls. 1 <= n <= 20, load <= 100. \throws BeyondReach as ProvenLevels
+/// kept for later calls. 1 <= n <= most_levels, load <= highest_load. \throws BeyondReach as ProvenLevels
 Ball area_by_proven_levels(long n, const Arguments&, Accuracy);
 Ball exceedance_by_proven_levels(long n, const std::function<Ball()>& pressure, const Arguments&, Accuracy);
 /// q_n p*_n at a pressure in p*_n, 2 <= n.

@@ -100,10 +100,10 @@ void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms,
 }
 
 TOUCHSTONE_CLONES
-Real dot(const Wide& a, std::size_t first, const Wide& b)
+Real dot(const Wide& a, std::size_t first, const Wide& b, std::size_t b_first, std::size_t count)
 {
     Sum s;
-    for (std::size_t k = 0; k < b.size(); k += 4) s.add_product(load(a, first + k), load(b, k));
+    for (std::size_t k = 0; k < count; k += 4) s.add_product(load(a, first + k), load(b, b_first + k));
     return sum(s.total());
 }
 

@@ -81,8 +81,9 @@ double wave_nodes(const WaveKernel<DoubleDouble<double>>&, Substitution, DoubleD
 /// out[k] = sum of weight[i] T_k(local[i]), k < terms
 void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, Wide& out);
 
-/// The sum of a[first + k] b[k], k < b.size()
-DoubleDouble<double> dot(const Wide& a, std::size_t first, const Wide& b);
+/// The sum of a[first + k] b[b_first + k], k < count
+DoubleDouble<double> dot(const Wide& a, std::size_t first, const Wide& b, std::size_t b_first, std::size_t count);
+inline DoubleDouble<double> dot(const Wide& a, std::size_t first, const Wide& b) { return dot(a, first, b, 0, b.size()); }
 /// out[m] += the sum of a[first + k columns + m] b[k], m < columns
 void add_products(const Wide& a, std::size_t first, const Wide& b, std::size_t columns, Wide& out);
 
