@@ -219,7 +219,7 @@ TEST_CASE("out of reach is said, not guessed")
         const auto e = eval("contact.area", {{"n", 500}, {"load", exactly("0.5")}, {"G", exactly(G)}}, 10);
         CHECK(e.status == Status::undecided);
         CHECK(e.value == "nan");
-        CHECK(e.note.find("n <= 20 only; no estimate") != std::string::npos);
+        CHECK(e.note.find("n <= 100 only; no estimate") != std::string::npos);
     }
     CHECK_THROWS_AS(eval("contact.area", {{"n", -1}, {"load", 1}, {"G", 3}}, 10), DomainError);
 }

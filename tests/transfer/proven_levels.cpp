@@ -12,6 +12,8 @@
 using namespace touchstone;
 using transfer::ProvenLevels;
 
+static double middle(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
+
 namespace {
 
 /// What the precision of these balls is meant for.
@@ -112,6 +114,22 @@ TEST_CASE("full contact: against direct integration at n = 1, and exactly 1 whil
     }
 }
 
+TEST_CASE("a hundred scales: errors are as small as the share itself")
+{
+    // at G = 5/2 and load 1/2 contact stays partial: A_n has another proof, without levels
+    const Ball G = Ball(5) / 2, load = Ball(1) / 2;
+    const ProvenLevels levels(G, 1, 1e-7, ProvenLevels::most_levels);
+    const transfer::Arguments a{[] { return Ball(1) / 2; }, [] { return Ball(5) / 2; }};
+    for (const long n : {21L, 60L, 100L}) {
+        const WorkingPrecision precision(256);
+        const Ball proven = levels.share(n, load), other = transfer::area(transfer::Scheme::force_weighted, n, a, Accuracy{12});
+        INFO("n = ", n, ": ", proven.to_string(), " ", other.to_string());
+        CHECK(proven.overlaps(other));
+        CHECK(proven.radius_bound() < 1e-5 * middle(other));
+        CHECK(other.radius_bound() < 1e-9 * middle(other));
+    }
+}
+
 TEST_CASE("G = 2 exactly and beside it, load = 1")
 {
     const WorkingPrecision precision(160);
@@ -160,7 +178,6 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
 {
     const WorkingPrecision precision(160);
     const auto compare = [](const ProvenLevels& good, const ProvenLevels& bad, const Ball& load, std::initializer_list<long> scales) {
-        const auto middle = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
         double most = 0; // how far off the worse values are, whatever they say
         for (const long n : scales) {
             const Ball truth = good.share(n, load), share = bad.share(n, load);
