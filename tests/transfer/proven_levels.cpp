@@ -118,7 +118,7 @@ TEST_CASE("a hundred scales: errors are as small as the share itself")
 {
     // at G = 5/2 and load 1/2 contact stays partial: A_n has another proof, without levels
     const Ball G = Ball(5) / 2, load = Ball(1) / 2;
-    const ProvenLevels levels(G, 1, 1e-7, ProvenLevels::most_levels);
+    const ProvenLevels levels(G, 1, 1e-9, ProvenLevels::most_levels);
     const transfer::Arguments a{[] { return Ball(1) / 2; }, [] { return Ball(5) / 2; }};
     for (const long n : {21L, 60L, 100L}) {
         const WorkingPrecision precision(256);
