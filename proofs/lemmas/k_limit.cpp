@@ -43,6 +43,15 @@ Ball log_step_slopes(long pieces)
     return slopes;
 }
 
+/// "0.34 to 0.63": both ends, to two digits.
+std::string ends(const Ball& hull)
+{
+    Ball low, high;
+    arb_get_lbound_arf(arb_midref(low.get()), hull.get(), 30);
+    arb_get_ubound_arf(arb_midref(high.get()), hull.get(), 30);
+    return low.to_string(2) + " to " + high.to_string(2);
+}
+
 } // namespace
 
 Check K_converges()
@@ -51,7 +60,7 @@ Check K_converges()
     if (one.verdict != Verdict::proved) return one;
     const Ball slopes = log_step_slopes(16);
     if (!certainly(less(Ball(0), slopes)) || !slopes.is_finite()) return {Verdict::undecided, "the slope of log step is not enclosed in positive numbers"};
-    return as_lemma({Verdict::proved, "log step(1) = 0 and its slope on [1/2, 1] is enclosed in positive numbers, none above a bound: each step below 1, the logarithms summable"});
+    return as_lemma({Verdict::proved, "log step(1) = 0 and its slope on [1/2, 1] is enclosed in positive numbers, none above a bound (" + ends(slopes) + "): each step below 1, the logarithms summable"});
 }
 
 Check least_step_slope_exceeds(const Ball& number)

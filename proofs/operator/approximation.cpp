@@ -97,7 +97,7 @@ Finding ellipse_of_distance(const Constants& k)
     const ex t = ring.root("t", d * (2 + d)), rho = k.exact(0) + d + t;
     return Argument("symbolic identity")
         .note("a point within d of [-1, 1] has a focal sum of at most 2 (1 + d)")
-        .add("rho > 1", positive(rho - 1, Points{"d=1/5 t=1/3", "d=2 t=3"}))
+        .add("rho exceeds 1 by d + (d(2 + d))^(1/2)", identity(rho - 1, d + t, ellipses, ring))
         .add("(rho + 1/rho)/2 = 1 + d for rho = 1 + d + (d(2 + d))^(1/2)", identity((rho + 1 / rho) / 2, 1 + d, ellipses, ring))
         .conclude("the ellipse that holds a neighbourhood of the interval");
 }

@@ -67,7 +67,6 @@ Situation hertz_wave(const Parameters& c)
     s["alpha_np1"] = s["rho"] + 1;
     s["beta_np1"] = beta;
     s["delta_np1"] = log(s["A_np1"] / (lambda_0 * K * pow(gamma, s["rho"] + 1) * pow(lambda_0 / g_0, beta) * archard::step(delta))) / log(load);
-    s["K_np1"] = K * archard::step(delta);
     s["A_0"] = 2 * s["a_0"];
     return s;
 }

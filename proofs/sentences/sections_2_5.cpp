@@ -60,7 +60,7 @@ Finding fractal_domain(const Print& p)
     a.add("gamma > 1, D > 1", exactly(p.text("0.rhs") == "1", "D > " + p.text("0.rhs")));
     if (p.text("1.rhs") != "2") {
         const Check ratio_one = power_identity(weierstrass::amplitude_ratio<Symbol>(ex(2), sym("gamma")), ex(1), Points{"gamma=3"});
-        a.add("the series converges for every D > 1", opposite({ratio_one.verdict, "at x = 0 and D = 2 every term of (3.1) is 1, and the series diverges"}));
+        a.add("the series converges for every D > 1", opposite({ratio_one.verdict, ratio_one.detail + ": at x = 0 and D = 2 every term of (3.1) is 1, and the series diverges"}));
     } else {
         a.add("the ratio of successive amplitudes is gamma^(D-2), below one exactly for D < 2", power_identity(weierstrass::amplitude_ratio<Symbol>(sym("D"), sym("gamma")) * pow(sym("gamma"), 2 - sym("D")), ex(1), Points{"gamma=3 D=3/2"}));
     }
@@ -120,7 +120,10 @@ Rational riesz_mean(int N)
     }
     Rational mean = 0;
     f = 1;
-    for (int m = 0; m < N; ++m, f *= 3) mean += (weight[f] + weight[-f]) / 2;
+    for (int m = 0; m < N; ++m, f *= 3) {
+        if (weight[f] != weight[-f]) return 0; // both halves of a cosine
+        mean += weight[f];
+    }
     return mean;
 }
 

@@ -21,6 +21,13 @@ TEST_CASE("the root of an even power is taken only where the sign is known")
     CHECK(identity(sqrt(pow(a - b, 2) * (1 + c)), (a - b) * sqrt(1 + c), Points{"x=1/2 xi=2 S=1/3"}, ring).verdict == Verdict::refuted);
 }
 
+TEST_CASE("roots that are not square roots are evaluated as what they are")
+{
+    const std::map<std::string, touchstone::Ball> at{{"x", touchstone::Ball(8)}};
+    CHECK(evaluate(pow(sym("x"), ex(1) / 3), at).overlaps(touchstone::Ball(2)));
+    CHECK(evaluate(pow(sym("x"), ex(2) / 3), at).overlaps(touchstone::Ball(4)));
+}
+
 TEST_CASE("logarithms of powers do not hide a sign either")
 {
     const ex x = sym("x"), nu = sym("nu"), c = sym("S");
