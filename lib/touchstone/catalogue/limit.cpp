@@ -3,6 +3,7 @@
 #include "touchstone/catalogue/formula.hpp"
 #include "touchstone/limit/area_constant.hpp"
 #include "touchstone/limit/area_series.hpp"
+#include "touchstone/limit/limit_law.hpp"
 #include "touchstone/limit/poisson.hpp"
 #include "touchstone/limit/scale.hpp"
 #include "touchstone/paper/archard_constants.hpp"
@@ -81,16 +82,16 @@ Plan by_poisson(Asked asked, const Inputs& in)
     result.refusal = "the residual of Poisson's equation is proven in 106 bits";
     result.dear = true;
     result.proofs.push_back({"poisson", [=](Accuracy a) {
-                                 const Ball C = limit::area_constant_by_poisson(G_of(in), a);
+                                 const Ball C = limit::mean_by_poisson({}, G_of(in), a);
                                  const WorkingPrecision bits(working_bits(a) + 64);
                                  return asked == Asked::constant ? C : C / by_the_paper(in);
                              }});
-    result.own_witness = Look{"areas-extrapolated", [=](Accuracy) {
+    result.own_witness = Look{"limit-law", [=](Accuracy) {
                                   const WorkingPrecision bits(256);
-                                  const Witness C = limit::area_constant_extrapolated(in.G_ball());
+                                  const Witness C = limit::area_constant_by_law(in.G_ball());
                                   return asked == Asked::constant ? C : Witness{C.value / by_the_paper(in), C.error / by_the_paper(in)};
                               }};
-    result.shares = "the wave (2.2), (2.4) and nothing else: grid, interpolation, quadrature and arithmetic are others; its error is an estimate";
+    result.shares = "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others";
     return result;
 }
 
@@ -107,7 +108,7 @@ Plan plan(Asked asked, const Inputs& in)
 std::string explain(const Inputs& in, long digits)
 {
     if (in.compare_G(lowest_G) < 0) return {};
-    if (in.compare_G(nearest_G) < 0) return limit::area_constant_by_poisson_certificate(G_of(in), {digits});
+    if (in.compare_G(nearest_G) < 0) return limit::mean_by_poisson_certificate({}, G_of(in), {digits});
     if (in.compare_G(large_G) >= 0) return "C(G)/(K_inf G) = sum R_N (4/G^2)^N, |R_N| <= 2 (docs/limit.md, theorem 3)\n";
     return limit::area_constant_certificate(Scheme::force_weighted, G_of(in), {digits});
 }
@@ -118,7 +119,7 @@ Quantity of_limit(Quantity q, Asked asked)
     q.plan = [asked](const Inputs& in, Accuracy) { return plan(asked, in); };
     q.explain = explain;
     q.costly = true;
-    q.certified = {{"1.02 <= G < 2.000001", fmt::format("{}", limit::most_digits_by_poisson), "poisson", "witness areas-extrapolated", "the wave, nothing else"},
+    q.certified = {{"1.02 <= G < 2.000001", fmt::format("{}", limit::most_digits_by_poisson), "poisson", "witness limit-law", "the wave and its singular points"},
                    {"2.000001 <= G < 5000", "what 4000 nodes carry", "approach-force-weighted", "proof approach-area", shared},
                    {"G >= 5000", "what 8 terms carry, 56 and more", "moments-series", "witness first-order", "the recursion of moments"}};
     return q;

@@ -2,9 +2,9 @@
 // Compiled with -ffp-contract=off, as transfer/double_double.hpp asks.
 #include "touchstone/limit/poisson.hpp"
 
+#include "touchstone/limit/limit_law.hpp"
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/defects.hpp"
-#include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/progress.hpp"
 
@@ -21,175 +21,131 @@ using namespace transfer;
 using namespace transfer::bounds;
 using namespace transfer::levels;
 
-constexpr int mesh_levels = 16; ///< the mesh is the one that so many levels of areas need: Phi is smoother than those
+// ---- the search: Phi on the panels of a graded mesh. Nothing here is trusted.
 
-// ---- the search: Phi by GMRES on the values at the nodes of the mesh. Nothing here is trusted.
-
-/// (I - G T) on functions with mean(phi) = 0, which has an inverse there; c is what the projection takes away.
+/// R = f - c x - Phi + G T Phi at the nodes.
 struct Equation {
     const Rules& rules;
-    const Layer& mesh;
-    double tolerance;
-    Wide identity;              ///< x at the nodes
-    std::vector<std::size_t> middle; ///< nodes over which mean() is taken
+    const Real G;
+    const double tolerance;
+    const std::vector<Panel> panels;
+    Wide identity; ///< x at the nodes
+    Wide f;
 
-    Equation(const Rules& rules_, const Layer& mesh_, double tolerance_) : rules(rules_), mesh(mesh_), tolerance(tolerance_), identity(mesh.panels.size() * rules.own.at.size())
+    Equation(const Rules& rules_, const First& first, const Real& G_, double tolerance_, std::vector<Panel> panels_)
+        : rules(rules_), G(G_), tolerance(tolerance_), panels(std::move(panels_)), identity(panels.size() * rules.own.at.size()), f(identity.size())
     {
-        for (std::size_t i = 0; i < identity.size(); ++i) {
-            identity.set(i, sqrt(z(i)));
-            if (identity.high[i] > 0.25 && identity.high[i] < 1) middle.push_back(i);
-        }
+        in_parallel(identity.size(), [&](std::size_t i) {
+            const Panel& p = panels[i / rules.own.at.size()];
+            identity.set(i, sqrt(p.centre + p.half * rules.own.at[i % rules.own.at.size()]));
+            f.set(i, first.value(identity[i]).first);
+        });
     }
-    Real z(std::size_t i) const
+    Wide residual(const Wide& phi, const Real& c) const
     {
-        const Panel& p = mesh.panels[i / rules.own.at.size()];
-        return p.centre + p.half * rules.own.at[i % rules.own.at.size()];
-    }
-    Real mean(const Wide& v) const
-    {
-        Real sum = 0;
-        for (const std::size_t i : middle) sum += v[i] / identity[i];
-        return sum / static_cast<double>(middle.size());
-    }
-    /// v - mean(v) x
-    Wide projected(Wide v) const
-    {
-        const Real off = mean(v);
-        for (std::size_t i = 0; i < v.size(); ++i) v.set(i, v[i] - off * identity[i]);
-        return v;
-    }
-    /// v - G T v
-    Wide applied(const Wide& v) const
-    {
-        Layer one = layer_on(rules, mesh.G, tolerance, mesh.panels, 1);
-        one.set(0, series_of(rules, v));
-        Wide result(v.size());
-        in_parallel(v.size(), [&](std::size_t i) {
+        Layer one = layer_on(rules, G, tolerance, panels, 1);
+        one.set(0, series_of(rules, phi));
+        Wide result(phi.size());
+        in_parallel(phi.size(), [&](std::size_t i) {
             thread_local Result at;
             one.apply(identity[i], at);
-            result.set(i, v[i] - mesh.G * at.value[0]);
+            result.set(i, f[i] - c * identity[i] - phi[i] + G * at.value[0]);
         });
         return result;
     }
+};
+
+/// A function of x from its values at the nodes of the mesh, in binary64.
+class FromNodes {
+public:
+    FromNodes(const Equation& e, const Wide& nodal) : on(layer_on(e.rules, e.G, e.tolerance, e.panels, 1)) { on.coefficients = series_of(e.rules, nodal); }
+    double operator()(double x) const
+    {
+        const Real z = Real(x) * Real(x);
+        const std::size_t j = static_cast<std::size_t>(on.find(z));
+        const Panel& p = on.panels[j];
+        return double(on.value(j, 0, std::max(Real(-1), std::min(Real(1), (z - p.centre) / p.half))));
+    }
+
+private:
+    Layer on;
+};
+
+struct Solution {
+    Wide phi;
+    Real c = 0;
+};
+
+/// Corrections by Nystroem's method on two grids (Brakhage 1960): with r = R/x, and d of the coarse grid's d - M d = r - c', phi = Phi/x gets r - c' + M d. What is
+/// not smooth is in r, which is exact.
+Solution solve(const Equation& e, const LimitLaw& coarse)
+{
+    constexpr int most_corrections = 12;
+    Solution s{Wide(e.identity.size())};
+    Wide rest = e.f; // of nothing
+    double before = infinite;
+    for (int step = 0; step < most_corrections; ++step) {
+        progress("Poisson's equation, correction", step, most_corrections);
+        const FromNodes r(e, rest);
+        Vector at_coarse;
+        for (const double x : coarse.nodes()) at_coarse.push_back(r(x) / x);
+        const double mean = dot(coarse.weights(), at_coarse);
+        Vector smooth = coarse.solve(at_coarse); // M d = d - r + mean
+        for (std::size_t i = 0; i < smooth.size(); ++i) smooth[i] += mean - at_coarse[i];
+        const LimitLaw::Interpolant of_smooth(coarse, smooth);
+        s.c += mean;
+        for (std::size_t i = 0; i < s.phi.size(); ++i) s.phi.set(i, s.phi[i] + rest[i] - mean * e.identity[i] + of_smooth(double(e.identity[i])) * e.identity[i]);
+        rest = e.residual(s.phi, s.c);
+        double most = 0; // what is large on a narrow panel counts with the share that has of a wave
+        for (std::size_t i = 0; i < rest.size(); ++i) most = std::max(most, std::fabs(rest.high[i]) * largest_share(double(e.G), e.panels[i / e.rules.own.at.size()].width()));
+        if (!(most < before / 4) || most < e.tolerance / 4) break;
+        before = most;
+    }
+    return s;
+}
+
+/// What the proof is about: polynomials on one mesh, and c. Any will do.
+struct Found {
+    std::unique_ptr<Layer> area;  ///< near f
+    std::unique_ptr<Layer> steps; ///< column 0: G Phi; column 1: near Phi - f + c x
+    Real c;
 };
 
 void add(Wide& to, const Real& factor, const Wide& v)
 {
     for (std::size_t i = 0; i < to.size(); ++i) to.set(i, to[i] + factor * v[i]);
 }
-Real norm(const Wide& v) { return sqrt(dot(v, 0, v)); }
 
-/// The Hessenberg matrix of Arnoldi's process, made triangular by rotations as it grows.
-struct Triangle {
-    std::vector<std::vector<Real>> columns;
-    std::vector<std::pair<Real, Real>> rotations; ///< cosine, sine
-    std::vector<Real> right;                      ///< last: the residual
-
-    explicit Triangle(const Real& first) : right{first} {}
-    void add_column(std::vector<Real> h)
-    {
-        for (std::size_t k = 0; k < rotations.size(); ++k) rotate(h[k], h[k + 1], rotations[k]);
-        const std::size_t k = rotations.size();
-        const Real r = sqrt(h[k] * h[k] + h[k + 1] * h[k + 1]);
-        rotations.emplace_back(h[k] / r, h[k + 1] / r);
-        h[k] = r;
-        h.pop_back();
-        right.emplace_back(0);
-        rotate(right[k], right[k + 1], rotations.back());
-        columns.push_back(std::move(h));
-    }
-    double residual() const { return std::fabs(right.back().high); }
-    std::vector<Real> solution() const
-    {
-        std::vector<Real> y(columns.size());
-        for (std::size_t k = y.size(); k-- > 0;) {
-            Real sum = right[k];
-            for (std::size_t j = k + 1; j < y.size(); ++j) sum -= columns[j][k] * y[j];
-            y[k] = sum / columns[k][k];
-        }
-        return y;
-    }
-
-private:
-    static void rotate(Real& a, Real& b, const std::pair<Real, Real>& by)
-    {
-        const Real old = a;
-        a = by.first * a + by.second * b;
-        b = by.first * b - by.second * old;
-    }
-};
-
-/// phi with (I - G T) phi = right - c x on the nodes, until that is off by `left` (root mean square) or most_steps are done.
-Wide gmres(const Equation& e, const Wide& right, double left)
-{
-    constexpr int most_steps = 200;
-    Wide first = e.projected(right);
-    const Real size = norm(first);
-    std::vector<Wide> basis{Wide(first.size())};
-    add(basis[0], 1 / size, first);
-    Triangle triangle(size);
-    const double enough = left * std::sqrt(static_cast<double>(first.size()));
-    for (int k = 0; k < most_steps && triangle.residual() > enough; ++k) {
-        progress("Poisson's equation, step", k, most_steps);
-        Wide next = e.projected(e.applied(basis.back()));
-        std::vector<Real> h;
-        for (const Wide& q : basis) {
-            h.push_back(dot(next, 0, q));
-            add(next, -h.back(), q);
-        }
-        h.push_back(norm(next));
-        Wide q(next.size());
-        add(q, 1 / h.back(), next);
-        basis.push_back(std::move(q));
-        triangle.add_column(std::move(h));
-    }
-    const std::vector<Real> y = triangle.solution();
-    Wide phi(first.size());
-    for (std::size_t k = 0; k < y.size(); ++k) add(phi, y[k], basis[k]);
-    return phi;
-}
-
-/// What the proof is about: polynomials on one mesh, and c. Any will do.
-struct Found {
-    std::unique_ptr<Layer> area;  ///< near B_0
-    std::unique_ptr<Layer> steps; ///< column 0: G Phi; column 1: near Phi - B_0 + c x
-    Real c;
-};
-
-/// The polynomials through B_0, Phi and c x at the nodes.
-Found found_on(const Equation& e, const Wide& B0, const Wide& phi, const Real& c)
+/// The polynomials through f, Phi and c x at the nodes.
+Found found_on(const Equation& e, const Solution& s)
 {
     const Rules& rules = e.rules;
-    Wide scaled(phi.size()), next(phi.size()), nothing(phi.size());
-    add(scaled, e.mesh.G, phi);
-    add(next, 1, phi);
-    add(next, -1, B0);
-    add(next, c, e.identity);
+    Wide scaled(s.phi.size()), next = s.phi, nothing(s.phi.size());
+    add(scaled, e.G, s.phi);
+    add(next, -1, e.f);
+    add(next, s.c, e.identity);
     const auto layer = [&](int columns) {
-        return std::make_unique<Layer>(rules.orders, rules.gauss, rules.kernel_points, rules.exact, e.mesh.G, e.tolerance, e.mesh.panels, columns);
+        return std::make_unique<Layer>(rules.orders, rules.gauss, rules.kernel_points, rules.exact, e.G, e.tolerance, e.panels, columns);
     };
-    Found found{layer(1), layer(columns_for(2)), c};
-    found.area->set(0, series_of(rules, B0));
+    Found found{layer(1), layer(columns_for(2)), s.c};
+    found.area->set(0, series_of(rules, e.f));
     found.steps->set(0, series_of(rules, scaled));
     found.steps->set(1, series_of(rules, next));
     for (int m = 2; m < columns_for(2); ++m) found.steps->set(m, nothing);
     return found;
 }
 
-Found search(const Rules& rules, const First& first, const Real& G, double highest, double tolerance, const SpoiledPhi& spoiled)
+Found search(const Rules& rules, const First& first, const std::vector<Ball>& of_f, const Ball& G, double highest, double tolerance, const SpoiledPhi& spoiled)
 {
-    const auto mesh = collocate(rules, first, G, highest, tolerance, mesh_levels);
-    const Equation e(rules, *mesh, tolerance);
-    Wide B0(e.identity.size());
-    in_parallel(B0.size(), [&](std::size_t i) { B0.set(i, first.value(e.identity[i]).first); });
-    Wide phi = gmres(e, B0, tolerance / 16), rest = B0;
-    add(rest, -1, e.applied(phi));
-    const Real c = e.mean(rest);
-    for (std::size_t i = 0; spoiled && i < phi.size(); ++i) {
-        const Panel& p = mesh->panels[i / rules.own.at.size()];
-        phi.set(i, phi[i] + spoiled(double(p.y0), double(p.y1)));
+    constexpr double coarse_lowest = 1e-10, coarse_tolerance = 1e-6;
+    constexpr int coarse_order = 10;
+    const Equation e(rules, first, to_real(G), tolerance, graded_panels(G, {tolerance / 100, highest, tolerance, of_f}));
+    Solution s = solve(e, LimitLaw(G, {coarse_lowest, highest, coarse_tolerance, of_f}, coarse_order));
+    for (std::size_t i = 0; spoiled && i < s.phi.size(); ++i) {
+        const Panel& p = e.panels[i / rules.own.at.size()];
+        s.phi.set(i, s.phi[i] + spoiled(double(p.y0), double(p.y1)));
     }
-    return found_on(e, B0, phi, c);
+    return found_on(e, s);
 }
 
 // ---- the proof
@@ -223,20 +179,37 @@ double polynomial_defect(const Found& f, std::size_t panel, const Check& check)
     return margin * (check.lebesgue * most + of_root);
 }
 
+std::unique_ptr<const First> first_of(const Question& q)
+{
+    if (q.of == Question::Of::contact) return in_contact();
+    return q.of == Question::Of::pressure ? exceeding(q.pressure) : force_above(q.pressure);
+}
+
+/// Where f has square roots, apart from 1.
+std::vector<Ball> roots_of(const Question& q)
+{
+    if (q.of == Question::Of::contact) return {};
+    const auto [low, high] = ends_of_exceeding(q.pressure);
+    return {low, high};
+}
+
+/// Up to where a mesh is needed: no ratio above x_P, at most 4/G^2 for G >= 2 and 1/(G - 1) else, is met from one below.
+double highest_ratio(double G) { return G >= 2 ? margin * 4 / (G * G) : margin / (G - 1); }
+
 } // namespace
 
-Poisson solve_poisson(const Ball& G, double tolerance, const SpoiledPhi& spoiled)
+Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const SpoiledPhi& spoiled)
 {
     require_binary64_arithmetic();
     const WorkingPrecision precision(256);
     const Real nearest = to_real(G);
     const Ball off = abs(to_ball(nearest) / G - Ball(1));
     if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u)))) throw BeyondReach("G must be above 1 and known to 101 bits");
-    const double g = double(nearest), highest = std::max(1.0, 1.1 / (g - 1));
-    if (!(highest <= 400)) throw BeyondReach("G too near 1 for the constant of the limit");
+    const double g = double(nearest), highest = 1.1 * highest_ratio(g);
+    if (!(highest <= 60)) throw BeyondReach("G too near 1 for the constant of the limit");
     const Rules rules(tolerance);
-    const auto first = in_contact();
-    const Found found = search(rules, *first, nearest, highest, tolerance, spoiled);
+    const auto first = first_of(q);
+    const Found found = search(rules, *first, roots_of(q), G, highest, tolerance, spoiled);
 
     Defects of_zero(rules, *found.area, 1, tolerance, true), of_step(rules, *found.steps, 2, tolerance, false);
     of_zero.prove_level_zero(*first);
@@ -246,7 +219,7 @@ Poisson solve_poisson(const Ball& G, double tolerance, const SpoiledPhi& spoiled
     std::vector<double> rest(found.steps->panels.size());
     in_parallel(rest.size(), [&](std::size_t i) { rest[i] = polynomial_defect(found, i, check); });
 
-    const double reach = margin / (g - 1);                               // at least x_P: the limit law has no ratio above
+    const double reach = highest_ratio(g);                       // the limit law has no ratio above
     const double below = double(found.steps->panels.front().y0); // Phi = P = 0 there
     Poisson result{to_ball(found.c), 0, of_zero.effect(0, reach), of_step.second_effect(1, reach), *std::max_element(rest.begin(), rest.end()),
                    margin * (std::fabs(double(found.c)) * below + std::sqrt(below) * found.steps->largest[0]) * largest_share(g, below), rest.size()};
@@ -260,88 +233,47 @@ namespace {
 /// Digits that G^3 and the defects' sum take from the tolerance of the mesh.
 constexpr double spare_digits = 3;
 
-/// The last one found: both what is asked for and its explanation want it.
-Poisson kept(const Ball& G, Accuracy wanted)
+/// The last ones found: both what is asked for and its explanation want them, and quotients of two.
+Poisson kept(const Question& q, const Ball& G, Accuracy wanted)
 {
+    struct Kept {
+        std::string of;
+        double tolerance;
+        Poisson found;
+    };
+    constexpr std::size_t most = 4;
     static std::mutex mutex;
-    static std::string of;
-    static double tolerance_of = 1;
-    static Poisson last;
+    static std::vector<Kept> all; // the latest last
     const std::lock_guard lock(mutex);
     const double tolerance = std::pow(10.0, -static_cast<double>(std::max(6L, wanted.digits)) - spare_digits);
-    const std::string which = G.dump();
-    if (which != of || tolerance < tolerance_of) {
-        last = solve_poisson(G, tolerance);
-        of = which;
-        tolerance_of = tolerance;
-    }
-    return last;
+    const std::string which = fmt::format("{} {} {}", static_cast<int>(q.of), q.of == Question::Of::contact ? "" : q.pressure.dump(), G.dump());
+    for (const Kept& k : all)
+        if (k.of == which && k.tolerance <= tolerance) return k.found;
+    std::erase_if(all, [&](const Kept& k) { return k.of == which; });
+    if (all.size() == most) all.erase(all.begin());
+    all.push_back({which, tolerance, solve_poisson(q, G, tolerance)});
+    return all.back().found;
 }
 
 } // namespace
 
-Ball area_constant_by_poisson(const std::function<Ball()>& G, Accuracy wanted)
+Ball mean_by_poisson(const Question& q, const std::function<Ball()>& G, Accuracy wanted)
 {
     const WorkingPrecision precision(256);
-    const Poisson p = kept(G(), wanted);
-    Ball C = p.c;
+    const Poisson p = kept(q, G(), wanted);
+    Ball mean = p.c;
     if (!(p.error < 1)) throw BeyondReach("the residual of Poisson's equation is too large");
-    arb_add_error(C.get(), Ball::exactly(p.error).get());
-    return C;
+    arb_add_error(mean.get(), Ball::exactly(p.error).get());
+    return mean;
 }
 
-std::string area_constant_by_poisson_certificate(const std::function<Ball()>& G, Accuracy wanted)
+std::string mean_by_poisson_certificate(const Question& q, const std::function<Ball()>& G, Accuracy wanted)
 {
     const WorkingPrecision precision(256);
-    const Poisson p = kept(G(), wanted);
-    return fmt::format("C(G) = c +- (G^3 sup T|R_1| + G^4 sup T^2|R_2|), R_1 + R_2 = B_0 - c x - Phi + G T Phi (docs/limit.md, theorem 4), on {} panels\n"
-                       "  T of |B_0 - its polynomial| <= {:.2e}, T^2 of the step's defect <= {:.2e}, of the rest on the mesh <= {:.2e}, below it <= {:.2e}; |C - c| <= {:.2e}\n",
+    const Poisson p = kept(q, G(), wanted);
+    return fmt::format("mean = c +- (G^3 sup T|R_1| + G^4 sup T^2|R_2|), R_1 + R_2 = f - c x - Phi + G T Phi (docs/limit.md, theorem 4), on {} panels\n"
+                       "  T of |f - its polynomial| <= {:.2e}, T^2 of the step's defect <= {:.2e}, of the rest on the mesh <= {:.2e}, below it <= {:.2e}; |mean - c| <= {:.2e}\n",
                        p.panels, p.level_zero, p.step, p.polynomial, p.below, p.error);
-}
-
-namespace {
-
-/// The limit of a sequence by Wynn's epsilon-algorithm, where the last two of a column are nearest to one another.
-Witness extrapolated(std::vector<Ball> now)
-{
-    std::vector<Ball> before(now.size() + 1, Ball(0));
-    Ball best = now.back(), error = abs(now.back() - now[now.size() - 2]) * static_cast<long>(now.size());
-    for (long column = 1; now.size() > 2; ++column) {
-        std::vector<Ball> next;
-        for (std::size_t i = 0; i + 1 < now.size(); ++i) next.push_back(before[i + 1] + 1 / (now[i + 1] - now[i]));
-        before = std::move(now);
-        now = std::move(next);
-        if (column % 2 != 0 || now.size() < 2) continue;
-        const Ball change = abs(now.back() - now[now.size() - 2]);
-        if (!change.is_finite()) break;
-        if (certainly(less(change, error))) {
-            best = now.back();
-            error = change;
-        }
-    }
-    Ball value;
-    arb_get_mid_arb(value.get(), best.get());
-    return {value, error};
-}
-
-} // namespace
-
-Witness area_constant_extrapolated(const Ball& G)
-{
-    constexpr long scales = 60, fewest = 16;
-    const WorkingPrecision precision(256);
-    const Ball load = Ball(1) / 2, settled = Ball(Rational(1, 100'000'000'000'000));
-    std::vector<Ball> h;
-    Witness found;
-    for (long n = 0; n <= scales; ++n) {
-        Ball value;
-        arb_get_mid_arb(value.get(), (estimated_area(Grid::blind, n, load, G).value * pow(G, Ball(n)) / load).get());
-        h.push_back(value);
-        if (n < fewest || n % 4 != 0) continue;
-        found = extrapolated(h);
-        if (certainly(less(found.error, settled))) break;
-    }
-    return {found.value, 10 * found.error + abs(found.value) * Ball(Rational(1, 10'000'000'000'000'000))}; // the areas themselves are estimates
 }
 
 } // namespace touchstone::limit

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// C(G) for any G > 1, full contact included: docs/limit.md, theorem 4.
+/// C(G) and the limiting distributions for any G > 1, full contact included: docs/limit.md, theorem 4.
 ///
-/// For any bounded Phi and any number c, |C(G) - c| <= G^(2+k) sup T^k|R|, k >= 0, R = B_0 - c x - Phi + G T Phi. Phi is sought near the
+/// For any bounded Phi and any number c, |E_pi[f/x] - c| <= G^(2+k) sup T^k|R|, k >= 0, R = f - c x - Phi + G T Phi. Phi is sought near the
 /// solution of R = 0, which is Poisson's equation of the chain, and then R is bounded.
 #pragma once
 
@@ -14,27 +14,31 @@
 
 namespace touchstone::limit {
 
-/// The most digits of area_constant_by_poisson().
+/// What is asked of the limit, as the mean E_pi[f/x] over the ratio x that a unit of force meets.
+struct Question {
+    enum class Of { contact, pressure, force } of = Of::contact; ///< f: B_0, the share of one wave in contact, above a pressure, or what force is carried above it
+    Ball pressure{}; ///< in p*_n, known to 101 bits
+};
+
+/// The most digits by this.
 constexpr long most_digits_by_poisson = 15;
 
-/// \param G known to 101 bits, from 1.02 to 3
+/// C(G) for contact; the limits of G^n/load times the share of lambda_0 where p_n is above that pressure; and of the share of the force that is carried there.
+/// \param G known to 101 bits, at least 1.02
 /// \throws BeyondReach where the mesh would be too large, or the residual is not small enough for the digits asked for
-Ball area_constant_by_poisson(const std::function<Ball()>& G, Accuracy);
+Ball mean_by_poisson(const Question&, const std::function<Ball()>& G, Accuracy);
 
 /// What bounds its error.
-std::string area_constant_by_poisson_certificate(const std::function<Ball()>& G, Accuracy);
-
-/// C(G) from estimated areas at scales up to 100, extrapolated: no proof.
-Witness area_constant_extrapolated(const Ball& G);
+std::string mean_by_poisson_certificate(const Question&, const std::function<Ball()>& G, Accuracy);
 
 /// For tests: what Phi is made worse by on the panel y0 <= y <= y1. Phi may be anything; the proof has to see it.
 using SpoiledPhi = std::function<double(double y0, double y1)>;
 struct Poisson {
-    Ball c;        ///< near C(G)
-    double error;  ///< at least |C(G) - c|
-    double level_zero, step, polynomial, below; ///< of R: sup T|B_0 - P|, sup T^2|T V_0 - V_1|, the rest on the mesh, sup T of what is below it
+    Ball c;        ///< near the mean
+    double error;  ///< at least |mean - c|
+    double level_zero, step, polynomial, below; ///< of R: sup T|f - P|, sup T^2|T V_0 - V_1|, the rest on the mesh, sup T of what is below it
     std::size_t panels;
 };
-Poisson solve_poisson(const Ball& G, double tolerance, const SpoiledPhi& = {});
+Poisson solve_poisson(const Question&, const Ball& G, double tolerance, const SpoiledPhi& = {});
 
 } // namespace touchstone::limit

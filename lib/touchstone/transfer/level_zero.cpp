@@ -42,10 +42,7 @@ struct InContact : Share {
 /// (2.17), (2.14): the exceedance of one wave, (1/pi) arccos w, w = P - x where x >= 1, w = R - x, R^2 = (1 - x)^2 + P^2, where P^2/4 <= x < 1.
 /// It is analytic between low_end, 1 and high_end; from the left of 1 so far as R is. w is real for real x only: x = (1 + P^2 - w^2)/(2(1 + w)).
 struct Exceeding : Share {
-    explicit Exceeding(const Ball& P_)
-        : P(P_), low_end(certainly(less(P_, Ball(2))) ? to_real(P_ * P_ / 4) : to_real(P_ - Ball(1))), high_end(to_real(P_ + Ball(1)))
-    {
-    }
+    explicit Exceeding(const Ball& P_) : P(P_), low_end(to_real(ends_of_exceeding(P_).first)), high_end(to_real(ends_of_exceeding(P_).second)) {}
     Ball at(const Ball& x) const override
     {
         const auto full = [&] { return share(1 + x - P, 1 - x + P); };
@@ -85,8 +82,55 @@ private:
     Real low_end, high_end; ///< below the one it is 0, from the other on 1; within 2 u
 };
 
+/// (2.2), (2.4): the integral of P dtheta/pi over pressures above P. x >= 1: (x theta + sin theta)/pi, cos theta = P - x. x < 1, in units of force (wave::equilibrium):
+/// (2x/pi)(psi + sin psi cos psi), v = sin^2 psi = (4x - P^2)/(2x(1 + x + R)), where P^2 = 4x (1 - v)(1 - x v). v is real and outside (0, 1) for real x only, for that is
+/// a quadratic equation in x of positive discriminant then: so no branch of arcsin or of the roots is crossed.
+struct ForceAbove : Share {
+    explicit ForceAbove(const Ball& P_) : P(P_), low_end(to_real(ends_of_exceeding(P_).first)), high_end(to_real(ends_of_exceeding(P_).second)) {}
+    Ball at(const Ball& x) const override
+    {
+        if (!certainly(less(x, Ball(1)))) {
+            const Ball theta = 2 * atan2(root(1 + x - P), root(1 - x + P));
+            return certainly(less(P + 1, x)) ? x : (x * theta + root((1 + x - P) * (1 - x + P))) / pi<Ball>(); // the two agree where x = P + 1
+        }
+        const Ball R = sqrt((1 - x) * (1 - x) + P * P), v = (4 * x - P * P) / (2 * x * (1 + x + R));
+        if (certainly(less(v, Ball(0)))) return Ball(0);
+        const Ball sine = root(v), cosine = P / (2 * sqrt(x * (1 - x * v)));
+        return 2 * x * (atan2(sine, cosine) + sine * cosine) / pi<Ball>();
+    }
+    Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const override
+    {
+        constexpr Bounds unknown{infinite, infinite};
+        const double x_ = double(x), pressure = double(to_real(P)), safe = r * margin, modulus = margin * (x_ + r);
+        if (high <= low_end * Real{1, -4 * u}) return {0, infinite};
+        if (low >= high_end * Real{1, 4 * u}) return {modulus, infinite};
+        if (!(safe < double(x - low_end))) return unknown;
+        if (low >= 1) { // |arccos w|^2 <= pi^2 + log^2(2|w| + 2), |sin theta| <= 1 + |w|
+            if (!(safe < double(high_end - x))) return unknown;
+            const double w = std::fabs(pressure - x_) + r;
+            return {margin * (modulus * std::hypot(pi_below, std::log(2 * w + 2)) + 1 + w) / pi_below, infinite};
+        }
+        if (high > 1 || !(safe < x_) || !(safe < std::hypot(double(1 - x), pressure))) return unknown;
+        // Re(1 + x + R) > 1; |arcsin z|^2 <= (pi/2)^2 + log^2(2|z| + 2)
+        const double v = margin * (2 + pressure * pressure / (2 * (x_ - safe)));
+        return {margin * 2 * modulus / pi_below * (std::hypot(pi_below / 2, std::log(2 * std::sqrt(v) + 2)) + std::sqrt(v * (1 + v))), infinite};
+    }
+
+private:
+    static Ball root(const Ball& x)
+    {
+        Ball r;
+        arb_sqrtpos(r.get(), x.get(), WorkingPrecision::bits());
+        return r;
+    }
+    Ball P;
+    Real low_end, high_end;
+};
+
 } // namespace
 
+std::pair<Ball, Ball> ends_of_exceeding(const Ball& P) { return {certainly(less(P, Ball(2))) ? P * P / 4 : P - Ball(1), P + Ball(1)}; }
+std::unique_ptr<const First> force_above(const Ball& pressure) { return std::make_unique<ForceAbove>(pressure); }
 std::unique_ptr<const First> in_contact() { return std::make_unique<InContact>(); }
 std::unique_ptr<const First> exceeding(const Ball& pressure) { return std::make_unique<Exceeding>(pressure); }
 

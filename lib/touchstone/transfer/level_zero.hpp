@@ -33,6 +33,11 @@ std::unique_ptr<const First> in_contact();
 /// The share above a pressure in p*_n.
 std::unique_ptr<const First> exceeding(const Ball& pressure);
 
+/// Of the force x of one wave, what is carried at pressures above that, in p*_n: it increases with x, and is at most x.
+std::unique_ptr<const First> force_above(const Ball& pressure);
+/// Where exceeding() and force_above() begin, and where they reach everything: they have square roots there.
+std::pair<Ball, Ball> ends_of_exceeding(const Ball& pressure);
+
 /// D_1/unit: D_1 goes with P where P is small.
 struct Density : First {
     Density(const Ball& G, const Ball& pressure, double unit, double tolerance);

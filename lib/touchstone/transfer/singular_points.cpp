@@ -40,13 +40,14 @@ std::vector<SingularPoint> orbit(std::vector<Ball> seeds, const Images& images, 
 
 } // namespace
 
-std::vector<SingularPoint> area_points(const Ball& G, const Tracking& t)
+std::vector<SingularPoint> area_points(const Ball& G, const Tracking& t, std::vector<Ball> of_B0)
 {
     const auto images = [&](const Ball& s) {
         const Ball down = wave::meets_upper_end_full(s, G); // a ball that cannot tell which side of 1 it is on: both forms give 1
         return std::vector<Ball>{wave::meets_lower_end(s, G), certainly(less(down, Ball(1))) ? wave::meets_upper_end_partial(s, G) : down};
     };
-    return orbit({Ball(1)}, images, t);
+    of_B0.emplace_back(1);
+    return orbit(std::move(of_B0), images, t);
 }
 
 std::vector<SingularPoint> exceedance_points(const Ball& load, const Ball& G, const Tracking& t)
