@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The fractal limit of sections 6 to 8: n without end. The theorems: docs/limit.md.
 #include "touchstone/catalogue/formula.hpp"
+#include "touchstone/catalogue/limit_distributions.hpp"
 #include "touchstone/limit/area_constant.hpp"
 #include "touchstone/limit/area_series.hpp"
 #include "touchstone/limit/limit_law.hpp"
@@ -215,6 +216,8 @@ void add_limit(std::vector<Quantity>& all)
                    .costly = true,
                    .plan = [](const Inputs& in, Accuracy) { return plan_of_gap(in); },
                    .certified = {{"2.000001 <= G < 5000", "15", "", "", ""}}});
+
+    add_limiting_distributions(all);
 }
 
 } // namespace touchstone

@@ -38,17 +38,18 @@ class Mesh {
 public:
     Mesh(const Ball& G, const Grading& g) : terms(Orders(g.tolerance).terms), left_alone(3 * g.tolerance)
     {
+        targets.push_back({0, 1, 1, 1}); // x^(1/2) of the function
         int generations = 1;
         while (generations < most_generations && what_is_left(strength_of(generations), exponent_of(generations), widest) > 1) ++generations;
         for (const SingularPoint& s : area_points(G, {Ball::exactly(g.highest), generations, same_point}, g.further)) add(s.position, s.generation);
     }
     bool too_wide(const Panel& p) const
     {
-        const double width = p.width();
+        const double width = double(p.z1 - p.z0); // polynomials are in z = y^2
         return std::any_of(targets.begin(), targets.end(), [&](const Target& s) {
-            const double left = what_is_left(s.strength, s.exponent, width / s.scale);
+            const double left = what_is_left(s.strength, s.exponent, p.width() / s.scale);
             if (left <= 1) return false;
-            const double rho = std::pow(std::min(left, 1 / left_alone), 1. / terms), distance = std::max({0.0, double(s.at - p.y1), double(p.y0 - s.at)});
+            const double rho = std::pow(std::min(left, 1 / left_alone), 1. / terms), distance = std::max({0.0, double((s.at - p.y1) * (s.at + p.y1)), double((p.y0 - s.at) * (p.y0 + s.at))});
             return width * (overlap * (rho + 1 / rho) / 4 - inside) > distance; // coefficients fall like rho^-terms
         });
     }
@@ -60,7 +61,8 @@ private:
     void add(const Ball& s, int generation)
     {
         const Real at = to_real(s);
-        if (at > 0) targets.push_back({at, std::min(1.0, std::sqrt(double(at))), strength_of(generation), exponent_of(generation)});
+        const double scale = std::pow(std::min(1.0, double(at)), generation / (generation + 2.)); // s^(1/2) (w/s)^((g+1)/2) w^(1/2)
+        if (at > 0) targets.push_back({at, scale, strength_of(generation), exponent_of(generation)});
     }
     int terms;
     double left_alone;

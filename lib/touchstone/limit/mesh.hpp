@@ -17,7 +17,7 @@ struct Grading {
 };
 
 /// A panel is halved until every singular point s, of generation g, is so far from it that polynomials fall fast enough: s counts for c_g w^(g/2 + 1) on a panel of
-/// width w, relative to s^(1/2) where s < 1: w^((g+1)/2) of the function, w^(1/2) of a wave.
+/// width w, w^((g+1)/2) of the function and w^(1/2) of a wave, and for s^(1/2) (w/s)^((g+1)/2) w^(1/2) where s < 1.
 std::vector<transfer::levels::Panel> graded_panels(const Ball& G, const Grading&);
 
 } // namespace touchstone::limit

@@ -231,7 +231,7 @@ Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const 
 namespace {
 
 /// Digits that G^3 and the defects' sum take from the tolerance of the mesh.
-constexpr double spare_digits = 3;
+constexpr double spare_digits = 2;
 
 /// The last ones found: both what is asked for and its explanation want them, and quotients of two.
 Poisson kept(const Question& q, const Ball& G, Accuracy wanted)

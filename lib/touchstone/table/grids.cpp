@@ -424,8 +424,33 @@ Rows limit_grid()
     return distinct(as_rows(G));
 }
 
+/// Full contact never ends: from where the mesh is largest to G = 2, the first two of figure 3 among them.
+Rows limit_full_grid()
+{
+    return as_rows({1.02, 1.03, 1.05, figure_3a_G, 1.1, figure_3b_G, 1.15, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 1.95, 2});
+}
+
 Rows limit_ratio_grid() { return as_rows({2.05, second_G, figure_5_G, 4, 10, 100, 1000, 1e4, 1e6}); }
 Rows limit_gap_grid() { return as_rows({2.5, 3, figure_5_G, 4, 10, 100}); }
+
+/// Pressures in p*_n; at p = G/5 and G, contacts of the next scale leave the Hertzian range, and are full.
+Rows limit_exceedance_grid()
+{
+    Rows rows;
+    for (const double p : {0.01, 0.1, 0.25, 0.5, 0.75, 1., 1.25}) rows.push_back({p, figure_5_G});
+    for (const double p : {0.1, 0.4472135954999579, 1.5}) rows.push_back({p, second_G});
+    for (const double p : {0.3, 1.5}) rows.push_back({p, 1.5});
+    return rows;
+}
+
+/// Half-widths in wavelengths.
+Rows limit_segments_grid()
+{
+    Rows rows;
+    for (const double a : {0.05, 0.1, 0.15, 0.2}) rows.push_back({a, figure_5_G});
+    for (const double a : {0.25, 0.5}) rows.push_back({a, 1.5});
+    return rows;
+}
 
 Rows limit_scale_grid()
 {
@@ -476,7 +501,11 @@ static const std::vector<TableSpec>& grids()
         {"segments_count", "segments.count", digits, segments_count_grid},
         {"segments_density", "segments.density", 30, segments_density_grid, true},
         {"limit_constant", "limit.area_constant", 20, limit_grid, true},
+        {"limit_constant_full", "limit.area_constant", 10, limit_full_grid, true},
         {"limit_ratio", "limit.area_ratio", 20, limit_ratio_grid, true},
+        {"limit_exceedance", "limit.exceedance", 8, limit_exceedance_grid, true},
+        {"limit_force", "limit.force", 8, limit_exceedance_grid, true},
+        {"limit_segments", "limit.segments", 8, limit_segments_grid, true},
         {"limit_scale", "limit.scale", 20, limit_scale_grid, true},
         {"limit_gap", "limit.gap", 10, limit_gap_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},

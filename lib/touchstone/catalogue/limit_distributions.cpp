@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+/// The limiting distributions of section 9 and figure 5: docs/limit.md, theorem 5.
+#include "touchstone/catalogue/limit_distributions.hpp"
+
+#include "touchstone/limit/area_constant.hpp"
+#include "touchstone/limit/limit_law.hpp"
+#include "touchstone/limit/poisson.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace touchstone {
+namespace {
+
+using limit::Question;
+
+const Rational lowest_G(102, 100);              ///< ratios up to 1/(G - 1) are met: the mesh grows with that
+const Rational nearest_G(2'000'001, 1'000'000); ///< from there on C(G) has two proofs of its own
+const Rational highest_G(1000);                 ///< the bound's G^3 leaves few digits beyond
+constexpr slong input_bits = 256;
+
+std::function<Ball()> G_of(const Inputs& in)
+{
+    return [in] { return in.G_ball(); };
+}
+
+/// The pressure in p*_n above which contact, or force, is asked for.
+using Pressure = std::function<Ball(const Inputs&)>;
+
+Ball given(const Inputs& in) { return in.ball("p"); }
+
+/// Contact segments of scale n + 1 are wider than a where p_n > p*_{n+1} sin^2(pi a/lambda_{n+1}), (9.2).
+Ball of_half_width(const Inputs& in)
+{
+    const Ball s = ScalarTraits<Ball>::sin_pi(in.ball("a"));
+    return in.G_ball() * s * s;
+}
+
+/// Whether certainly no pressure above p is met: p_n^max/p*_n tends to 4/G from below for G >= 2, and to G/(G - 1) else, (5.10).
+bool never_met(const Ball& p, const Inputs& in)
+{
+    if (in.has("p")) { // exactly
+        const Rational& at = in.real("p");
+        return in.compare_G(2) >= 0 ? in.compare_G(4 / at) >= 0 : at > 1 && in.compare_G(at / (at - 1)) >= 0;
+    }
+    const Ball G = in.G_ball();
+    const Ball highest = in.compare_G(2) >= 0 ? 4 / G : G / (G - 1);
+    return certainly(less(highest, p));
+}
+
+/// The share of one wave of mean x above P, or of its force, over x: in binary64.
+double share_over_x(Question::Of of, double P, double x)
+{
+    using std::numbers::pi;
+    const double R = std::sqrt((1 - x) * (1 - x) + P * P), c = x >= 1 ? P - x : R - x; // cos theta where the pressure is P
+    if (c >= 1) return 0;
+    if (of == Question::Of::pressure) return std::acos(std::max(-1., c)) / (pi * x);
+    if (x >= 1) return c <= -1 ? 1 : (x * std::acos(c) + std::sqrt(1 - c * c)) / (pi * x);
+    const double v = (1 - c) / (2 * x);
+    return 2 / pi * (std::asin(std::sqrt(v)) + std::sqrt(v * (1 - v)));
+}
+
+Witness look(const Question& q, const Inputs& in)
+{
+    const Ball G = in.G_ball();
+    const double P = arf_get_d(arb_midref(q.pressure.get()), ARF_RND_NEAR);
+    const Ball low = certainly(less(q.pressure, Ball(2))) ? q.pressure * q.pressure / 4 : q.pressure - Ball(1);
+    const Witness w = limit::mean_in_the_limit(G, {low, q.pressure + Ball(1)}, [&](double x) { return share_over_x(q.of, P, x); });
+    if (q.of == Question::Of::force) return w;
+    const Witness C = limit::area_constant_by_law(G);
+    return {w.value / C.value, w.error / C.value + C.error * w.value / (C.value * C.value)};
+}
+
+Ball area_constant(const Inputs& in, Accuracy a)
+{
+    if (in.compare_G(nearest_G) >= 0) return limit::area_constant(transfer::Scheme::force_weighted, G_of(in), a);
+    return limit::mean_by_poisson({}, G_of(in), a);
+}
+
+Plan plan(Question::Of of, const Pressure& pressure, const Inputs& in)
+{
+    Plan result;
+    if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) {
+        result.refusal = "the limiting distributions are certified for 1.02 <= G = gamma^(D-1) <= 1000 only";
+        return result;
+    }
+    const auto question = [=] {
+        const WorkingPrecision precision(input_bits);
+        return Question{of, pressure(in)};
+    };
+    result.most_digits = limit::most_digits_by_poisson;
+    result.refusal = "the residual of Poisson's equation is proven in 106 bits, and counts G^3 times";
+    result.dear = true;
+    result.proofs.push_back({"poisson", [=](Accuracy a) {
+                                 const WorkingPrecision bits(input_bits);
+                                 const Question q = question();
+                                 if (never_met(q.pressure, in)) return Ball(0);
+                                 const Ball mean = limit::mean_by_poisson(q, G_of(in), a);
+                                 return of == Question::Of::force ? mean : mean / area_constant(in, a);
+                             }});
+    result.own_witness = Look{"limit-law", [=](Accuracy) {
+                                  const WorkingPrecision bits(input_bits);
+                                  const Question q = question();
+                                  return never_met(q.pressure, in) ? Witness{Ball(0), Ball(0)} : look(q, in);
+                              }};
+    result.shares = "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others";
+    return result;
+}
+
+Quantity of_limit(Quantity q, Question::Of of, const Pressure& pressure)
+{
+    q.plan = [of, pressure](const Inputs& in, Accuracy) { return plan(of, pressure, in); };
+    q.explain = [of, pressure](const Inputs& in, long digits) {
+        if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) return std::string();
+        const WorkingPrecision precision(input_bits);
+        const Question asked{of, pressure(in)};
+        return never_met(asked.pressure, in) ? "no pressure as high is met in the limit, (5.10)\n" : limit::mean_by_poisson_certificate(asked, G_of(in), {digits});
+    };
+    q.costly = true;
+    q.certified = {{"1.02 <= G <= 1000", fmt::format("{}", limit::most_digits_by_poisson), "poisson", "witness limit-law", "the wave and its singular points"}};
+    return q;
+}
+
+void check_pressure(const Inputs& in)
+{
+    require_surface(in);
+    require(in.real("p") > 0, in, "p", "> 0");
+}
+
+void check_half_width(const Inputs& in)
+{
+    require_surface(in);
+    require(in.real("a") > 0 && in.real("a") <= Rational(1, 2), in, "a", "> 0 and <= 1/2, in wavelengths of its scale");
+}
+
+} // namespace
+
+void add_limiting_distributions(std::vector<Quantity>& all)
+{
+    const auto add = [&](const char* name, const char* equation, const char* input, const char* domain, const char* description, Question::Of of, const Pressure& pressure,
+                         void (*check)(const Inputs&)) {
+        all.push_back(of_limit({.name = name,
+                                .equation = equation,
+                                .unit = "1",
+                                .domain = domain,
+                                .inputs = {input, "G"},
+                                .description = description,
+                                .check = check,
+                                .exact = {},
+                                .routes = {}},
+                               of, pressure));
+    };
+    add("limit.exceedance", "6.1", "p", "p > 0, G > 1; certified for 1.02 <= G <= 1000",
+        "share of the contact area where p_n > p, p in p*_n, as n tends to infinity; at p = x G, of the contacts of the next scale of load ratio above x", Question::Of::pressure, given,
+        check_pressure);
+    add("limit.force", "6.1", "p", "p > 0, G > 1; certified for 1.02 <= G <= 1000", "share of the force that is carried where p_n > p, p in p*_n, as n tends to infinity", Question::Of::force,
+        given, check_pressure);
+    add("limit.segments", "9.2", "a", "0 < a <= 1/2, G > 1; certified for 1.02 <= G <= 1000",
+        "share of the contact segments whose half-width is above a, a in lambda_n, as n tends to infinity; at a = 1/2, of full contacts", Question::Of::pressure, of_half_width,
+        check_half_width);
+}
+
+} // namespace touchstone

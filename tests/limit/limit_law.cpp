@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+/// Two routes to the limit (docs/limit.md): backwards, from the eigenfunction and Poisson's equation, and forwards, from the distribution. They must give the same C(G),
+/// the same gap and the same limiting distributions.
+#include "touchstone/limit/limit_law.hpp"
+#include "touchstone/limit/area_constant.hpp"
+#include "touchstone/limit/poisson.hpp"
+#include "touchstone/limit/scale.hpp"
+#include "touchstone/transfer/forward.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace touchstone;
+using limit::Question;
+
+namespace {
+
+double number(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
+Ball enclosure(const limit::Poisson& p)
+{
+    Ball mean = p.c;
+    arb_add_error(mean.get(), Ball::exactly(p.error).get());
+    return mean;
+}
+limit::LimitLaw law_of(double G) { return {Ball::exactly(G), {1e-10, G >= 2 ? 4 / (G * G) : 1 / (G - 1), 1e-6}, 10}; }
+
+} // namespace
+
+TEST_CASE("the constant is the same forwards and backwards")
+{
+    const WorkingPrecision precision(160);
+    for (const double G : {2.25, 3., 10.}) {
+        CAPTURE(G);
+        const Witness forwards = limit::area_constant_by_law(Ball::exactly(G));
+        const Ball backwards = limit::area_constant(transfer::Scheme::force_weighted, [=] { return Ball::exactly(G); }, {15});
+        CHECK(number(forwards.value) == doctest::Approx(number(backwards)).epsilon(1e-9));
+        CHECK(certainly(less(abs(forwards.value - backwards), forwards.error)));
+        CHECK(number(forwards.error) < 1e-5);
+    }
+}
+
+TEST_CASE("the gap is the same forwards and backwards")
+{
+    const WorkingPrecision precision(160);
+    for (const double G : {3.}) {
+        CAPTURE(G);
+        const auto [forwards, changed] = law_of(G).second_eigenvalue();
+        const Witness backwards = limit::gap(transfer::Scheme::area, [=] { return Ball::exactly(G); }, Rational(1, 7));
+        CHECK(changed < 1e-9);
+        CHECK(forwards == doctest::Approx(number(backwards.value)).epsilon(1e-7));
+    }
+}
+
+TEST_CASE("the limit law is stationary: force is balanced, and its means do not change over one wave")
+{
+    const limit::LimitLaw law = law_of(1.5);
+    double sum = 0;
+    for (const double w : law.weights()) sum += w;
+    CHECK(sum == doctest::Approx(1).epsilon(1e-12));
+    // E_pi[1/x] = G C (corollary of theorem 1), 1/x being no function of the area
+    CHECK(law.mean([](double x) { return 1 / x; }) == doctest::Approx(1.5 * 0.8890100093359493).epsilon(1e-6));
+    limit::Vector f = law.nodes();
+    for (double& x : f) x = std::log(x);
+    const limit::Vector after = law.after(f);
+    CHECK(limit::dot(law.weights(), after) == doctest::Approx(limit::dot(law.weights(), f)).epsilon(1e-9));
+}
+
+TEST_CASE("the limiting distribution is the tenth, by a forward proof, as near as that has to be")
+{
+    const WorkingPrecision precision(256);
+    const Ball G = Ball(3), P = Ball(1) / 2, load = Ball(1) / 10;
+    constexpr long n = 10;
+    const transfer::Arguments at{[=] { return load; }, [=] { return G; }};
+    Ball scale;
+    arb_pow_ui(scale.get(), G.get(), n, precision.bits());
+    const Ball at_n = transfer::exceedance(transfer::Law::exceedance, n, [=] { return P * scale; }, at, {6}) * scale / load;
+    const limit::Poisson p = limit::solve_poisson({Question::Of::pressure, P}, G, 1e-8);
+    CHECK(p.error < 1e-5);
+    CHECK(std::fabs(number(at_n / enclosure(p)) - 1) < 1e-3); // 2^-10
+    const Witness forwards = limit::mean_in_the_limit(G, {P * P / 4, P + Ball(1)}, [&](double x) {
+        const double R = std::sqrt((1 - x) * (1 - x) + 0.25);
+        return std::acos(std::min(1., R - x)) / (std::numbers::pi * x);
+    });
+    CHECK(certainly(less(abs(forwards.value - p.c), forwards.error + Ball::exactly(p.error))));
+}
+
+TEST_CASE("force above a pressure: its density is the pressure times that of contact")
+{
+    // the force between P1 and P2, int P q dP, lies between P1 and P2 times the contact there; at G = 3/2, with full contact, too
+    const WorkingPrecision precision(256);
+    for (const Ball& G : {Ball(3) / 2, Ball(3)}) {
+        const Ball P1 = Ball(1) / 2, P2 = Ball(3) / 4;
+        const auto mean = [&](Question::Of of, const Ball& P) { return enclosure(limit::solve_poisson({of, P}, G, 1e-5)); };
+        const Ball force = mean(Question::Of::force, P1) - mean(Question::Of::force, P2), contact = mean(Question::Of::pressure, P1) - mean(Question::Of::pressure, P2);
+        CHECK(certainly(less(P1 * contact, force)));
+        CHECK(certainly(less(force, P2 * contact)));
+        CHECK(certainly(less(Ball(0), contact)));
+        CHECK(certainly(less(mean(Question::Of::force, P1), Ball(1))));
+    }
+}
