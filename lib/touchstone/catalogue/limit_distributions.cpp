@@ -82,6 +82,12 @@ Ball area_constant(const Inputs& in, Accuracy a)
 Plan plan(Question::Of of, const Pressure& pressure, const Inputs& in)
 {
     Plan result;
+    const WorkingPrecision precision(input_bits);
+    if (never_met(pressure(in), in)) {
+        result.proofs.push_back({"highest-pressure", [](Accuracy) { return Ball(0); }});
+        result.own_witness = Look{"highest-pressure", [](Accuracy) { return Witness{Ball(0), Ball(0)}; }};
+        return result;
+    }
     if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) {
         result.refusal = "the limiting distributions are certified for 1.02 <= G = gamma^(D-1) <= 1000 only";
         return result;
@@ -96,14 +102,12 @@ Plan plan(Question::Of of, const Pressure& pressure, const Inputs& in)
     result.proofs.push_back({"poisson", [=](Accuracy a) {
                                  const WorkingPrecision bits(input_bits);
                                  const Question q = question();
-                                 if (never_met(q.pressure, in)) return Ball(0);
                                  const Ball mean = limit::mean_by_poisson(q, G_of(in), a);
                                  return of == Question::Of::force ? mean : mean / area_constant(in, a);
                              }});
     result.own_witness = Look{"limit-law", [=](Accuracy) {
                                   const WorkingPrecision bits(input_bits);
-                                  const Question q = question();
-                                  return never_met(q.pressure, in) ? Witness{Ball(0), Ball(0)} : look(q, in);
+                                  return look(question(), in);
                               }};
     result.shares = "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others";
     return result;
@@ -113,10 +117,11 @@ Quantity of_limit(Quantity q, Question::Of of, const Pressure& pressure)
 {
     q.plan = [of, pressure](const Inputs& in, Accuracy) { return plan(of, pressure, in); };
     q.explain = [of, pressure](const Inputs& in, long digits) {
-        if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) return std::string();
         const WorkingPrecision precision(input_bits);
         const Question asked{of, pressure(in)};
-        return never_met(asked.pressure, in) ? "no pressure as high is met in the limit, (5.10)\n" : limit::mean_by_poisson_certificate(asked, G_of(in), {digits});
+        if (never_met(asked.pressure, in)) return std::string("no pressure as high is met in the limit, (5.10)\n");
+        if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) return std::string();
+        return limit::mean_by_poisson_certificate(asked, G_of(in), {digits});
     };
     q.costly = true;
     q.certified = {{"1.02 <= G <= 1000", fmt::format("{}", limit::most_digits_by_poisson), "poisson", "witness limit-law", "the wave and its singular points"}};
