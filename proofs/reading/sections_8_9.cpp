@@ -25,7 +25,7 @@ const std::vector<Parameters> cases{{q(5, 1), q(3, 2), q(1, 6)}, {q(7, 1), q(5, 
 Situation scale(const Parameters& c, long n, bool hertz)
 {
     Situation s;
-    const Ball gamma(c.gamma), D(c.D), load(c.load), G = pow(gamma, D - 1), lambda_0(2), K = archard::K_by_recursion<Ball>(n - 1);
+    const Ball gamma(c.gamma), D(c.D), load(c.load), lambda_0(2), K = archard::K_by_recursion<Ball>(n - 1);
     s["n"] = Ball(n);
     s["gamma"] = gamma;
     s["D"] = D;
@@ -36,7 +36,7 @@ Situation scale(const Parameters& c, long n, bool hertz)
     s["K_nm1"] = K;
     s["K_n"] = K * archard::step(archard::delta<Ball>(n - 1));
     s["K_infinity"] = K_infinity();
-    s["A_nm1"] = hertz ? Ball(lambda_0 * archard::area<Ball>(n - 1, load, G, K)) : Ball(q(3, 7));
+    if (!hertz) s["A_nm1"] = Ball(q(3, 7));
     s["N"] = hertz ? archard::segments<Ball>(n, load, D, gamma, K) : Ball(s["A_nm1"] / s["lambda_n"]);
     s["Nlim"] = archard::segments_limit<Ball>(n, load, D, gamma, K_infinity());
     s["d_A"] = log(archard::segments_limit<Ball>(n + 1, load, D, gamma, K_infinity()) / s["Nlim"]) / log(gamma);

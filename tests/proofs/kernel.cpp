@@ -28,6 +28,19 @@ TEST_CASE("roots that are not square roots are evaluated as what they are")
     CHECK(evaluate(pow(sym("x"), ex(2) / 3), at).overlaps(touchstone::Ball(4)));
 }
 
+TEST_CASE("an integral is read over the range that is printed, wherever it lies")
+{
+    const auto verdict = [](std::vector<Edit> edits) {
+        edits.push_back({"rhs", "Pi^((delta_n-3)/2)", "Pi^(-1)"}); // (7.10) as it should be
+        return read_whole(prints().at("7.10").edited(edits))->verdict;
+    };
+    CHECK(verdict({}) == Verdict::verified);
+    CHECK(verdict({{"J.from", "-1", "0"}, {"rhs", "*J", "*2*J"}}) == Verdict::verified);
+    CHECK(verdict({{"J.from", "-1", "-2"}, {"J.to", "1", "2"}, {"J.integrand", "xi^2", "xi^2/4"}, {"rhs", "*J", "*J/2"}}) == Verdict::verified);
+    CHECK(verdict({{"J.from", "-1", "0"}}) == Verdict::refuted);
+    CHECK(verdict({{"J.to", "1", "1/2"}}) == Verdict::refuted);
+}
+
 TEST_CASE("logarithms of powers do not hide a sign either")
 {
     const ex x = sym("x"), nu = sym("nu"), c = sym("S");

@@ -57,7 +57,7 @@ def changes(source):
 def masked(text):
     """A line with what is no proof made blank: strings, comments, the places q(3, 7) and the scales at_surfaces({0, 2}) where a print is read (any serves)."""
     blank = lambda m: m.group()[0] + "_" * (len(m.group()) - 2) + m.group()[-1]
-    return re.sub(r"\bq\(-?\d+(, \d+)?\)|\b(at_surfaces|sequences)\(\{[\d, ]*\}", blank, re.sub(r'"(\\.|[^"\\])*"', blank, text).split("//")[0])
+    return re.sub(r"\bq\(-?\d+(, \d+)?\)|\b(at_surfaces|sequences|scales)\(\{[\d, ]*\}", blank, re.sub(r'"(\\.|[^"\\])*"', blank, text).split("//")[0])
 
 
 def changes_in(source, path):
