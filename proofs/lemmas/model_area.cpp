@@ -8,7 +8,7 @@
 #include "touchstone/paper/peaks.hpp"
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
 
 #include <map>

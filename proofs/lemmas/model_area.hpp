@@ -20,7 +20,7 @@ Ball model_area(long n, const Rational& load, long gamma);
 Ball hertz_area(long n, const Rational& load, long gamma);
 
 /// The curves of figure 5a: q_n p_n^max/A_n at p = share p_n^max, 0 < share < 1, D = 1.5, gamma = 10, load < 1; about nine digits
-/// (touchstone/transfer/forward.hpp).
+/// (touchstone/recursion/from_the_edge/forward.hpp).
 Ball normalised_density(long n, const Rational& load, const Rational& share);
 /// The area under such a curve from the levels' own polynomials, n >= 1.
 Ball under_normalised_density(long n, const Rational& load);

@@ -127,10 +127,10 @@ Finding cauchy(const Constants& k)
 std::vector<OwnClaim> approximation_claims()
 {
     return {
-        {"approximation.interpolation", "a polynomial through p Chebyshev points is off by at most {0} M rho^-(p-1)/(rho - 1)", "discretisation.cpp, forward.cpp, heavy_load.cpp, layer.cpp", {{"constant", 4}}, interpolation, {{0, 3.9}}},
-        {"approximation.gauss", "n points of Gauss's rule on a half-length l are off by at most l {0} M rho^(-2n)/(1 - 1/rho)", "rule.cpp, heavy_load.cpp, forward.cpp", {{"constant", 16.0 / 3}}, [](const Constants& k) { return gauss(k, 2); }, {{0, 5.3}}},
+        {"approximation.interpolation", "a polynomial through p Chebyshev points is off by at most {0} M rho^-(p-1)/(rho - 1)", "discretisation.cpp, from_the_edge/levels.cpp, heavy_load.cpp, layer.cpp", {{"constant", 4}}, interpolation, {{0, 3.9}}},
+        {"approximation.gauss", "n points of Gauss's rule on a half-length l are off by at most l {0} M rho^(-2n)/(1 - 1/rho)", "rule.cpp, heavy_load.cpp, from_the_edge/rows.cpp", {{"constant", 16.0 / 3}}, [](const Constants& k) { return gauss(k, 2); }, {{0, 5.3}}},
         {"approximation.gauss_even", "n >= 2 points of Gauss's rule are off by at most l {0} M rho^(-2n)/(1 - rho^-2)", "layer.cpp, two_waves.cpp", {{"constant", 64.0 / 15}}, [](const Constants& k) { return gauss(k, 4); }, {{0, 4.26}}},
-        {"approximation.lebesgue", "n Chebyshev points have a Lebesgue constant below {0} + (2/pi) log n", "transfer/defects.cpp, forward.cpp", {{"constant", 1}}, lebesgue, {{0, 0.96}}},
+        {"approximation.lebesgue", "n Chebyshev points have a Lebesgue constant below {0} + (2/pi) log n", "transfer/defects.cpp, from_the_edge/whole_support.cpp", {{"constant", 1}}, lebesgue, {{0, 0.96}}},
         {"approximation.lebesgue_60", "which is below {0} up to 60 points", "layer.cpp", {{"constant", 4}}, lebesgue_below, {{0, 3.6}}},
         {"approximation.moved_points", "points moved by {0} of the half-width enlarge it by {1} at most", "transfer/defects.cpp", {{"delta", 3e-7}, {"enlargement", 1.01}}, moved_points, {{0, 1e-6}, {0, 2e-7}, {1, 1.004}}},
         {"approximation.ellipse_of_distance", "what lies within d of [-1, 1] is in the ellipse of rho = {0} + d + (d(2+d))^(1/2)", "transfer/defects.cpp", {{"constant", 1}}, ellipse_of_distance, {{0, 1.01}}},

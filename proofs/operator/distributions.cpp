@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Distributions in partial contact (transfer/forward.hpp): the far end of the support, and small pressures. D = 2d - delta; R, M/2 >= 1 - x and P >= 2 for P = 1 + x + R, M = 1 - x + R.
+/// Distributions in partial contact (recursion/from_the_edge/forward.hpp): the far end of the support, and small pressures. D = 2d - delta; R, M/2 >= 1 - x and P >= 2 for P = 1 + x + R, M = 1 - x + R.
 #include "proofs/operator/own.hpp"
 #include "proofs/symbolic/symbolic.hpp"
 
@@ -105,7 +105,7 @@ Finding far_kernel(const Constants& k)
 
 std::vector<OwnClaim> distribution_claims()
 {
-    const char* const file = "transfer/forward.cpp";
+    const char* const file = "recursion/from_the_edge/far_end.cpp";
     return {
         {"forward.above_1", "(1 - e^-D)^(-1/2) <= {0}, D >= 1", file, {{"constant", 1.26}}, above_1, {{0, 1.25}}},
         {"forward.remainder", "beyond the cut: {0} from D >= 1, {1} from D < 1, {2} in all", file, {{"far", 1.26}, {"near", 2.52}, {"all", 3.5}}, remainder, {{0, 1.25}, {1, 2.51}, {2, 3.3}}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/paper/peaks.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>

@@ -2,7 +2,7 @@
 /// Every kind of row of the forward levels at random places: what a row claims to be off by, against a reference at twice the accuracy.
 /// TOUCHSTONE_SEED=n tries others, TOUCHSTONE_COUNT=n more or fewer.
 #include "touchstone/catalogue/quantity.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 /// certified routes where both apply, and against nested integrals done directly.
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/graded.hpp"
 #include "touchstone/transfer/piecewise.hpp"

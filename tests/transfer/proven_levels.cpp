@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 

@@ -2,7 +2,7 @@
 /// Twenty digits: minutes of work.
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
 

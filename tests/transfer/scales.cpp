@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Distributions at all scales: minutes of work.
 #include "touchstone/paper/peaks.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 
 #include <doctest/doctest.h>
 

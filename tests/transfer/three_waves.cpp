@@ -3,7 +3,7 @@
 
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
 
 #include <doctest/doctest.h>

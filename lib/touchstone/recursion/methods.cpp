@@ -11,7 +11,7 @@
 #include "touchstone/recursion/light_load.hpp"
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/transfer/heavy_load.hpp"
 #include "touchstone/transfer/proven_levels.hpp"

@@ -3,7 +3,7 @@
 /// estimates, and the local forms at singular points.
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/transfer/contact.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/full_contact.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 

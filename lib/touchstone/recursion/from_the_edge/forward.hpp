@@ -37,7 +37,7 @@
 /// |error| <= l (16/3) M r^(-2n)/(1-1/r) as in rule.hpp, M bounded on the ellipse in balls. Its exact integrand knows no
 /// panels, so pieces need not respect them. Pieces whose bound is negligible are left out.
 /// **Far end.** delta > delta_max is left out: E_k <= 1 leaves at most e_k^(1/2) e^(-delta_max/2) of E_{k+1}; for the density
-/// f_k <= T_k e^(-5 delta/2) for delta >= 4, k >= 2 (by induction from total force 1, forward.cpp).
+/// f_k <= T_k e^(-5 delta/2) for delta >= 4, k >= 2 (by induction from total force 1, far_end.hpp).
 /// **Errors over levels.** A node's error is its row's, plus sum_j |B_j| (error of node j), B_j the row applied to the j-th
 /// Lagrange polynomial: computed in `double`, with its rounding covered. The step is an average, so these hardly grow.
 ///
@@ -48,7 +48,7 @@
 ///     H = e^(delta/2) h,   h = (P/M)^(1/2)/(R (1-e^-D)^(1/2)).
 ///
 ///  - r: s = load f/(G^n x), f the density of force, f <= T_n e^(2-3 delta) w(delta) for delta >= 4, w = 1, or (delta+1.2)/5.2 at n = 2
-///    (forward.cpp); h <= ((1-x)^3 (1-e^-D))^(-1/2), for R, M/2 >= 1-x and P/M falls with R; int_c^2d e^(-3 delta/2) w (1-e^-D)^(-1/2)
+///    (far_end.hpp); h <= ((1-x)^3 (1-e^-D))^(-1/2), for R, M/2 >= 1-x and P/M falls with R; int_c^2d e^(-3 delta/2) w (1-e^-D)^(-1/2)
 ///    <= 3.5 w(c+1) e^(-3c/2): D > 1 makes 1.26 times the integral without the root, D < 1 at most 2.52 w e^(-3c/2). So
 ///    r <= load/(G^n e_n) (1-e_n e^-c)^(-3/2) 3.5 T_n w(c+1) e^(2-3c/2), whatever p is.
 ///  - Errors of E_n: times |H'| <= 1.26 (1-x)^(-3/2) (0.8 + 1.75 x/(1-x)) e^(delta/2), and |H(c)|. They grow by e^(c/2), all that cancels;

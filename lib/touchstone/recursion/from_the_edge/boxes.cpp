@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/recursion/from_the_edge/levels.hpp"
+
+namespace touchstone::transfer::from_the_edge {
+
+double product_of_bounds(std::initializer_list<double> factors)
+{
+    double r = 1;
+    for (const double f : factors) {
+        r *= std::max(f, smallest_bound);
+        r = r <= infinity ? std::max(r, smallest_bound) : infinity; // inf 0 is not a number
+    }
+    return r;
+}
+
+double above(const Ball& x)
+{
+    if (!x.is_finite()) return infinity;
+    return arf_get_d(arb_midref(upper(x).get()), ARF_RND_UP);
+}
+
+double at_most_modulus(const C& z)
+{
+    if (!z.is_finite()) return infinity;
+    mag_t m;
+    mag_init(m);
+    acb_get_mag(m, z.get());
+    const double r = mag_get_d(m); // 0 below 2^-1000
+    mag_clear(m);
+    return std::max(r, smallest_bound);
+}
+
+double at_least_modulus(const C& z)
+{
+    if (!z.is_finite()) return 0;
+    mag_t m;
+    mag_init(m);
+    acb_get_mag_lower(m, z.get());
+    const double r = mag_get_d(m); // infinite above 2^1000
+    mag_clear(m);
+    return std::min(r, 1 / smallest_bound);
+}
+
+bool meets_cut(const C& z)
+{
+    return !z.is_finite() || (arb_contains_zero(acb_imagref(z.get())) && !arb_is_positive(acb_realref(z.get())));
+}
+
+C disc(double re, double im, double radius)
+{
+    Ball x = Ball::exactly(re), y = Ball::exactly(im);
+    mag_set_d(arb_radref(x.get()), radius);
+    mag_set_d(arb_radref(y.get()), radius);
+    return C(x, y);
+}
+
+C exponential_mean(const C& z)
+{
+    const double m = at_most_modulus(z);
+    if (m > 0.8) {
+        C r;
+        const C minus = -z;
+        acb_expm1(r.get(), minus.get(), WorkingPrecision::bits());
+        return -r / z;
+    }
+    return disc(1, 0, m < 1e-3 ? m : (std::expm1(m) / m - 1) * (1 + slack));
+}
+
+PolarRange polar(double re, double im, double radius)
+{
+    const double r = std::hypot(re, im);
+    radius = radius * (1 + slack) + r * slack;
+    if (radius >= r) return {0, r + radius, 0, 3.1415};
+    const double a = std::fabs(std::atan2(im, re)), half = std::asin(radius / r) + slack;
+    return {r - radius, r + radius, std::max(0.0, a - half), std::min(3.1415, a + half)};
+}
+
+PolarRange polar(const C& z)
+{
+    if (!z.is_finite()) return {0, infinity, 0, 3.1415};
+    const double x = mag_get_d(arb_radref(acb_realref(z.get()))), y = mag_get_d(arb_radref(acb_imagref(z.get())));
+    return polar(about(z.real()), about(z.imag()), std::hypot(x, y));
+}
+
+double Levels::kernel_bound(const Ball& e, const C& d, const C& s, const C& c, double direct, Kind kind) const
+{
+    const C x = e * exp(-2 * d * s), D = 2 * d * c, one_minus = 1 - x;
+    return modulus(x, one_minus, 4 * e * exp(-2 * d), D, direct, kind);
+}
+
+double Levels::modulus(const C& x, const C& one_minus, const C& w4, const C& D, double direct, Kind kind) const
+{
+    const C R2 = one_minus * one_minus + w4;
+    if (meets_cut(R2)) return infinity;
+    const C R = sqrt(R2), P = 1 + x + R, M = one_minus + R;
+    if (meets_cut(P) || meets_cut(M)) return infinity;
+    const C E = exponential_mean(D);
+    if (kind == Kind::share) { // z^2 = 2 x (1 - e^-D)/P = 2 x D E/P, and D's root is cos theta: E must have one too, however small z is
+        if (mean_meets_cut(D, E)) return infinity;
+        const double z2 = 2 * at_most_modulus(x) * at_most_modulus(1 - exp(-D)) / at_least_modulus(P) * (1 + slack);
+        return z2 < 1 ? std::numbers::pi / 2 * std::sqrt(z2) * (1 + slack) : infinity; // |arcsin z| <= (pi/2)|z| for |z| < 1
+    }
+    double inverse = meets_cut(E) ? infinity : 1 / at_least_modulus(E) * (1 + slack);
+    inverse = std::min(inverse, direct);
+    const double square = law == Law::density ? at_most_modulus(P) / at_least_modulus(M) * inverse
+                                              : at_most_modulus(P) * at_most_modulus(M) * inverse;
+    return std::sqrt(square) / at_least_modulus(R) * (1 + slack);
+}
+
+double Levels::first_bound(const C& d) const
+{
+    const Ball x = load;
+    if (full && law == Law::density) { // R = 2 e^-d: v_1 = e^(3d/2) (1 + e^-d)^(1/2)/2 / E(2d)^(1/2)
+        const C P = 1 + exp(-d), E = exponential_mean(2 * d);
+        if (meets_cut(P) || meets_cut(E)) return infinity;
+        return std::sqrt(at_most_modulus(P) / at_least_modulus(E)) / 2 * (1 + slack);
+    }
+    const double decay = at_most_modulus(exp(-d * C(Ball::exactly(beta))));
+    if (full && certainly(less(Ball::exactly(0.5), d.real()))) // arccos(e^(-d/2)), |e^(-d/2)| < 1: at most pi
+        return decay * std::numbers::pi / std::sqrt(2 * at_least_modulus(d)) * (1 + slack);
+    const C w4 = 4 * x * exp(-2 * d), one_minus = C(1 - x);
+    if (law == Law::density) return decay * modulus(C(x), one_minus, w4, 2 * d, infinity, Kind::step);
+    C R2 = one_minus * one_minus + w4;
+    C R;
+    if (full) R = 2 * exp(-d);
+    else {
+        if (meets_cut(R2)) return infinity;
+        R = sqrt(R2);
+    }
+    const C P = 1 + C(x) + R;
+    if (meets_cut(P)) return infinity;
+    const C E = exponential_mean(2 * d); // z^2 = 4 d x E/P: as in `modulus`, E must have a root
+    if (mean_meets_cut(2 * d, E)) return infinity;
+    const double z2 = 2 * above(x) * at_most_modulus(1 - exp(-2 * d)) / at_least_modulus(P) * (1 + slack);
+    if (!(z2 < 1)) return infinity;
+    return decay * std::numbers::pi / 2 * std::sqrt(2 * above(x) * at_most_modulus(E) / at_least_modulus(P)) * (1 + slack);
+}
+
+double Levels::lookup(const Boxes& boxes, const PolarRange& p) const
+{
+    const int from = shells.shell(p.inner * (1 - slack)), to = shells.shell(p.outer * (1 + slack));
+    if (to > shells.count()) return infinity;
+    double most = 0;
+    for (int m = 0; m < n_directions; ++m) {
+        if (directions[static_cast<std::size_t>(m) + 1] < p.from || directions[static_cast<std::size_t>(m)] > p.to) continue;
+        for (int j = from; j <= to; ++j) most = std::max(most, boxes.at(j, m));
+    }
+    return most;
+}
+
+template <class F>
+double Levels::over_box(double inner, double outer, double from, double to, int depth, const F& f) const
+{
+    const double r = (inner + outer) / 2, a = (from + to) / 2;
+    const double radius = (outer - inner) / 2 + outer * (to - from) / 2;
+    const double b = f(disc(r * std::cos(a), r * std::sin(a), radius * (1 + slack)));
+    if (std::isfinite(b) || depth == 0) return b;
+    double most = 0;
+    for (int i = 0; i < 4 && std::isfinite(most); ++i) {
+        const double r0 = i & 1 ? r : inner, r1 = i & 1 ? outer : r, a0 = i & 2 ? a : from, a1 = i & 2 ? to : a;
+        most = std::max(most, over_box(r0, r1, a0, a1, depth - 1, f));
+    }
+    return most;
+}
+
+void Levels::fill(Boxes& boxes, double disc_radius, const std::function<double(const C&, int shell, int direction, double outer)>& f) const
+{
+    boxes.bound.assign(static_cast<std::size_t>(shells.count() + 1) * n_directions, infinity);
+    boxes.disc = shells.shell(disc_radius * (1 - 1e-6));
+    const double whole = f(disc(0, 0, shells.radius(boxes.disc)), boxes.disc, -1, shells.radius(boxes.disc));
+    for (int m = 0; m < n_directions; ++m) {
+        for (int j = 0; j <= boxes.disc; ++j) boxes.at(j, m) = whole;
+        for (int j = boxes.disc + 1; j <= shells.count(); ++j) {
+            const double outer = shells.radius(j);
+            if (directions[static_cast<std::size_t>(m) + 1] > 1.571 && outer > 2) break;
+            const double b = over_box(shells.radius(j - 1), outer, directions[static_cast<std::size_t>(m)], directions[static_cast<std::size_t>(m) + 1], 2,
+                                      [&](const C& d) { return f(d, j, m, outer); });
+            if (!(b < 1e200)) break; // the set stays star-shaped
+            boxes.at(j, m) = std::max(b, smallest_bound);
+        }
+    }
+}
+
+std::unique_ptr<Level> Levels::first_level() const
+{
+    auto level = std::make_unique<Level>();
+    level->k = 1;
+    level->edge = 2 / G * sqrt(load);
+    // (4/pi)/2^(1/2), and (2/pi) 2^(1/2): the same
+    level->C = 2 * sqrt(Ball(2)) / Traits::pi();
+    level->tail = infinity;
+    const WorkingPrecision low(bound_bits);
+    level->edge_bound = level->edge + Ball(0);
+    fill(level->boxes, 0.25, [this](const C& d, int, int, double) { return first_bound(d); });
+    // outside: |1/E| <= |D| + 1/cos, R -> 1 - load
+    level->boxes.far.assign(n_directions, infinity);
+    const double r = shells.radius(shells.count());
+    for (int m = 0; m < n_directions; ++m) {
+        const double cosine = std::cos(directions[static_cast<std::size_t>(m) + 1]);
+        if (cosine <= 0.001 || beta * r * cosine < 4) continue;
+        double b = infinity;
+        const double decay = std::max(std::exp(-beta * r * cosine), smallest_bound);
+        if (full) b = law == Law::density ? std::sqrt(2 * (2 * r + 1 / cosine)) / 2 : 4 * decay;
+        else {
+            const double eta = 4 * std::exp(-2 * r * cosine) * load_d / ((1 - load_d) * (1 - load_d)) * (1 + slack);
+            if (eta < 1e-3 * (1 - load_d)) b = decay * far_kernel(load_d, eta) * std::sqrt(2 * r + 1 / cosine) * 2;
+        }
+        level->boxes.far[static_cast<std::size_t>(m)] = std::max(b / std::sqrt(r) * (1 + slack), smallest_bound);
+    }
+    estimate_first(*level);
+    return level;
+}
+
+double Levels::far_kernel(double e, double eta) const
+{
+    const double P = 2 + 2 * eta, R = (1 - e) * (1 - eta);
+    return (law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) : std::sqrt(P * (1 + e) * (2 + eta))) / R * (1 + 1e-6);
+}
+
+std::array<double, Levels::sectors> Levels::sector_shares(long m)
+{
+    std::array<double, sectors> share{};
+    constexpr int fine = 48;
+    const double h = std::numbers::pi / 2 / (sectors * fine);
+    for (int i = 0; i < sectors * fine; ++i) share[static_cast<std::size_t>(i / fine)] += std::pow(std::sin((i + 1) * h), static_cast<double>(m)) * h;
+    const WorkingPrecision low(bound_bits);
+    const double whole = about(wallis(m));
+    for (double& s : share) s *= (1 + slack) / whole;
+    return share;
+}
+
+void Levels::bound_boxes(const Level& from, Level& to) const
+{
+    const WorkingPrecision low(bound_bits);
+    const auto share = sector_shares(power(from.k));
+    const Ball e = from.edge_bound;
+    const double e_d = above(e);
+    std::vector<double> most(n_directions, 0);
+    for (int m = 0; m < n_directions; ++m)
+        for (int j = 0; j <= shells.count(); ++j) most[static_cast<std::size_t>(m)] = std::max(most[static_cast<std::size_t>(m)], from.boxes.at(j, m));
+    const double end = shells.radius(shells.count());
+
+    const std::function<double(const C&, double, double, double, int)> kernel_over =
+        [&](const C& d, double a, double b, double direct, int depth) -> double { // theta in [a, b]
+        const double s0 = std::pow(std::sin(a), 2) * (1 - slack), s1 = std::min(1.0, std::pow(std::sin(b), 2) * (1 + slack));
+        const double c0 = std::pow(std::cos(b), 2) * (1 - slack), c1 = std::min(1.0, std::pow(std::cos(a), 2) * (1 + slack));
+        const Ball s = hull(Ball::exactly(s0), Ball::exactly(s1)), c = hull(Ball::exactly(c0), Ball::exactly(c1));
+        const double bound = kernel_bound(e, d, C(s), C(c), direct);
+        if (std::isfinite(bound) || depth == 0) return bound;
+        const double mid = (a + b) / 2;
+        const double left = kernel_over(d, a, mid, direct, depth - 1);
+        return std::isfinite(left) ? std::max(left, kernel_over(d, mid, b, direct, depth - 1)) : left;
+    };
+
+    fill(to.boxes, shells.radius(from.boxes.disc) / 2, [&](const C& d, int j, int m, double outer) {
+        const double decay = at_most_modulus(exp(-d * C(Ball::exactly(beta))));
+        const double cosine = m < 0 ? -1 : std::cos(directions[static_cast<std::size_t>(m) + 1]);
+        double sum = 0;
+        for (int i = 0; i < sectors; ++i) {
+            const double a = std::numbers::pi / 2 * i / sectors, b = std::numbers::pi / 2 * (i + 1) / sectors;
+            const double s0 = std::pow(std::sin(a), 2), s1 = std::min(1.0, std::pow(std::sin(b), 2) * (1 + slack)), c1 = std::pow(std::cos(a), 2) * (1 + slack);
+            double u = 0;
+            if (m < 0) u = from.boxes.at(from.boxes.disc, 0);
+            else {
+                const double near = 2 * (j == 0 ? 0 : shells.radius(j - 1)) * s0, far = 2 * outer * s1;
+                const int j0 = shells.shell(near * (1 - slack)), j1 = std::min(shells.shell(far * (1 + slack)), j + Shells::density); // |2 d s| <= 2 |d|
+                for (int q = j0; q <= std::min(j1, shells.count()); ++q) u = std::max(u, from.boxes.at(q, m));
+                if (far > end) u = std::max(u, from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far));
+            }
+            if (!std::isfinite(u)) return infinity;
+            const double direct = cosine > 0.001 ? 2 * outer * c1 + 1 / cosine : infinity;
+            const double k = kernel_over(d, a, b, direct * (1 + slack), 5);
+            if (!std::isfinite(k)) return infinity;
+            sum += product_of_bounds({share[static_cast<std::size_t>(i)], k, u});
+        }
+        return decay * sum * (1 + slack);
+    });
+    to.boxes.far.assign(n_directions, infinity);
+    for (int m = 0; m < n_directions; ++m) {
+        const double cosine = std::cos(directions[static_cast<std::size_t>(m) + 1]);
+        if (cosine <= 0.001 || beta * end * cosine < 4) continue;
+        const double eta = 4 * std::exp(-2 * end * cosine) * e_d / ((1 - e_d) * (1 - e_d)) * (1 + slack);
+        if (!(eta < 1e-3) || e_d > 0.99999) continue; // R^2 = (1-x)^2 (1 + eta') off its cut: 2 arcsin e + eta < pi
+        const double u = std::max(most[static_cast<std::size_t>(m)], from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end));
+        to.boxes.far[static_cast<std::size_t>(m)] =
+            product_of_bounds({std::exp(-beta * end * cosine), far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) / std::sqrt(end) * (1 + 1e-6), u});
+    }
+}
+
+} // namespace touchstone::transfer::from_the_edge

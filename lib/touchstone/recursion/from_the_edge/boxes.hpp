@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The plane of d = log(e_k/x_k), the distance from the edge, cut into boxes by direction and shell, and bounds of complex balls. Internal to from_the_edge/.
+#pragma once
+
+#include "touchstone/scalar/ball.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <vector>
+
+namespace touchstone::transfer::from_the_edge {
+
+using C = ComplexBall;
+using Traits = ScalarTraits<Ball>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr slong bound_bits = 40;
+/// Covers the rounding of a few `double` operations on bounds and polar coordinates.
+constexpr double slack = 1e-9;
+/// A point may lie outside its panel by a relative 1e-15 of it: polynomials and errors there grow by (1 + 5e-8)^points at most.
+constexpr double at_panel_end = 1e-5;
+/// No bound is kept below this: a product of two that underflows would otherwise claim that nothing is lost.
+constexpr double smallest_bound = 1e-300;
+/// Above, the tolerances, 1e-6 e^-accuracy and less, would come down to smallest_bound.
+constexpr double most_accuracy = 660;
+
+double product_of_bounds(std::initializer_list<double> factors);
+
+double above(const Ball& x);
+inline double about(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+double at_most_modulus(const C& z);
+double at_least_modulus(const C& z);
+
+/// Whether z may touch (-inf, 0].
+bool meets_cut(const C& z);
+
+/// Whether E(D) may touch (-inf, 0], mean an enclosure of it. It does not where Re D > 0: there |arg D| < pi/2, and |e^-D| < 1 makes
+/// |arg(1 - e^-D)| < pi/2, so |arg E(D)| < pi. Its zeros, D = 2 pi i k, are on the imaginary axis.
+inline bool mean_meets_cut(const C& D, const C& mean) { return !arb_is_positive(acb_realref(D.get())) && meets_cut(mean); }
+
+C disc(double re, double im, double radius);
+
+/// E(z) = (1 - e^-z)/z; |E - 1| <= sum |z|^k/(k+1)! = (e^|z| - 1 - |z|)/|z|.
+C exponential_mean(const C& z);
+
+// ---- the plane of d, cut into boxes by direction (arg d, symmetric) and shell (|d|)
+
+constexpr std::array directions{0.0, 0.02, 0.05, 0.1, 0.16, 0.23, 0.31, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0,
+                                1.1, 1.2,  1.3,  1.4, 1.5,  1.57, 1.75, 2.0, 2.3, 2.7, 3.1416};
+constexpr int n_directions = static_cast<int>(directions.size()) - 1;
+
+/// Shell 0 is |d| <= inner, shell j up to radius(j) = inner 2^(j/density).
+class Shells {
+public:
+    static constexpr int density = 6;
+    Shells(double inner, double outer) : inner_(inner), count_(static_cast<int>(std::ceil(density * std::log2(outer / inner)))) {}
+    int count() const { return count_; } ///< shells 0 ... count
+    double radius(int j) const { return inner_ * std::exp2(static_cast<double>(j) / density); }
+    /// The shell of |d| = r; callers widen r by more than this rounds.
+    int shell(double r) const { return r <= inner_ ? 0 : std::max(0, static_cast<int>(std::ceil(density * std::log2(r / inner_)))); }
+
+private:
+    double inner_;
+    int count_;
+};
+
+/// Bounds of |u| on the boxes; infinite where nothing is proven.
+struct Boxes {
+    std::vector<double> bound; ///< [shell][direction]
+    std::vector<double> far;   ///< |u| <= far |d|^(1/2) outside the last shell, by direction
+    int disc = 0;              ///< shells up to this one form one full disc
+    double& at(int j, int m) { return bound[static_cast<std::size_t>(j) * n_directions + static_cast<std::size_t>(m)]; }
+    double at(int j, int m) const { return bound[static_cast<std::size_t>(j) * n_directions + static_cast<std::size_t>(m)]; }
+};
+
+struct PolarRange {
+    double inner, outer, from, to; ///< |d|, |arg d|
+};
+
+/// What a disc about (re, im) of this radius covers.
+PolarRange polar(double re, double im, double radius);
+PolarRange polar(const C& z);
+
+} // namespace touchstone::transfer::from_the_edge
