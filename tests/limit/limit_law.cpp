@@ -5,7 +5,7 @@
 #include "touchstone/limit/area_constant.hpp"
 #include "touchstone/limit/poisson.hpp"
 #include "touchstone/limit/scale.hpp"
-#include "touchstone/transfer/forward.hpp"
+#include "touchstone/recursion/from_the_edge/forward.hpp"
 
 #include <doctest/doctest.h>
 
