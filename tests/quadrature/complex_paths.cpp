@@ -66,11 +66,11 @@ TEST_CASE("complex formulas on real ranges")
     is_value(integrate(parse_expression("exp(i*x)/x"), parse_limit("-inf"), parse_limit("inf"), options), "i*pi");
 }
 
-TEST_CASE("huge next to the interval: 1000! to 20 digits")
+TEST_CASE("huge next to the interval: 700! to 20 digits")
 {
-    const Integral i = along("x^1000*exp(-x)", {"0", "inf"}, 20);
+    const Integral i = along("x^700*exp(-x)", {"0", "inf"}, 20);
     CHECK_MESSAGE(i.status == Status::certified, i.reason);
-    CHECK(i.value.overlaps(constant("gamma(1001)").real()));
+    CHECK(i.value.overlaps(constant("gamma(701)").real()));
 }
 
 TEST_CASE("paths in the plane")

@@ -33,6 +33,15 @@ std::string bound_text(const Ball& x)
 
 namespace {
 
+/// A bound that binary64 cannot hold is a JSON string: as a number it would be read as 0 or not at all.
+std::string json_bound(const Ball& x)
+{
+    constexpr double farthest = 300 * M_LN10 / M_LN2;
+    const double l = log2_upper(x);
+    const bool is_double = !x.is_finite() || l < -1e15 || std::fabs(l) < farthest;
+    return is_double ? bound_text(x) : '"' + bound_text(x) + '"';
+}
+
 Ball sum(const std::vector<Panel>& panels, Ball Panel::*term)
 {
     const WorkingPrecision precision(strip_bits);
@@ -57,15 +66,15 @@ std::string Certificate::to_json() const
 {
     std::ostringstream out;
     out << "{\"method\":\"tanh-sinh\",\"interval\":\"" << interval << "\",\"digits\":" << digits << ",\"precision_bits\":" << precision
-        << ",\"points\":" << points() << ",\"discretisation\":" << bound_text(discretisation())
-        << ",\"truncation\":" << bound_text(truncation()) << ",\"rounding\":" << bound_text(rounding()) << ",\"panels\":[";
+        << ",\"points\":" << points() << ",\"discretisation\":" << json_bound(discretisation())
+        << ",\"truncation\":" << json_bound(truncation()) << ",\"rounding\":" << json_bound(rounding()) << ",\"panels\":[";
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const Panel& p = panels[i];
         out << (i ? "," : "") << "{\"u\":[\"" << p.from << "\",\"" << p.to << "\"],\"alpha\":\"" << p.alpha.to_string() << "\",\"beta\":\""
-            << p.beta.to_string() << "\",\"d\":" << p.strip << ",\"K\":[" << bound_text(p.bound_left) << "," << bound_text(p.bound_right)
-            << "],\"strip_integral\":" << bound_text(p.strip_integral) << ",\"step\":\"log(2)/" << p.m << "\",\"points\":[" << p.left_nodes
-            << "," << p.right_nodes << "],\"pieces\":" << p.pieces << ",\"discretisation\":" << bound_text(p.discretisation)
-            << ",\"truncation\":" << bound_text(p.truncation) << ",\"rounding\":" << bound_text(p.rounding) << "}";
+            << p.beta.to_string() << "\",\"d\":" << p.strip << ",\"K\":[" << json_bound(p.bound_left) << "," << json_bound(p.bound_right)
+            << "],\"strip_integral\":" << json_bound(p.strip_integral) << ",\"step\":\"log(2)/" << p.m << "\",\"points\":[" << p.left_nodes
+            << "," << p.right_nodes << "],\"pieces\":" << p.pieces << ",\"discretisation\":" << json_bound(p.discretisation)
+            << ",\"truncation\":" << json_bound(p.truncation) << ",\"rounding\":" << json_bound(p.rounding) << "}";
     }
     out << "]}";
     return out.str();

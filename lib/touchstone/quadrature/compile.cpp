@@ -379,7 +379,7 @@ std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, 
 std::optional<Zero> Compiler::zero_at(const Node& n, const Expression& e, Side side) const
 {
     const auto series = expand(e, *end(side), side == Side::left ? 1 : -1);
-    if (!series || series->c.empty() || series->valuation.get_den() != 1 || series->valuation < 0 ||
+    if (!series || series->is_exactly_zero || series->valuation.get_den() != 1 || series->valuation < 0 ||
         !series->valuation.get_num().fits_slong_p())
         return std::nullopt;
     Zero zero;
@@ -399,6 +399,7 @@ std::optional<Zero> Compiler::zero_at(const Node& n, const Expression& e, Side s
         zero.bound = size * exp((order - Exponent(zero.order)).ball() * log(Ball::exactly(radius)));
         if (!zero.bound.is_finite()) continue;
         best = zero;
+        if (zero.c.empty()) break; // all that is known of T is its bound
         const double tail = to_double(zero.bound) * std::pow(0.25, static_cast<double>(zero.c.size()));
         if (tail < 0.05 * to_double(touchstone::abs(zero.c[0].complex_ball()))) break;
     }

@@ -211,8 +211,9 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
 template <class V>
 V series(const Node& node, const Zero& zero, std::size_t first_kept, const V& s, const Place& place)
 {
-    V r = kept<V>(node, first_kept + zero.c.size() - 1, zero.c.back(), place);
-    for (std::size_t i = zero.c.size() - 1; i-- > 0;) r = r * s + kept<V>(node, first_kept + i, zero.c[i], place);
+    V r(0);
+    if (!zero.c.empty()) r = kept<V>(node, first_kept + zero.c.size() - 1, zero.c.back(), place);
+    for (std::size_t i = zero.c.empty() ? 0 : zero.c.size() - 1; i-- > 0;) r = r * s + kept<V>(node, first_kept + i, zero.c[i], place);
     const Ball q = upper_ball(s) / Ball::exactly(zero.radius);
     widen(r, lemma::remainder(zero.bound, q, static_cast<long>(zero.c.size())));
     return r;
@@ -275,7 +276,7 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
         const V distance = p.distance(s).value();
         const Ball size = upper_ball(distance);
         if (!within(size, zero->radius, 2)) continue;
-        const double halvings = (bits_known(distance) + 10) / static_cast<double>(zero->c.size());
+        const double halvings = (bits_known(distance) + 10) / std::max(0.01, static_cast<double>(zero->c.size()));
         V t = within(size, zero->radius, std::max(2.0, halvings)) || bits_known(distance) < least_known
                   ? series(node, *zero, s == Side::left ? 0 : other_end, distance, place)
                   : at_midpoint(node, *zero, s, distance, place);
