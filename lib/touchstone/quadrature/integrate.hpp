@@ -14,6 +14,8 @@
 /// turned path       sums of waves with a decaying amplitude on half-lines: oscillation.hpp;
 ///
 /// at an end with an essential singularity the variable 1/(distance to the end) takes over (substitution.hpp),
+/// a complex formula has both parts from one rule (the strip proved once), an integral inside it is proved with a ball of x
+/// (inner_integral.hpp), paths in the plane are in path.hpp,
 /// and the balls are added at the precision of the digits asked for. Parts that cancel are repeated with more digits.
 ///
 /// Errors: `certified` means that the digits asked for are proven (or |error| <= tolerance, if one is given); `undecided` is a proven
