@@ -42,7 +42,7 @@ Meaning if_domain(const std::vector<Rational>& gammas, const std::vector<Rationa
 }
 
 /// gamma^(D-1) >= 1: the terms of (3.10) do not tend to zero.
-bool terms_stay(const Rational& gamma, const Rational& D) { return gamma == 1 || D == 1 || (gamma > 1) == (D > 1); }
+bool terms_stay(const Rational& gamma, const Rational& D) { return (gamma - 1) * (D - 1) >= 0; }
 
 /// Dimensions of closed sets without intervals: a point, Cantor's set, and one of positive length (text.dimension-below-one).
 Meaning dimensions()
