@@ -2,6 +2,7 @@
 /// From which scale on the limit holds, areas far beyond it, and the ratio of approach.
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/limit/area_series.hpp"
+#include "touchstone/limit/poisson.hpp"
 #include "touchstone/limit/scale.hpp"
 
 #include <doctest/doctest.h>
@@ -51,8 +52,12 @@ TEST_CASE("areas far beyond are those of the limit")
     CHECK(far.ball.overlaps(by_hand));
     CHECK(far.ball.relative_bits() > 40);
     CHECK_THROWS_AS(eval("contact.area", {{"n", 1'000'001}, {"load", Rational(1, 10)}, {"G", 4}}, 12), DomainError);
-    CHECK(eval("contact.area", {{"n", 1'000'000}, {"load", 2}, {"G", 4}}, 12).status == Status::undecided);
-    CHECK(eval("contact.area", {{"n", 1'000'000}, {"load", Rational(1, 10)}, {"G", Rational(3, 2)}}, 12).status == Status::undecided);
+    // with full contact, by theorem 1
+    CHECK(eval("contact.area", {{"n", 1'000'000}, {"load", 2}, {"G", 4}}, 12).ball.overlaps(20 * by_hand));
+    const Evaluation full = eval("contact.area", {{"n", 10'000}, {"load", 20}, {"G", Rational(3, 2)}}, 5);
+    CHECK(full.status == Status::certified);
+    CHECK(full.ball.overlaps(limit::mean_by_poisson({}, [] { return Ball(3) / 2; }, {6}) * 20 * pow(Ball(3) / 2, Ball(-10'000))));
+    CHECK(eval("contact.area", {{"n", 150}, {"load", 2}, {"G", Rational(102, 100)}}, 5).status != Status::certified); // not yet
 }
 
 TEST_CASE("the ratio of approach is near 1/2 for large G, the Hertzian value, and below it; it claims no proof")

@@ -64,4 +64,29 @@ std::optional<long> scale(const Ball& tolerance, long most, const Ball& G, const
     return std::nullopt;
 }
 
+Ball distance_from_limit(long n, const Ball& G, const Ball& load)
+{
+    const auto larger = [](const Ball& a, const Ball& b) {
+        Ball r;
+        arb_max(r.get(), a.get(), b.get(), WorkingPrecision::bits());
+        return r;
+    };
+    const Ball one(1), squared = G * G, in_the_limit = certainly(less(Ball(2), G)) ? 4 / squared : one / (G - 1);
+    const Ball m = larger(one / load, squared);
+    Ball X = larger(one, larger(load, in_the_limit));
+    const Ball d = abs(log(load)) + log(X) + log(1 + squared);
+    Ball product(1);
+    constexpr long settled = 500; // scales, after which X is not made smaller
+    for (long k = 0; k < n; ++k) {
+        const Ball rate = larger(Ball(Rational(8996, 10'000)), sqrt(1 - one / (X * X)));
+        if (k == settled) {
+            product = product * pow(rate, Ball(n - k));
+            break;
+        }
+        product = product * rate;
+        X = larger(one, larger(in_the_limit, (X + 1) / G)); // no ratio above is met at the next scale
+    }
+    return 3 * sqrt((m + squared) * d * product);
+}
+
 } // namespace touchstone::limit

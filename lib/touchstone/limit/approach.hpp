@@ -32,4 +32,9 @@ Ball relative_error(long n, const Ball& G, const Ball& load);
 /// The least n >= 2 for which that is known of delta_m <= tolerance for all m >= n; nothing if it is not one up to `most`.
 std::optional<long> scale(const Ball& tolerance, long most, const Ball& G, const Ball& load);
 
+/// Theorem 1, for every G > 1 and load: |h_n(load) - C| <= 3 ((m + G^2) d prod lambda_k)^(1/2) over n scales, m = max(1/load, G^2),
+/// lambda_k = max(0.8996, (1 - 1/X_k^2)^(1/2)), X_0 = max(1, load, x_P), X_{k+1} = max(1, x_P, (X_k + 1)/G), x_P = 4/G^2 or, for G <= 2, 1/(G - 1),
+/// d = |log load| + log X_0 + log(1 + G^2).
+Ball distance_from_limit(long n, const Ball& G, const Ball& load);
+
 } // namespace touchstone::limit

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/limit/area_constant.hpp"
 
+#include "touchstone/limit/limit_law.hpp"
+#include "touchstone/limit/poisson.hpp"
 #include "touchstone/scalar/refusal.hpp"
 
 #include <fmt/format.h>
@@ -67,6 +69,51 @@ long most_digits_of_area_in_the_limit(long n, const Ball& load, const Ball& G)
     const Ball digits = -log(relative_error(std::min(n, most_contractions), G, load)) / log(Ball(10));
     const long left = static_cast<long>(arf_get_d(arb_midref(digits.get()), ARF_RND_FLOOR)) - spare_digits;
     return std::max(0L, std::min(left, most_digits_of_area_constant(G)));
+}
+
+namespace {
+
+constexpr slong bits_of_G = 320; ///< G^n loses as many bits as n has
+
+bool two_sided(const Ball& G) { return certainly(less(Ball(Rational(2'000'001, 1'000'000)), G)); }
+
+Ball power_of(const Ball& G, long n)
+{
+    Ball r;
+    arb_pow_ui(r.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
+    return r;
+}
+
+} // namespace
+
+Ball area_in_any_limit(long n, const transfer::Arguments& a, Accuracy wanted)
+{
+    const WorkingPrecision precision(bits_of_G + working_bits(wanted));
+    const Ball G = a.G(), load = a.load();
+    Ball h = two_sided(G) ? area_constant(transfer::Scheme::force_weighted, a.G, {wanted.digits + 1}) : mean_by_poisson({}, a.G, wanted);
+    const Ball off = distance_from_limit(n, G, load);
+    if (!off.is_finite()) throw BeyondReach("the load or G is out of reach of the rate of approach");
+    arb_add_error(h.get(), off.get());
+    return h * load / power_of(G, n);
+}
+
+long most_digits_of_area_in_any_limit(long n, const Ball& load, const Ball& G)
+{
+    const Ball least = certainly(less(Ball(2), G)) ? G / 4 : (G - 1) / G; // of C = E[1/x]/G
+    const Ball digits = -log(distance_from_limit(n, G, load) / least) / log(Ball(10));
+    if (!digits.is_finite()) return 0;
+    const double left = std::min(1e6, arf_get_d(arb_midref(digits.get()), ARF_RND_FLOOR));
+    return std::clamp(static_cast<long>(left) - spare_digits, 0L, two_sided(G) ? most_digits_of_area_constant(G) : most_digits_by_poisson);
+}
+
+Witness area_by_limit_law(long n, const transfer::Arguments& a)
+{
+    const WorkingPrecision precision(bits_of_G);
+    const Witness C = area_constant_by_law(a.G());
+    const Ball factor = a.load() / power_of(a.G(), n);
+    Ball value;
+    arb_get_mid_arb(value.get(), (C.value * factor).get());
+    return {value, C.error * factor + abs(value) * Ball(Rational(1, 1'000'000'000))};
 }
 
 } // namespace touchstone::limit

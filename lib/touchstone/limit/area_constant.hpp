@@ -24,4 +24,12 @@ Ball area_in_the_limit(transfer::Scheme, long n, const transfer::Arguments&, Acc
 /// The most digits of it that delta_n leaves: 240 and more where n >= 2000.
 long most_digits_of_area_in_the_limit(long n, const Ball& load, const Ball& G);
 
+
+/// The same for any load and G >= 1.02, full contact too, by theorem 1 and, below 2.000001, theorem 4.
+Ball area_in_any_limit(long n, const transfer::Arguments&, Accuracy);
+/// The most digits of it: none for the first hundreds of scales, 15 later for G < 2.000001.
+long most_digits_of_area_in_any_limit(long n, const Ball& load, const Ball& G);
+/// From the limit law.
+Witness area_by_limit_law(long n, const transfer::Arguments&);
+
 } // namespace touchstone::limit

@@ -260,6 +260,33 @@ Method partial_area()
     };
 }
 
+/// Any load, and full contact too: docs/limit.md, theorem 1.
+Method area_in_any_limit()
+{
+    return {
+        .name = "limit-of-scales",
+        .asked = {Asked::area},
+        .reach = "n > 200, as far as the rate of approach leaves digits (n = 2000: 15 for G = 3/2, load = 1), 1e-300 <= load <= 10^6, 1.02 <= G < 10^9",
+        .refusal = [](const Problem& p) -> std::string {
+            if (p.n <= first_scale_of_limit) return "no proof by the limit for n <= 200";
+            if (p.load > 1'000'000 || p.load < power(Rational(10), -300)) return "load must be from 1e-300 to 10^6";
+            if (p.compare_G(Rational(102, 100)) < 0) return "the constant of the limit is certified for G = gamma^(D-1) >= 1.02 only";
+            if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
+            const WorkingPrecision precision(128);
+            return limit::most_digits_of_area_in_any_limit(p.n, Ball(p.load), p.G.ball()) > 0 ? "" : "the limit is not reached at that scale, as far as its rate is proven";
+        },
+        .fewer_digits = [](const Problem& p) {
+            const WorkingPrecision precision(128);
+            return limit::most_digits_of_area_in_any_limit(p.n, Ball(p.load), p.G.ball());
+        },
+        .cost = [](const Problem&, Accuracy a) { return 2 + 10 * growth(a, 2.5); },
+        .enclose = [](const Problem& p, Accuracy a) { return limit::area_in_any_limit(p.n, arguments(p), a); },
+        .budget = [](const Problem&, Accuracy) { return Budget{"A_n = G^-n load (C(G) +- 3 (m + G^2)^(1/2) (lambda^n d)^(1/2)), docs/limit.md, theorem 1"}; },
+        .witness = Observer{"limit-law", [](const Problem& p, Accuracy) { return limit::area_by_limit_law(p.n, arguments(p)); }},
+        .shares = "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others",
+    };
+}
+
 /// Whether no highest ratio e_k, (5.6), k <= n, is so near 1 that what is left of the levels' sector is too narrow (measured: from 0.999 on
 /// they refuse). Only a choice between proofs, hence in binary64.
 bool edges_clear_of_1(const Problem& p)
@@ -500,7 +527,7 @@ long Method::most_digits(const Problem& p) const { return fewer_digits ? std::mi
 const std::vector<Method>& methods()
 {
     static const std::vector<Method> all{single_wave_area(),     single_wave_exceedance(), single_wave_density(), one_integral(),    second_area(), power_series(), partial_area(),
-                                         partial_distribution(), heavy_load(),             proven_shares(),       third_wave_density(), proven_densities()};
+                                         partial_distribution(), heavy_load(),             proven_shares(),       third_wave_density(), proven_densities(), area_in_any_limit()};
     return all;
 }
 
