@@ -302,7 +302,8 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
             }
         }
     }
-    if (a.reason.find("huge next to") != std::string::npos && !options_.patient) {
+    const bool infinite = from.infinite || to.infinite; // on a finite range it is an oscillation, which bits do not help
+    if (infinite && a.reason.find("huge next to") != std::string::npos && !options_.patient) {
         IntegralOptions patient = options_;
         patient.patient = true;
         if (Integration(e_, patient, substituted_).add_part(from, to, digits, deepest, out)) return true;

@@ -188,7 +188,7 @@ long digits_of(const Ball& x)
 }
 
 /// Sums of more bits than this are not tried: the program's limit for every other value, 16 times what the digits take.
-constexpr double most_bits_per_bit = 16, most_spare_bits = 8192, most_patient_bits = 65536;
+constexpr double most_bits_per_bit = 16, most_spare_bits = 8192, most_patient_bits = 16384;
 
 /// log2 of the largest bound that errors are held against.
 double bits_against(const std::vector<ProvedPanel>& panels)
