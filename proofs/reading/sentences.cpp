@@ -112,8 +112,8 @@ Meaning full_contact_thresholds()
 
 Meaning force()
 {
-    const Ball pstar_0(q(4, 7)), pbar(q(3, 8)), lambda_0(q(7, 5));
-    return just({{"pbar", pbar}, {"ptilde", pbar / pstar_0}, {"lambda_0", lambda_0}, {"F_0", pbar * lambda_0}});
+    const Ball pbar(q(3, 8)), ptilde(q(21, 32)), lambda_0(q(7, 5)); // p*_0 = 4/7
+    return just({{"pbar", pbar}, {"ptilde", ptilde}, {"lambda_0", lambda_0}, {"F_0", pbar * lambda_0}});
 }
 
 /// K_n and the exponents of (7.16) at n and its neighbours.
@@ -124,13 +124,12 @@ Meaning constants()
         for (const long n : {0L, 1L, 2L, 5L, 90L}) {
             Situation s;
             const Ball gamma(c.gamma), D(c.D);
-            const auto alpha = [&](long k) { return Ball((1 - D) * (Ball(k - 1) + ScalarTraits<Ball>::power_of_two(-k))); };
             s["gamma"] = gamma;
             s["D"] = D;
             s["n"] = Ball(n);
             for (const auto& [index, k] : {std::pair{"n", n}, {"np1", n + 1}, {"0", 0L}}) {
                 s[std::string("K_") + index] = archard::K_by_recursion<Ball>(k);
-                s[std::string("alpha_") + index] = alpha(k);
+                s[std::string("alpha_") + index] = archard::alpha<Ball>(k, D);
                 s[std::string("beta_") + index] = Ball(0);
                 s[std::string("delta_") + index] = archard::delta<Ball>(k);
             }

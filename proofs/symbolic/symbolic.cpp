@@ -317,8 +317,8 @@ Check condition_says(const Print& p, const std::string& field, const ex& left, c
     const std::vector<ex> sides = p.sides(field);
     const bool turned = signs == (relation == ">" ? "<" : ">"); // b < a says a > b
     if (sides.size() != 2 || (signs != relation && !turned) || text.find(" or ") != std::string::npos) return {Verdict::refuted, "printed " + text};
-    const Check one = identity(sides[turned ? 1 : 0], left, points);
-    return one.verdict == Verdict::proved ? identity(sides[turned ? 0 : 1], right, points) : one;
+    const Check one = identity(sides.at(turned ? 1 : 0), left, points);
+    return one.verdict == Verdict::proved ? identity(sides.at(turned ? 0 : 1), right, points) : one;
 }
 
 Check exactly(bool holds, const std::string& detail)

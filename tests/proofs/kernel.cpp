@@ -4,6 +4,7 @@
 #include "proofs/ledger.hpp"
 #include "proofs/reading/reading.hpp"
 #include "proofs/symbolic/symbolic.hpp"
+#include "proofs/symbolic/units.hpp"
 
 #include <doctest/doctest.h>
 
@@ -49,6 +50,57 @@ TEST_CASE("logarithms of powers do not hide a sign either")
     CHECK(power_identity(sqrt(pow(c + 1, 2)), c + 1, Points{"S=2"}).verdict == Verdict::proved);
     // one factor of unknown sign under a real root is positive there
     CHECK(power_identity(pow((1 - nu * nu) * c, ex(3) / 2), c * (1 - nu * nu) * sqrt((1 - nu * nu) * c), Points{"nu=1/3 S=1/3"}).verdict == Verdict::proved);
+}
+
+TEST_CASE("the ring rewrites roots, sines and cosines of the angle and of twice the angle, and nothing else")
+{
+    const ex x = sym("x"), S = sym("S");
+    const Points at{"x=1/3 S=1/2"};
+    Ring root;
+    const ex R = root.root("R_of_kernel", 1 + S);
+    CHECK(identity(sqrt((1 + S) / (S * S)), R / S, at, root).verdict == Verdict::proved);
+    CHECK(identity(pow(R, 5), R * pow(1 + S, 2), at, root).verdict == Verdict::proved);
+    const ex odd = sqrt(pow(S, 3) * (1 + S)); // no square
+    CHECK(root.rewrite(odd).is_equal(odd));
+    CHECK(identity(x, -x, at).verdict == Verdict::refuted);
+    Ring turn;
+    const auto [s, c] = turn.angle("of_kernel", x);
+    CHECK(identity(sin(x), s, at, turn).verdict == Verdict::proved);
+    CHECK(identity(cos(x), c, at, turn).verdict == Verdict::proved);
+    CHECK(identity(sin(2 * x), 2 * s * c, at, turn).verdict == Verdict::proved);
+    CHECK(identity(cos(2 * x), c * c - s * s, at, turn).verdict == Verdict::proved);
+    const ex other = sin(3 * x) + cos(3 * x);
+    CHECK(turn.rewrite(other).is_equal(other));
+}
+
+TEST_CASE("logarithms are by primes, and equal terms have one symbol")
+{
+    const ex S = sym("S"), n = sym("n"), nu = sym("nu"), a = sym("gamma");
+    const auto equal = [](const ex& l, const ex& r) { return GiNaC::normal(GiNaC::expand(log_form(l) - r)).is_zero(); };
+    CHECK(log_form(1).is_zero());
+    CHECK_FALSE(log_form(2).is_zero());
+    CHECK(equal(ex(12), 2 * log_form(2) + log_form(3)));
+    CHECK(equal(ex(9), 2 * log_form(3)));
+    CHECK(equal(ex(1) / 6, -log_form(2) - log_form(3)));
+    CHECK(equal(pow(S, n), n * log_form(S)));
+    CHECK(power_identity(1 + S * (S + 2), 1 + 2 * S + S * S, Points{"S=1/3"}).verdict == Verdict::proved);
+    CHECK(power_identity(S * (1 - nu * nu), -S * (nu * nu - 1), Points{"S=1/3 nu=1/4"}).verdict == Verdict::proved);
+    CHECK(power_identity(pow(a, pow(ex(2), -(n + 1))), pow(a, pow(ex(2), -n) / 2), Points{"gamma=3 n=2"}).verdict == Verdict::proved);
+}
+
+TEST_CASE("a condition says the same turned round, a dimension is told with its powers")
+{
+    const Print& p = prints().at("5.8"); // printed from left to right
+    const std::string condition = p.text("condition");
+    const std::vector<ex> sides = p.sides("condition");
+    const std::size_t sign = condition.find('>');
+    REQUIRE(sign != std::string::npos);
+    const Print turned = p.edited({{"condition", condition, condition.substr(sign + 1) + " < " + condition.substr(0, sign)}});
+    const Points at{"gamma=5 D=3/2"};
+    CHECK(condition_says(p, "condition", sides.at(0), ">", sides.at(1), at).verdict == Verdict::proved);
+    CHECK(condition_says(turned, "condition", sides.at(0), ">", sides.at(1), at).verdict == Verdict::proved);
+    CHECK(condition_says(turned, "condition", sides.at(0), "<", sides.at(1), at).verdict == Verdict::refuted);
+    CHECK(units(prints().at("2.14")).detail == "the left side is a number, the right side length^(1)");
 }
 
 TEST_CASE("a point where a side has no value is named, not passed over")

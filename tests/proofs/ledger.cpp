@@ -142,6 +142,14 @@ TEST_CASE("the fixed point theorem fails for other functions")
     CHECK(unique_fixed_point(1 + x, 2 * x).verdict != Verdict::proved);
 }
 
+TEST_CASE("what is called acceptable at (2.8) is asin(t)/t - 1, t^2 = 1/5, in percent")
+{
+    const auto claim = std::find_if(claims().begin(), claims().end(), [](const Claim& c) { return c.id == "2.8"; });
+    const Finding found = judge_whole(*claim, prints().at("2.8"));
+    CAPTURE(found.reason);
+    CHECK(found.reason.find("within 3.67 percent") != std::string::npos);
+}
+
 TEST_CASE("dimensions: a misplaced length and a lost square are seen")
 {
     CHECK(units(prints().at("2.3")).verdict == Verdict::proved);
@@ -169,6 +177,17 @@ TEST_CASE("neighbouring symbols in the situations where a print is read are what
             if (has("K_np1")) CHECK((s.value.at("K_np1") / s.value.at("K_n")).overlaps(step(1 - half(n + 1))));
             if (has("K_nm1")) CHECK((s.value.at("K_n") / s.value.at("K_nm1")).overlaps(step(1 - half(n))));
         }
+    for (const Situation& s : meaning("text.constant-decreases")->situations) {
+        const Ball n = s.value.at("n");
+        CHECK(s.value.at("rho").overlaps(s.value.at("alpha_np1") - 1)); // alpha_{n+1} is the whole power of gamma in (7.7)
+        CHECK((s.value.at("K_1") / s.value.at("K_0")).overlaps(step(half(Ball(1)))));
+        if (certainly(less(Ball(0), n))) CHECK((s.value.at("K_n") / s.value.at("K_nm1")).overlaps(step(1 - half(n))));
+    }
+    const auto& ratios = meaning("text.full-contact-persists")->situations; // scale after scale
+    for (std::size_t i = 1; i < ratios.size(); ++i) CHECK(ratios[i - 1].value.at("x_n").overlaps(ratios[i].value.at("x_nm1")));
+    // (A_1/A_0)^4 is at most 4 ptilde/G^2
+    CHECK(meaning("text.simple-fractal")->situations.at(0).value.at("slope_small_load").overlaps(log(Ball(Rational(4, 5000))) / 4));
+    for (const Situation& s : meaning("text.fractal-domain")->situations) CHECK(s.wanted == (certainly(less(Ball(1), s.value.at("D"))) && certainly(less(s.value.at("D"), Ball(2)))));
     const Ball h(Rational(1, 10000));
     for (const Situation& s : meaning("9.3")->situations) { // q = -dQ/dp
         const auto& Q = s.function.at("Q_nm1");
