@@ -172,19 +172,6 @@ Check identity(const ex& left, const ex& right, const Points& points, const Ring
 
 namespace {
 
-/// 2^(an + b) -> 2^b t^-a with t = 2^-n, a and b integers.
-ex with_halving_symbol(const ex& e)
-{
-    const ex n = sym("n"), t = sym("t_half_n");
-    return bottom_up(e, [&](const ex& x) -> ex {
-        if (!is_a<GiNaC::power>(x) || !x.op(0).is_equal(2) || !x.op(1).has(n)) return x;
-        const ex exponent = GiNaC::expand(x.op(1));
-        const ex a = exponent.coeff(n, 1), b = exponent - a * n;
-        if (!is_a<numeric>(a) || !is_a<numeric>(b) || !ex_to<numeric>(a).is_integer() || !ex_to<numeric>(b).is_integer()) return x;
-        return GiNaC::pow(2, b) * GiNaC::pow(t, -a);
-    });
-}
-
 /// The symbol that stands for the logarithm of e, the same for equal normal forms.
 ex log_symbol(const ex& e)
 {
@@ -254,7 +241,7 @@ ex log_of(const ex& e)
 
 } // namespace
 
-ex log_form(const ex& e) { return GiNaC::normal(GiNaC::expand(log_of(with_halving_symbol(e)))); }
+ex log_form(const ex& e) { return GiNaC::normal(GiNaC::expand(log_of(e))); }
 
 Check power_identity(const ex& left, const ex& right, const Points& points)
 {

@@ -41,7 +41,7 @@ private:
 /// left = right, by normal form in the ring.
 Check identity(const ex& left, const ex& right, const Points&, const Ring& = {});
 /// left = right for two products of powers of positive quantities, exponents symbolic: their
-/// logarithms are equal by normal form (and their signs at a point: at least one is needed). 2^(an + b) with integer a, b is read as 2^b t^-a, t = 2^-n.
+/// logarithms are equal by normal form (and their signs at a point: at least one is needed).
 Check power_identity(const ex& left, const ex& right, const Points&);
 /// The logarithm of the absolute value of a product of powers, with a symbol for each prime, pi, symbol, sum and function in it.
 ex log_form(const ex&);

@@ -84,7 +84,8 @@ TEST_CASE("logarithms are by primes, and equal terms have one symbol")
     CHECK(equal(ex(1) / 6, -log_form(2) - log_form(3)));
     CHECK(equal(pow(S, n), n * log_form(S)));
     CHECK(power_identity(1 + S * (S + 2), 1 + 2 * S + S * S, Points{"S=1/3"}).verdict == Verdict::proved);
-    CHECK(power_identity(S * (1 - nu * nu), -S * (nu * nu - 1), Points{"S=1/3 nu=1/4"}).verdict == Verdict::proved);
+    CHECK(equal(1 / (1 - nu * nu), -log_form(1 - nu * nu))); // GiNaC writes -1/(nu^2 - 1),
+    CHECK(equal(S * (1 - nu * nu), log_form(S) + log_form(1 - nu * nu))); // and -S (nu^2 - 1)
     CHECK(power_identity(pow(a, pow(ex(2), -(n + 1))), pow(a, pow(ex(2), -n) / 2), Points{"gamma=3 n=2"}).verdict == Verdict::proved);
 }
 
