@@ -17,6 +17,8 @@ TEST_CASE("the root of an even power is taken only where the sign is known")
     ring.root("R_kernel", 1 + c);
     const Points positive_only{"x=2 xi=1/2 S=1/3"}; // a > b: the wrong identity holds here
     CHECK(identity(sqrt(pow(a - b, 2) * (1 + c)), (a - b) * sqrt(1 + c), positive_only, ring).verdict != Verdict::proved);
+    // nor with the other sign: which of the two GiNaC writes depends on the order of terms
+    CHECK(identity(sqrt(pow(a - b, 2) * (1 + c)), (b - a) * sqrt(1 + c), Points{"x=1/2 xi=2 S=1/3"}, ring).verdict != Verdict::proved);
     CHECK(identity(sqrt(pow(a - b, 4) * (1 + c)), pow(a - b, 2) * sqrt(1 + c), positive_only, ring).verdict == Verdict::proved);
     CHECK(identity(sqrt(pow(c + 1, 2) * (1 + c)), (c + 1) * sqrt(1 + c), positive_only, ring).verdict == Verdict::proved);
     CHECK(identity(sqrt(pow(a - b, 2) * (1 + c)), (a - b) * sqrt(1 + c), Points{"x=1/2 xi=2 S=1/3"}, ring).verdict == Verdict::refuted);
