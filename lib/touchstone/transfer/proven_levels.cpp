@@ -160,10 +160,13 @@ namespace {
 enum class Law { area, exceedance, density };
 
 /// The tolerance of the mesh. The proven error is larger by up to a hundred at scale 20, usually by less; where it leaves a digit open, more are asked for.
+/// That takes a second mesh: it is risked where meshes are cheap, not where tables of many rows stand on one.
 double tolerance_for(Accuracy wanted, Law law)
 {
-    constexpr double least = 4, finest = 25, spare = 3, spare_of_densities = 2;
-    return std::pow(10.0, -min(finest, max(least, static_cast<double>(wanted.digits)) + (law == Law::density ? spare_of_densities : spare)));
+    constexpr double least = 4, finest = 25, cheap = 8, spare_where_cheap = 3, spare_of_shares = 4, spare_of_densities = 2;
+    const double digits = max(least, static_cast<double>(wanted.digits));
+    const double spare = law == Law::density ? spare_of_densities : digits <= cheap ? spare_where_cheap : spare_of_shares;
+    return std::pow(10.0, -min(finest, digits + spare));
 }
 
 struct Mesh {
