@@ -155,7 +155,7 @@ class Protocol(unittest.TestCase):
         before = set(os.listdir(tempfile.gettempdir()))
         start = time.monotonic()
         code, j, err = judge("westergaard_half_width", *self.LIMITS, *words)
-        self.assertLess(time.monotonic() - start, 5)
+        self.assertLess(time.monotonic() - start, 30)  # a hang, not a busy machine
         self.assertEqual((code, j["verdict"]), (69, "protocol"))
         self.assertEqual(err.count("\n"), 1, err)
         self.assertTrue(err.startswith("touchstone: "))

@@ -152,7 +152,7 @@ class OwnRows(Scratch):
         out = self.folder / "t.txt"
         for signal_sent, code in ((signal.SIGINT, 130), (signal.SIGKILL, -9), (signal.SIGTERM, 143)):
             before = max((len(rows_of(p.read_text())) for p in self.folder.iterdir()), default=0)
-            process = subprocess.Popen([PROGRAM, *words, "--out", str(out), "--resume"], stderr=subprocess.PIPE, text=True)
+            process = subprocess.Popen([PROGRAM, *words, "--out", str(out), "--resume", "--jobs", "1"], stderr=subprocess.PIPE, text=True)
             for _ in range(600):
                 time.sleep(0.05)
                 parts = [p for p in self.folder.glob("t.txt.part*")]
@@ -167,7 +167,7 @@ class OwnRows(Scratch):
                 text = out.read_text()
                 self.assertEqual((header_of(text)["rows"], header_of(text)["complete"]), (len(rows_of(text)), False))
                 self.assertGreater(len(rows_of(text)), before)
-                self.assertLess(len(rows_of(text)), 150)
+                self.assertLess(len(rows_of(text)), len(rows_of(whole.stdout)))
         resumed = run(*words, "--out", str(out), "--resume")
         self.assertEqual((resumed.returncode, resumed.stdout, resumed.stderr), (0, "", ""))
         self.assertEqual(rows_of(out.read_text()), rows_of(whole.stdout))

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// From which scale on the limit holds, areas far beyond it, and the ratio of approach.
 #include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/limit/approach.hpp"
 #include "touchstone/limit/area_series.hpp"
 #include "touchstone/limit/poisson.hpp"
 #include "touchstone/limit/scale.hpp"
 
 #include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
 
 using namespace touchstone;
 using transfer::Scheme;
@@ -34,6 +38,32 @@ TEST_CASE("the least scale is the least")
     CHECK(n < limit::scale(Ball(tolerance), 1000, G_4(), load_of_a_tenth()).value()); // sharper than the bound
     for (long m = n; m < n + 6; ++m) CHECK(certainly(less(off_limit(m), Ball(tolerance))));
     CHECK(certainly(less(Ball(tolerance), off_limit(n - 1))));
+}
+
+/// (1/pi) int |1 - sin^2 theta/(x (x + cos theta))| dtheta: theorem 1, step 1.
+static double contraction_in_full_contact(double x)
+{
+    constexpr int points = 20'000;
+    double sum = 0;
+    for (int i = 0; i < points; ++i) {
+        const double c = std::cos(std::numbers::pi * (i + 0.5) / points);
+        sum += std::fabs(1 - (1 - c * c) / (x * (x + c)));
+    }
+    return sum / points;
+}
+
+TEST_CASE("one wave in full contact brings two chains together by the rate of theorem 1: 0.8996, and beyond 2/3^(1/2) (1 - 1/x^2)^(1/2)")
+{
+    const WorkingPrecision precision(128);
+    const Ball at = 2 / sqrt(Ball(3)), bound = 1 - 1 / (4 * at * (at + 1)); // it grows with x
+    CHECK(certainly(less(bound, Ball(Rational(8996, 10'000)))));
+    CHECK(certainly(less(Ball(Rational(8995, 10'000)), bound)));
+    for (double x = 1.0001; x < 1.1547; x += 0.01) CHECK(contraction_in_full_contact(x) <= 1 - 1 / (4 * x * (x + 1)));
+    for (const double x : {1.1548, 1.5, 3., 10., 50.}) CHECK(contraction_in_full_contact(x) == doctest::Approx(std::sqrt(1 - 1 / (x * x))).epsilon(1e-7));
+    // the rate that the bound decays with, where ratios have settled at 1/(G - 1) = 2
+    const Ball rate = limit::distance_from_limit(2001, Ball(3) / 2, Ball(1)) / limit::distance_from_limit(2000, Ball(3) / 2, Ball(1));
+    CHECK(certainly(less(Ball(Rational(8996, 10'000)), rate * rate * Ball(Rational(1'000'001, 1'000'000)))));
+    CHECK(certainly(less(abs(limit::distance_from_limit(0, Ball(3) / 2, Ball(3)) - 3 * sqrt(Ball(Rational(9, 2)) * (2 * log(Ball(3)) + log(Ball(Rational(13, 4)))))), Ball(Rational(1, 1'000'000)))));
 }
 
 TEST_CASE("areas far beyond are those of the limit")

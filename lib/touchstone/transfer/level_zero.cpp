@@ -18,7 +18,8 @@ struct Share : First {
     {
         const WorkingPrecision precision(160);
         const Ball b = at(to_ball(x));
-        return {to_real(b), b.radius_bound() + 2 * u};
+        const Real nearest = to_real(b);
+        return {nearest, b.radius_bound() + 2 * u * max(1.0, std::fabs(nearest.high))}; // forces grow with x
     }
 };
 
