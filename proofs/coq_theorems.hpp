@@ -18,8 +18,8 @@ struct CoqTheorem {
 /// nullptr: none
 const CoqTheorem* coq_theorem(const std::string& id);
 
-/// What a verdict of proved, verified or argued rests on: "Coq" where a theorem says the whole entry, else "balls" where enclosures come into the
-/// method, "symbols" where none do, "argument"; empty for other verdicts.
+/// What a verdict of proved, verified or argued rests on: "Coq" where a theorem says the whole entry, else "balls" where enclosures come
+/// into the method, "symbols" where none do, "argument"; empty for other verdicts.
 std::string_view ground(const Entry&);
 
 } // namespace touchstone::proofs

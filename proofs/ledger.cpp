@@ -117,12 +117,14 @@ std::vector<std::string> Entry::surviving() const
 {
     std::vector<std::string> bad;
     for (const ControlResult& c : controls)
-        if (c.finding.verdict != Verdict::refuted) bad.push_back("control survives as " + std::string(name(c.finding.verdict)) + ": " + c.what);
+        if (c.finding.verdict != Verdict::refuted)
+            bad.push_back("control survives as " + std::string(name(c.finding.verdict)) + ": " + c.what);
     const bool holds = finding.verdict == Verdict::proved || finding.verdict == Verdict::verified || finding.verdict == Verdict::argued;
     if (holds && controls.empty()) bad.push_back("no control");
     if (finding.verdict == Verdict::refuted) {
         if (!corrected) bad.push_back("refuted without a corrected form");
-        else if (corrected->verdict != Verdict::proved && corrected->verdict != Verdict::argued) bad.push_back("the corrected form comes out " + std::string(name(corrected->verdict)));
+        else if (corrected->verdict != Verdict::proved && corrected->verdict != Verdict::argued)
+            bad.push_back("the corrected form comes out " + std::string(name(corrected->verdict)));
     }
     return bad;
 }
@@ -212,7 +214,8 @@ const std::vector<Claim>& claims()
 {
     static const std::vector<Claim> all = [] {
         std::map<std::string, Claim> by_id;
-        for (auto* section : {&section_2, &section_3, &section_5, &section_6, &section_7, &section_8, &section_9, &table_1, &sentences, &beyond})
+        for (auto* section :
+             {&section_2, &section_3, &section_5, &section_6, &section_7, &section_8, &section_9, &table_1, &sentences, &beyond})
             for (Claim& c : section())
                 if (!by_id.emplace(c.id, c).second) throw std::logic_error("two claims for " + c.id);
         std::vector<Claim> ordered;

@@ -15,23 +15,45 @@ class Writer {
 public:
     explicit Writer(Notation n) : mathml_(n == Notation::mathml) {}
     std::string number(const std::string& s) const { return mathml_ ? "<mn>" + s + "</mn>" : s; }
-    std::string letter(const char* tex, const char* unicode) const { return mathml_ ? std::string("<mi>") + unicode + "</mi>" : std::string(tex); }
+    std::string letter(const char* tex, const char* unicode) const
+    {
+        return mathml_ ? std::string("<mi>") + unicode + "</mi>" : std::string(tex);
+    }
     std::string word(const std::string& s) const { return mathml_ ? "<mtext>" + s + "</mtext>" : "\\text{" + s + "}"; }
-    std::string sign(const char* tex, const char* unicode) const { return mathml_ ? std::string("<mo>") + unicode + "</mo>" : std::string(tex); }
+    std::string sign(const char* tex, const char* unicode) const
+    {
+        return mathml_ ? std::string("<mo>") + unicode + "</mo>" : std::string(tex);
+    }
     std::string group(const std::string& s) const { return mathml_ ? "<mrow>" + s + "</mrow>" : "{" + s + "}"; }
-    std::string fraction(const std::string& a, const std::string& b) const { return mathml_ ? "<mfrac>" + group(a) + group(b) + "</mfrac>" : "\\frac" + group(a) + group(b); }
+    std::string fraction(const std::string& a, const std::string& b) const
+    {
+        return mathml_ ? "<mfrac>" + group(a) + group(b) + "</mfrac>" : "\\frac" + group(a) + group(b);
+    }
     std::string root(const std::string& a) const { return mathml_ ? "<msqrt>" + a + "</msqrt>" : "\\sqrt" + group(a); }
-    std::string power(const std::string& a, const std::string& b) const { return mathml_ ? "<msup>" + group(a) + group(b) + "</msup>" : group(a) + "^" + group(b); }
-    std::string index(const std::string& a, const std::string& b) const { return mathml_ ? "<msub>" + group(a) + group(b) + "</msub>" : a + "_" + group(b); }
+    std::string power(const std::string& a, const std::string& b) const
+    {
+        return mathml_ ? "<msup>" + group(a) + group(b) + "</msup>" : group(a) + "^" + group(b);
+    }
+    std::string index(const std::string& a, const std::string& b) const
+    {
+        return mathml_ ? "<msub>" + group(a) + group(b) + "</msub>" : a + "_" + group(b);
+    }
     std::string accent(const std::string& a, const char* tex, const char* unicode) const
     {
         return mathml_ ? "<mover>" + group(a) + "<mo>" + unicode + "</mo></mover>" : std::string(tex) + group(a);
     }
-    std::string bracketed(const std::string& a) const { return mathml_ ? "<mrow><mo>(</mo>" + a + "<mo>)</mo></mrow>" : "\\left(" + a + "\\right)"; }
-    std::string apply(const char* name, const std::string& a) const { return (mathml_ ? std::string("<mi>") + name + "</mi>" : std::string("\\") + name + " ") + bracketed(a); }
+    std::string bracketed(const std::string& a) const
+    {
+        return mathml_ ? "<mrow><mo>(</mo>" + a + "<mo>)</mo></mrow>" : "\\left(" + a + "\\right)";
+    }
+    std::string apply(const char* name, const std::string& a) const
+    {
+        return (mathml_ ? std::string("<mi>") + name + "</mi>" : std::string("\\") + name + " ") + bracketed(a);
+    }
     std::string big(const char* tex, const char* unicode, const std::string& below, const std::string& above) const
     {
-        return mathml_ ? std::string("<munderover><mo>") + unicode + "</mo>" + group(below) + group(above) + "</munderover>" : std::string(tex) + "_" + group(below) + "^" + group(above) + " ";
+        return mathml_ ? std::string("<munderover><mo>") + unicode + "</mo>" + group(below) + group(above) + "</munderover>"
+                       : std::string(tex) + "_" + group(below) + "^" + group(above) + " ";
     }
 
 private:
@@ -144,7 +166,8 @@ private:
         const std::string argument = atom(true);
         if (name == "sqrt") return w_.root(argument);
         if (name == "tgamma") return w_.letter("\\Gamma", "\u0393") + w_.bracketed(argument);
-        static const std::map<std::string, const char*> names{{"sin", "sin"}, {"cos", "cos"}, {"asin", "arcsin"}, {"acos", "arccos"}, {"log", "ln"}, {"exp", "exp"}};
+        static const std::map<std::string, const char*> names{{"sin", "sin"},     {"cos", "cos"}, {"asin", "arcsin"},
+                                                              {"acos", "arccos"}, {"log", "ln"},  {"exp", "exp"}};
         const auto found = names.find(name);
         if (found == names.end()) throw std::invalid_argument("no notation for the function " + name);
         return w_.apply(found->second, argument);
@@ -155,9 +178,11 @@ private:
         const std::string& kind = print_.text(name + ".kind");
         if (kind == "sum" || kind == "product") {
             const std::string below = field("index") + w_.sign("=", "=") + field("from");
-            return (kind == "sum" ? w_.big("\\sum", "\u2211", below, field("to")) : w_.big("\\prod", "\u220f", below, field("to"))) + field("term");
+            return (kind == "sum" ? w_.big("\\sum", "\u2211", below, field("to")) : w_.big("\\prod", "\u220f", below, field("to"))) +
+                   field("term");
         }
-        if (kind == "integral") return w_.big("\\int", "\u222b", field("from"), field("to")) + field("integrand") + w_.letter("\\,d", "d") + field("variable");
+        if (kind == "integral")
+            return w_.big("\\int", "\u222b", field("from"), field("to")) + field("integrand") + w_.letter("\\,d", "d") + field("variable");
         if (kind == "function") return in_notation(print_.text(name + ".of"), print_, notation_) + w_.bracketed(field("argument"));
         throw std::invalid_argument("no notation for " + kind);
     }
@@ -187,10 +212,13 @@ private:
     std::string letter(const std::string& name)
     {
         static const std::map<std::string, std::pair<const char*, const char*>> greek{
-            {"Pi", {"\\pi", "\u03c0"}}, {"alpha", {"\\alpha", "\u03b1"}}, {"beta", {"\\beta", "\u03b2"}}, {"gamma", {"\\gamma", "\u03b3"}}, {"delta", {"\\delta", "\u03b4"}}, {"epsilon", {"\\epsilon", "\u03b5"}},
-            {"lambda", {"\\lambda", "\u03bb"}}, {"nu", {"\\nu", "\u03bd"}}, {"xi", {"\\xi", "\u03be"}}, {"rho", {"\\rho", "\u03c1"}}, {"infinity", {"\\infty", "\u221e"}}};
+            {"Pi", {"\\pi", "\u03c0"}},         {"alpha", {"\\alpha", "\u03b1"}},   {"beta", {"\\beta", "\u03b2"}},
+            {"gamma", {"\\gamma", "\u03b3"}},   {"delta", {"\\delta", "\u03b4"}},   {"epsilon", {"\\epsilon", "\u03b5"}},
+            {"lambda", {"\\lambda", "\u03bb"}}, {"nu", {"\\nu", "\u03bd"}},         {"xi", {"\\xi", "\u03be"}},
+            {"rho", {"\\rho", "\u03c1"}},       {"infinity", {"\\infty", "\u221e"}}};
         if (const auto found = greek.find(name); found != greek.end()) return w_.letter(found->second.first, found->second.second);
-        if (name.size() == 2 && std::isdigit(static_cast<unsigned char>(name[1]))) return w_.index(letter(name.substr(0, 1)), w_.number(name.substr(1))); // I1
+        if (name.size() == 2 && std::isdigit(static_cast<unsigned char>(name[1])))
+            return w_.index(letter(name.substr(0, 1)), w_.number(name.substr(1))); // I1
         return name.size() == 1 ? w_.letter(name.c_str(), name.c_str()) : w_.word(name);
     }
 
@@ -208,8 +236,9 @@ std::string in_notation(const std::string& formula, const Print& print, Notation
 
 std::string relation_in_notation(const std::string& relation, Notation n)
 {
-    static const std::map<std::string, std::pair<const char*, const char*>> signs{{"=", {"=", "="}}, {"==", {"\\equiv", "\u2261"}}, {"<", {"<", "&lt;"}}, {">", {">", "&gt;"}}, {"<=", {"\\le", "\u2264"}}, {">=", {"\\ge", "\u2265"}},
-                                                                                   {"->", {"\\to", "\u2192"}}, {"~", {"\\approx", "\u2248"}}};
+    static const std::map<std::string, std::pair<const char*, const char*>> signs{
+        {"=", {"=", "="}},          {"==", {"\\equiv", "\u2261"}}, {"<", {"<", "&lt;"}},       {">", {">", "&gt;"}},
+        {"<=", {"\\le", "\u2264"}}, {">=", {"\\ge", "\u2265"}},    {"->", {"\\to", "\u2192"}}, {"~", {"\\approx", "\u2248"}}};
     const auto found = signs.find(relation);
     if (found == signs.end()) throw std::invalid_argument("no notation for the relation " + relation);
     return n == Notation::tex ? std::string(" ") + found->second.first + " " : std::string("<mo>") + found->second.second + "</mo>";

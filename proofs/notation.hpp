@@ -12,7 +12,8 @@ namespace touchstone::proofs {
 
 enum class Notation { tex, mathml };
 
-/// A formula of the print, its pieces (sums, products, integrals, functions) written out. \throws std::invalid_argument if it does not parse.
+/// A formula of the print, its pieces (sums, products, integrals, functions) written out. \throws std::invalid_argument if it does not
+/// parse.
 std::string in_notation(const std::string& formula, const Print&, Notation);
 /// A relation sign: "<=", "->", ...
 std::string relation_in_notation(const std::string& relation, Notation);

@@ -40,7 +40,8 @@ ex read(const std::string& text)
         exact += m.prefix().str() + "(" + m[1].str() + m[2].str() + "/1" + std::string(m[2].str().size(), '0') + ")";
     }
     exact += rest;
-    static const std::set<std::string> functions = {"sin", "cos", "asin", "acos", "atan", "sqrt", "log", "exp", "tgamma", "pow", "Pi", "abs"};
+    static const std::set<std::string> functions = {"sin", "cos", "asin",   "acos", "atan", "sqrt",
+                                                    "log", "exp", "tgamma", "pow",  "Pi",   "abs"};
     GiNaC::symtab table;
     for (std::sregex_iterator it(exact.begin(), exact.end(), identifier), end; it != end; ++it) {
         const std::string name = it->str();

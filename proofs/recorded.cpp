@@ -22,7 +22,8 @@ std::string_view recorded_text() { return data::verdicts_text(); }
 
 namespace {
 
-/// "[0.33333333 +/- 3.34e-9]" as 0.333333: no more than six digits, and fewer where the ball says less, so that other versions of Arb write the same.
+/// "[0.33333333 +/- 3.34e-9]" as 0.333333: no more than six digits, and fewer where the ball says less, so that other versions of Arb write
+/// the same.
 std::string rounded(double middle, double radius)
 {
     constexpr double most_digits = 6, nothing_known = 0.3; // of itself
@@ -42,14 +43,15 @@ std::string without_radii(const std::string& text)
         from = text.begin() + m->position() + m->length();
     }
     out.append(from, text.end());
-    static const std::regex exact(R"(([0-9]+)(?:\.0{5,}|(\.[0-9]*[1-9])0{4,})(?![0-9e]))"); // "2.0000000" and "0.50000000", which another version may have as balls
+    static const std::regex exact(
+        R"(([0-9]+)(?:\.0{5,}|(\.[0-9]*[1-9])0{4,})(?![0-9e]))"); // "2.0000000" and "0.50000000", which another version may have as balls
     return std::regex_replace(out, exact, "$1$2");
 }
 
 bool has_a_number(const std::string& text) { return text.find_first_of("0123456789") != std::string::npos; }
 
-/// What a step's check said, if that has a number in it: no control can see a bound that became weaker and still holds, nor a range made smaller. How many
-/// pieces a subdivision took is left out: that is Arb's affair.
+/// What a step's check said, if that has a number in it: no control can see a bound that became weaker and still holds, nor a range made
+/// smaller. How many pieces a subdivision took is left out: that is Arb's affair.
 std::string numbers_of(const Finding& f)
 {
     static const std::regex said(R"(\[(?:proved|verified|argued): (.*)\]$)"), pieces(R"(^enclosed for (.*) in [0-9]+ pieces(.*)$)");
@@ -64,7 +66,8 @@ std::string numbers_of(const Finding& f)
     return all;
 }
 
-/// What is said of a sentence in the end, and by what each of its controls, or of a table's, is refuted: a wrong counterexample may refute all the same.
+/// What is said of a sentence in the end, and by what each of its controls, or of a table's, is refuted: a wrong counterexample may refute
+/// all the same.
 std::string counterexamples_of(const Entry& e)
 {
     const std::string& id = e.claim->id;
@@ -80,7 +83,8 @@ std::string counterexamples_of(const Entry& e)
 std::string recorded_form(const std::vector<CheckedLemma>& lemmas)
 {
     std::ostringstream out;
-    out << "# What our own lemmas rest on, held by tests/proofs/operator.cpp: no control can see a smaller range, or a bound that became weaker and still holds.\n";
+    out << "# What our own lemmas rest on, held by tests/proofs/operator.cpp: no control can see a smaller range, or a bound that became "
+           "weaker and still holds.\n";
     for (const CheckedLemma& e : lemmas) {
         out << e.claim->id << " " << name(e.finding.verdict) << "\n  " << e.statement << "\n" << numbers_of(e.finding);
         for (const auto& control : e.controls) out << "  control: " << control.what << "\n";
@@ -91,7 +95,8 @@ std::string recorded_form(const std::vector<CheckedLemma>& lemmas)
 std::string recorded_form(const std::vector<Entry>& entries)
 {
     std::ostringstream out;
-    out << "# The verdicts of the ledger, written by touchstone paper --verdicts. A change of this file is a change of what we say of the paper.\n";
+    out << "# The verdicts of the ledger, written by touchstone paper --verdicts. A change of this file is a change of what we say of the "
+           "paper.\n";
     for (const Entry& e : entries) {
         const auto& c = e.claim->correction;
         out << e.claim->id << " " << name(e.finding.verdict);
@@ -124,7 +129,8 @@ Verdict expected_verdict(const std::string& id)
         return all;
     }();
     const std::string& wanted = recorded.at(id);
-    for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::argued, Verdict::refuted, Verdict::definition, Verdict::qualitative, Verdict::undecided})
+    for (const Verdict v : {Verdict::proved, Verdict::verified, Verdict::argued, Verdict::refuted, Verdict::definition,
+                            Verdict::qualitative, Verdict::undecided})
         if (name(v) == wanted) return v;
     throw std::out_of_range("not a verdict: " + wanted);
 }

@@ -19,7 +19,8 @@ const std::vector<Section>& sections()
 {
     static const std::vector<Section> all = [] {
         std::vector<Section> read;
-        for (const auto& record : nlohmann::json::parse(data::sections_text())) read.push_back({record.at("section"), record.at("heading")});
+        for (const auto& record : nlohmann::json::parse(data::sections_text()))
+            read.push_back({record.at("section"), record.at("heading")});
         for (const auto& [id, print] : prints()) {
             const auto is_its_section = [&print = print](const Section& s) { return s.id == print.section; };
             if (std::none_of(read.begin(), read.end(), is_its_section))

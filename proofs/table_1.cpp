@@ -54,7 +54,8 @@ Finding judge_entry(const Print& p)
     const PrintedNumber e = check_table_1(p.text("n") + " " + p.text("rhs")).front();
     const std::string numbers = fmt::format("true value {}, rounded to as many digits {}", e.true_value, e.rounded);
     return Argument("certified evaluation, correct rounding")
-        .add("the entry says what K_n rounds to", exactly(p.text("lhs") == "K_" + p.text("n") && p.text("relation") == "rounds to", p.text("lhs") + " " + p.text("relation")))
+        .add("the entry says what K_n rounds to",
+             exactly(p.text("lhs") == "K_" + p.text("n") && p.text("relation") == "rounds to", p.text("lhs") + " " + p.text("relation")))
         .add("the printed digits are the correct rounding of K_n", {e.holds ? Verdict::verified : Verdict::refuted, numbers})
         .conclude(numbers);
 }
@@ -76,7 +77,13 @@ std::vector<Claim> table_1()
     for (const std::string& id : print_order())
         if (id.starts_with("table1.")) {
             const Print& p = prints().at(id);
-            all.push_back({id, p.text("lhs") + " = " + p.text("rhs"), "Hertzian contact at every scale", judge_entry, {last_digit(p, true), last_digit(p, false)}, {}, {"7.13", "7.15", "7.16"}});
+            all.push_back({id,
+                           p.text("lhs") + " = " + p.text("rhs"),
+                           "Hertzian contact at every scale",
+                           judge_entry,
+                           {last_digit(p, true), last_digit(p, false)},
+                           {},
+                           {"7.13", "7.15", "7.16"}});
         }
     return all;
 }

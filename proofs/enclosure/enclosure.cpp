@@ -134,8 +134,10 @@ Check compare_at(const ex& left, const ex& right, const Points& points)
     for (const Point& p : points) {
         const Ball l = evaluate(left, p), r = evaluate(right, p);
         // A side without a value is never passed over: the point was given to be looked at.
-        if (!l.is_finite() || !r.is_finite()) nowhere = at(relevant(p, left, right)) + "it is " + l.to_string(8) + " and " + r.to_string(8) + ", not two numbers";
-        else if (!l.overlaps(r)) return {Verdict::refuted, at(relevant(p, left, right)) + "it is " + l.to_string(8) + ", not " + r.to_string(8)};
+        if (!l.is_finite() || !r.is_finite())
+            nowhere = at(relevant(p, left, right)) + "it is " + l.to_string(8) + " and " + r.to_string(8) + ", not two numbers";
+        else if (!l.overlaps(r))
+            return {Verdict::refuted, at(relevant(p, left, right)) + "it is " + l.to_string(8) + ", not " + r.to_string(8)};
     }
     if (!nowhere.empty()) return {Verdict::undecided, nowhere};
     return {Verdict::undecided, "not reduced to zero, and no counterexample at the points tried"};
@@ -223,7 +225,8 @@ Check positive_over(const BallFunction& f, const std::vector<Range>& box, int mo
         todo.push_back(std::move(left));
         todo.push_back(std::move(right));
     }
-    return {Verdict::proved, "enclosed for " + in_words(box) + " in " + std::to_string(pieces) + " pieces, at 2/5 of it " + value_inside(f, box)};
+    return {Verdict::proved,
+            "enclosed for " + in_words(box) + " in " + std::to_string(pieces) + " pieces, at 2/5 of it " + value_inside(f, box)};
 }
 
 Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces)

@@ -34,8 +34,8 @@ Check hertz_from_below();
 /// The factor by which the area exceeds (7.21) in the limit is at least 1 + pi/(24 G^2 K_inf).
 Ball least_excess(const Ball& G);
 
-/// Theorem: for G > 2 and load < 1 limsup A_n G^n/(lambda_0 load) is at most (2/pi) (8 G/pi^2 + (pi/2 - 1) 2/G): arcsin t <= t + (pi/2 - 1) t^3 on
-/// (0, 1), E[x^(-1/2)] is at most 8 G/pi^2 in the limit and x at most x_P = 4/G^2.
+/// Theorem: for G > 2 and load < 1 limsup A_n G^n/(lambda_0 load) is at most (2/pi) (8 G/pi^2 + (pi/2 - 1) 2/G): arcsin t <= t + (pi/2 - 1)
+/// t^3 on (0, 1), E[x^(-1/2)] is at most 8 G/pi^2 in the limit and x at most x_P = 4/G^2.
 Check area_from_above();
 /// That over K_inf G, the value of (7.21).
 Ball most_excess(const Ball& G);

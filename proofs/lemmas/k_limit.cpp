@@ -59,8 +59,10 @@ Check K_converges()
     const Check one = identity(archard::step<GiNaC::ex>(GiNaC::ex(1)), 1, Points{"n=1"});
     if (one.verdict != Verdict::proved) return one;
     const Ball slopes = log_step_slopes(16);
-    if (!certainly(less(Ball(0), slopes)) || !slopes.is_finite()) return {Verdict::undecided, "the slope of log step is not enclosed in positive numbers"};
-    return as_lemma({Verdict::proved, "log step(1) = 0 and its slope on [1/2, 1] is enclosed in positive numbers, none above a bound (" + ends(slopes) + "): each step below 1, the logarithms summable"});
+    if (!certainly(less(Ball(0), slopes)) || !slopes.is_finite())
+        return {Verdict::undecided, "the slope of log step is not enclosed in positive numbers"};
+    return as_lemma({Verdict::proved, "log step(1) = 0 and its slope on [1/2, 1] is enclosed in positive numbers, none above a bound (" +
+                                          ends(slopes) + "): each step below 1, the logarithms summable"});
 }
 
 Check least_step_slope_exceeds(const Ball& number)
@@ -129,7 +131,9 @@ Check beta_integral(const ex& integrand, const ex& from, const ex& to, const ex&
         mag_clear(tolerance);
         const Ball value = 2 * (half + hull(Ball(0), pow(gap, power) * gap));
         const Ball wanted = evaluate(closed, Point{{"delta_n", delta}});
-        if (!value.overlaps(wanted)) return {Verdict::refuted, "at delta = " + delta.get_str() + " the integral is " + value.to_string(8) + ", not " + wanted.to_string(8)};
+        if (!value.overlaps(wanted))
+            return {Verdict::refuted,
+                    "at delta = " + delta.get_str() + " the integral is " + value.to_string(8) + ", not " + wanted.to_string(8)};
         if (value.relative_bits() < 20) return {Verdict::undecided, "the quadrature is too wide: " + value.to_string(8)};
     }
     return as_lemma({Verdict::proved, "a theorem of Euler; checked by certified quadrature at four delta to 20 bits and more"});

@@ -26,7 +26,8 @@ const std::vector<Rational>& loads_tried()
 
 Ball model_area(long n, const Rational& load, long gamma)
 {
-    return transfer::area(transfer::Scheme::force_weighted, n, {[load] { return Ball(load); }, [gamma] { return sqrt(Ball(gamma)); }}, wanted());
+    return transfer::area(transfer::Scheme::force_weighted, n, {[load] { return Ball(load); }, [gamma] { return sqrt(Ball(gamma)); }},
+                          wanted());
 }
 
 Ball hertz_area(long n, const Rational& load, long gamma)
@@ -68,7 +69,8 @@ Ball normalised_density(long n, const Rational& load, const Rational& share)
             return unit * peaks::iterate(n, Ball(load), sqrt(Ball(10)));
         };
         const auto p = [&] { return highest() * Ball(share); };
-        const Ball q = n == 0 ? westergaard::density(p(), Ball(load)) : transfer::density(transfer::Law::density, n, p, figure_5(load), wanted());
+        const Ball q =
+            n == 0 ? westergaard::density(p(), Ball(load)) : transfer::density(transfer::Law::density, n, p, figure_5(load), wanted());
         return Ball(q * highest() / model_area(n, load, 10));
     });
 }
@@ -76,11 +78,15 @@ Ball normalised_density(long n, const Rational& load, const Rational& share)
 Ball share_outside_hertz(long n, const Rational& load, long gamma)
 {
     const Rational p = power(Rational(gamma), (n + 1) / 2) / 5; // 0.2 p*_{n+1}, n odd
-    return stored_value("contact.exceedance/contact.area n=" + std::to_string(n) + " p=" + p.get_str() + " load=" + load.get_str() + " D=3/2 gamma=" + std::to_string(gamma), [&] {
-        const WorkingPrecision precision(figure_5_bits);
-        const transfer::Arguments at{[load] { return Ball(load); }, [gamma] { return sqrt(Ball(gamma)); }};
-        return Ball(transfer::exceedance(transfer::Law::exceedance, n, [p] { return Ball(p); }, at, wanted()) / model_area(n, load, gamma));
-    });
+    return stored_value("contact.exceedance/contact.area n=" + std::to_string(n) + " p=" + p.get_str() + " load=" + load.get_str() +
+                            " D=3/2 gamma=" + std::to_string(gamma),
+                        [&] {
+                            const WorkingPrecision precision(figure_5_bits);
+                            const transfer::Arguments at{[load] { return Ball(load); }, [gamma] { return sqrt(Ball(gamma)); }};
+                            return Ball(transfer::exceedance(
+                                            transfer::Law::exceedance, n, [p] { return Ball(p); }, at, wanted()) /
+                                        model_area(n, load, gamma));
+                        });
 }
 
 Ball under_normalised_density(long n, const Rational& load)
@@ -125,7 +131,9 @@ Ball hertz_area_low_D(long n, const Rational& load, long gamma)
 
 Ball ratios_to_hertz_low_D(long first, long last, long gamma, const std::vector<Rational>& loads)
 {
-    return over_scales(first, last, loads, [gamma](long n, const Rational& load) { return model_area_low_D(n, load, gamma) / hertz_area_low_D(n, load, gamma); });
+    return over_scales(first, last, loads, [gamma](long n, const Rational& load) {
+        return model_area_low_D(n, load, gamma) / hertz_area_low_D(n, load, gamma);
+    });
 }
 
 Ball local_slope_low_D(long n, const Rational& load, long gamma)
@@ -136,7 +144,8 @@ Ball local_slope_low_D(long n, const Rational& load, long gamma)
 
 Ball ratios_to_hertz(long first, long last, long gamma, const std::vector<Rational>& loads)
 {
-    return over_scales(first, last, loads, [gamma](long n, const Rational& load) { return model_area(n, load, gamma) / hertz_area(n, load, gamma); });
+    return over_scales(first, last, loads,
+                       [gamma](long n, const Rational& load) { return model_area(n, load, gamma) / hertz_area(n, load, gamma); });
 }
 
 Ball local_slope(long n, const Rational& load, long gamma)

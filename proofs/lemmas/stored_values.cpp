@@ -66,7 +66,9 @@ std::vector<std::pair<std::string, Ball>> read_values(std::string_view table)
         if (!ball) throw std::runtime_error("data/paper/values.txt: not an enclosure: " + line);
         all.emplace_back(line.substr(0, cut), *ball);
     }
-    if (sha256(rows) != wanted) throw std::runtime_error("data/paper/values.txt: the hash of its rows is not the one in its header; touchstone paper --values prints the table anew");
+    if (sha256(rows) != wanted)
+        throw std::runtime_error(
+            "data/paper/values.txt: the hash of its rows is not the one in its header; touchstone paper --values prints the table anew");
     return all;
 }
 
@@ -78,13 +80,15 @@ Ball stored_value(const std::string& name, const std::function<Ball()>& compute)
     s.used.push_back(name);
     if (!s.recompute) {
         const auto found = stored().find(name);
-        if (found == stored().end()) throw std::out_of_range("data/paper/values.txt has no row " + name + "; touchstone paper --values prints the table anew");
+        if (found == stored().end())
+            throw std::out_of_range("data/paper/values.txt has no row " + name + "; touchstone paper --values prints the table anew");
         return found->second;
     }
     const auto known = s.computed.find(name);
     if (known != s.computed.end()) return known->second;
     const Ball ball = compute();
-    return s.computed.emplace(name, *parsed(ball.to_string(digits_kept))).first->second; // as it will be read, so that the verdicts are the same
+    return s.computed.emplace(name, *parsed(ball.to_string(digits_kept)))
+        .first->second; // as it will be read, so that the verdicts are the same
 }
 
 std::vector<std::string> values_used()
@@ -100,7 +104,8 @@ std::vector<std::string> values_that_differ()
     for (const auto& [name, ball] : state().computed) {
         const auto found = stored().find(name);
         if (found == stored().end()) all.push_back(name + ": computed, not stored");
-        else if (!found->second.overlaps(ball)) all.push_back(name + ": computed " + ball.to_string(digits_kept) + ", stored " + found->second.to_string(digits_kept));
+        else if (!found->second.overlaps(ball))
+            all.push_back(name + ": computed " + ball.to_string(digits_kept) + ", stored " + found->second.to_string(digits_kept));
     }
     for (const auto& [name, ball] : stored())
         if (!state().computed.count(name)) all.push_back(name + ": stored, and no verdict asks for it");
@@ -111,8 +116,13 @@ std::string computed_table()
 {
     std::string rows;
     for (const auto& [name, ball] : state().computed) rows += name + " = " + ball.to_string(digits_kept) + "\n";
-    const nlohmann::ordered_json header = {{"name", "values"}, {"rows", state().computed.size()}, {"status", "certified"}, {"command", "touchstone paper --values"}, {"sha256", sha256(rows)}};
-    return "# Enclosures that the ledger rests on and that take long to compute, proven; one row a value, [midpoint +/- radius].\n# " + header.dump() + "\n" + rows;
+    const nlohmann::ordered_json header = {{"name", "values"},
+                                           {"rows", state().computed.size()},
+                                           {"status", "certified"},
+                                           {"command", "touchstone paper --values"},
+                                           {"sha256", sha256(rows)}};
+    return "# Enclosures that the ledger rests on and that take long to compute, proven; one row a value, [midpoint +/- radius].\n# " +
+           header.dump() + "\n" + rows;
 }
 
 } // namespace touchstone::proofs

@@ -30,7 +30,8 @@ std::vector<std::string> values_that_differ();
 /// The table of all values computed so far.
 std::string computed_table();
 
-/// The enclosures of a table as computed_table() writes it, by name. \throws std::runtime_error if its hash is not that of its rows, or a row is no enclosure.
+/// The enclosures of a table as computed_table() writes it, by name. \throws std::runtime_error if its hash is not that of its rows, or a
+/// row is no enclosure.
 std::vector<std::pair<std::string, Ball>> read_values(std::string_view table);
 
 } // namespace touchstone::proofs

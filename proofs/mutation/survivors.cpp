@@ -78,7 +78,8 @@ Mutation mutate(const std::vector<const Claim*>& some, int stride, int offset, c
     }
     if (stride == 1)
         for (const auto& [key, reason] : excuses())
-            if (!used.count(key) && std::any_of(some.begin(), some.end(), [&](const Claim* c) { return c->id == key.first; })) m.idle_excuses.push_back(key.first + "  " + key.second);
+            if (!used.count(key) && std::any_of(some.begin(), some.end(), [&](const Claim* c) { return c->id == key.first; }))
+                m.idle_excuses.push_back(key.first + "  " + key.second);
     return m;
 }
 

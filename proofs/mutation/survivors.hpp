@@ -29,8 +29,8 @@ struct Mutation {
     int unexcused() const;
 };
 
-/// Judges each `stride`-th change of the claims' prints (of their corrected forms, where they have one), from `offset` on; idle excuses are known at stride 1 only.
-/// `judged` hears after each claim how many are done.
+/// Judges each `stride`-th change of the claims' prints (of their corrected forms, where they have one), from `offset` on; idle excuses are
+/// known at stride 1 only. `judged` hears after each claim how many are done.
 Mutation mutate(const std::vector<const Claim*>&, int stride = 1, int offset = 0, const std::function<void(std::size_t)>& judged = {});
 
 } // namespace touchstone::proofs

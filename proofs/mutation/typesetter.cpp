@@ -44,7 +44,8 @@ const std::set<std::string>& names_in_print()
         for (const auto& [id, p] : prints())
             if (p.quote.empty())
                 for (const auto& [field, text] : p.fields)
-                    if (field.ends_with("hs") || field.ends_with("term") || field.ends_with("integrand") || field.ends_with("argument") || field.ends_with(".of"))
+                    if (field.ends_with("hs") || field.ends_with("term") || field.ends_with("integrand") || field.ends_with("argument") ||
+                        field.ends_with(".of"))
                         for (const Token& t : tokens(text))
                             if (std::isalpha(static_cast<unsigned char>(t.text[0])) && !functions.count(t.text)) names.insert(t.text);
         return names;
@@ -90,9 +91,14 @@ std::vector<Text> changed(const std::string& text, bool whole_factors)
 {
     std::vector<Text> all;
     const std::vector<Token> ts = tokens(text);
-    const auto put = [&](const char* kind, const Token& t, const std::string& by) { all.push_back({kind, text.substr(0, t.at) + by + text.substr(t.at + t.length)}); };
-    const auto without = [&](const char* kind, std::size_t from, std::size_t to) { all.push_back({kind, text.substr(0, from) + text.substr(to)}); };
-    static const std::map<std::string, std::string> other_function{{"sin", "cos"}, {"cos", "sin"}, {"asin", "acos"}, {"acos", "asin"}, {"log", "exp"}, {"tgamma", "log"}};
+    const auto put = [&](const char* kind, const Token& t, const std::string& by) {
+        all.push_back({kind, text.substr(0, t.at) + by + text.substr(t.at + t.length)});
+    };
+    const auto without = [&](const char* kind, std::size_t from, std::size_t to) {
+        all.push_back({kind, text.substr(0, from) + text.substr(to)});
+    };
+    static const std::map<std::string, std::string> other_function{{"sin", "cos"},   {"cos", "sin"}, {"asin", "acos"},
+                                                                   {"acos", "asin"}, {"log", "exp"}, {"tgamma", "log"}};
     for (std::size_t i = 0; i < ts.size(); ++i) {
         const Token& t = ts[i];
         const std::string before = i > 0 ? ts[i - 1].text : "", after = i + 1 < ts.size() ? ts[i + 1].text : "";
@@ -143,7 +149,8 @@ std::vector<Text> changed(const std::string& text, bool whole_factors)
 std::vector<Text> changed_relation(const std::string& relation)
 {
     static const std::map<std::string, std::vector<std::string>> others{
-        {"=", {"<", ">"}}, {"==", {"<", ">"}}, {"<", {">", "=", "<="}}, {">", {"<", "=", ">="}}, {"<=", {">=", "<", "="}}, {">=", {"<=", ">", "="}}, {"~", {"="}}, {"->", {"="}}, {"rounds to", {"="}}};
+        {"=", {"<", ">"}},        {"==", {"<", ">"}}, {"<", {">", "=", "<="}}, {">", {"<", "=", ">="}}, {"<=", {">=", "<", "="}},
+        {">=", {"<=", ">", "="}}, {"~", {"="}},       {"->", {"="}},           {"rounds to", {"="}}};
     std::vector<Text> all;
     if (const auto found = others.find(relation); found != others.end())
         for (const std::string& r : found->second) all.push_back({"relation", r});
@@ -163,7 +170,8 @@ bool reads_the_same(const std::string& a, const std::string& b)
 
 bool is_expression(const std::string& field)
 {
-    for (const char* end : {".lhs", ".rhs", ".term", ".integrand", ".argument", ".from", ".to", ".of", ".by", ".variable", ".index", ".far", ".at_infinity"})
+    for (const char* end :
+         {".lhs", ".rhs", ".term", ".integrand", ".argument", ".from", ".to", ".of", ".by", ".variable", ".index", ".far", ".at_infinity"})
         if (field.ends_with(end)) return true;
     return false;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Distributions in partial contact (recursion/from_the_edge/forward.hpp): the far end of the support, and small pressures. D = 2d - delta; R, M/2 >= 1 - x and P >= 2 for P = 1 + x + R, M = 1 - x + R.
+/// Distributions in partial contact (recursion/from_the_edge/forward.hpp): the far end of the support, and small pressures. D = 2d - delta;
+/// R, M/2 >= 1 - x and P >= 2 for P = 1 + x + R, M = 1 - x + R.
 #include "proofs/operator/own.hpp"
 #include "proofs/symbolic/symbolic.hpp"
 
@@ -13,7 +14,10 @@ Ball root_kernel(const Ball& D) { return 1 / sqrt(1 - exp(-D)); }
 
 Finding above_1(const Constants& k)
 {
-    return Argument("balls").note("it falls with D").add("(1 - 1/e)^(-1/2) < constant", less_than(root_kernel(Ball(1)), k.ball(0), "at D = 1")).conclude("D >= 1");
+    return Argument("balls")
+        .note("it falls with D")
+        .add("(1 - 1/e)^(-1/2) < constant", less_than(root_kernel(Ball(1)), k.ball(0), "at D = 1"))
+        .conclude("D >= 1");
 }
 
 Finding remainder(const Constants& k)
@@ -21,7 +25,8 @@ Finding remainder(const Constants& k)
     const Ball far = k.ball(0), near = k.ball(1), all = k.ball(2);
     return Argument("balls")
         .add("D >= 1: the root is below the first constant", less_than(root_kernel(Ball(1)), far, "at D = 1"))
-        .add("D < 1: 1 - e^-D >= D (1 - 1/e), concave, so int_0^1 < second constant", less_than(2 * root_kernel(Ball(1)), near, "2 (1 - 1/e)^(-1/2)"))
+        .add("D < 1: 1 - e^-D >= D (1 - 1/e), concave, so int_0^1 < second constant",
+             less_than(2 * root_kernel(Ball(1)), near, "2 (1 - 1/e)^(-1/2)"))
         .note("int_c^inf e^(-3 delta/2) = (2/3) e^(-3c/2), and with w = (delta + 1.2)/5.2 it is at most (2/3) w(c + 1) e^(-3c/2)")
         .add("2/3 first + second < third", less_than(2 * far / 3 + near, all, "sum"))
         .conclude("what is left out of q_n beyond the cut");
@@ -33,7 +38,8 @@ Finding next_tail(const Constants& k)
     return Argument("balls")
         .add("delta < 4 <= d: D > 4, (1 - e^-4)^(-1/2) < first", less_than(root_kernel(Ball(4)), lower, "at D = 4"))
         .add("delta >= 4, D >= 1: int e^-delta (1 - 1/e)^(-1/2) < second e^-4", less_than(root_kernel(Ball(1)), far, "at D = 1"))
-        .add("delta >= 4, D < 1: e^-delta <= e^-4 and int_0^1 (1 - e^-D)^(-1/2) < third", less_than(2 * root_kernel(Ball(1)), near, "2 (1 - 1/e)^(-1/2)"))
+        .add("delta >= 4, D < 1: e^-delta <= e^-4 and int_0^1 (1 - e^-D)^(-1/2) < third",
+             less_than(2 * root_kernel(Ball(1)), near, "2 (1 - 1/e)^(-1/2)"))
         .add("second + third < fourth", less_than(far + near, upper, "sum"))
         .note("e^(-3d) <= e^(-2) e^(-5d/2) for d >= 4; and e^(-3D/2) = e^(-3d) e^(3 delta/2) <= e^(-3d + 6) for delta < 4")
         .conclude("T_{k+1} <= e^-2 k2 (first e^6 + fourth e^-4 T_k): the density of force far from the edge");
@@ -48,10 +54,13 @@ Finding first_tail(const Constants& k)
     return Argument("symbolic identity, and balls")
         .add("s^2 = 1 - e^-u", identity(((1 - s) * (1 + s)).subs(exp(-u) == sym("q")), sym("q"), Points{"q=1/3"}))
         .add("int ((1 - e^-u)^(-1/2) - 1) du = 2 log(1 + (1 - e^-u)^(1/2)), 2 log 2 in all: its derivative, times the root",
-             identity(((2 * log(1 + s)).diff(GiNaC::ex_to<GiNaC::symbol>(u)) * s * (1 + s)).subs(exp(-u) == sym("q")), sym("q"), Points{"q=1/3 u=1"}))
-        .add("int_0^2d of both roots <= 2d + 3 log 2 + cross < first (d + second), at d = 4; it falls behind from there on", less_than(8 + 3 * ln2 + cross, slope * (4 + offset), "at d = 4"))
+             identity(((2 * log(1 + s)).diff(GiNaC::ex_to<GiNaC::symbol>(u)) * s * (1 + s)).subs(exp(-u) == sym("q")), sym("q"),
+                      Points{"q=1/3 u=1"}))
+        .add("int_0^2d of both roots <= 2d + 3 log 2 + cross < first (d + second), at d = 4; it falls behind from there on",
+             less_than(8 + 3 * ln2 + cross, slope * (4 + offset), "at d = 4"))
         .add("its slope is above 2", less_than(Ball(2), slope, "2"))
-        .add("first (d + second) e^(-d/2) < third at d = 4, falling: d + second > 2", less_than(slope * (4 + offset) * exp(Ball(-2)), most, "at d = 4"))
+        .add("first (d + second) e^(-d/2) < third at d = 4, falling: d + second > 2",
+             less_than(slope * (4 + offset) * exp(Ball(-2)), most, "at d = 4"))
         .conclude("T_2, where the induction starts");
 }
 
@@ -87,8 +96,10 @@ Finding mean(const Constants& k)
     const Ball end(Rational(1, 1000));
     return Argument("subdivision in balls")
         .note("|E - 1| <= sum |z|^j/(j+1)! = (e^m - 1 - m)/m, m = |z|; over m that is at most 1/2 + m/6 + m^2/24 e^m, by Taylor's theorem")
-        .add("no term of which is lost: at m = 1/1000 it is (e^m - 1 - m)/m^2 within m^2/100", less_than(abs(taylor(end) - (exp(end) - 1 - end) / (end * end)), end * end / 100, "what Taylor's bound is off"))
-        .add("it is < constant, m < 1/1000", positive_over([&](const std::vector<Ball>& v) { return k.ball(0) - taylor(v[0]); }, {{"m", 0, Rational(1, 1000)}}))
+        .add("no term of which is lost: at m = 1/1000 it is (e^m - 1 - m)/m^2 within m^2/100",
+             less_than(abs(taylor(end) - (exp(end) - 1 - end) / (end * end)), end * end / 100, "what Taylor's bound is off"))
+        .add("it is < constant, m < 1/1000",
+             positive_over([&](const std::vector<Ball>& v) { return k.ball(0) - taylor(v[0]); }, {{"m", 0, Rational(1, 1000)}}))
         .conclude("E(z) = (1 - e^-z)/z next to 0");
 }
 
@@ -108,9 +119,24 @@ std::vector<OwnClaim> distribution_claims()
     const char* const file = "recursion/from_the_edge/far_end.cpp";
     return {
         {"forward.above_1", "(1 - e^-D)^(-1/2) <= {0}, D >= 1", file, {{"constant", 1.26}}, above_1, {{0, 1.25}}},
-        {"forward.remainder", "beyond the cut: {0} from D >= 1, {1} from D < 1, {2} in all", file, {{"far", 1.26}, {"near", 2.52}, {"all", 3.5}}, remainder, {{0, 1.25}, {1, 2.51}, {2, 3.3}}},
-        {"forward.next_tail", "T_{k+1} <= e^-2 k2 ({0} e^6 + {3} e^-4 T_k), {3} > {1} + {2}", file, {{"below 4", 1.01}, {"far", 1.26}, {"near", 2.83}, {"all", 4.1}}, next_tail, {{0, 1.009}, {1, 1.25}, {2, 2.51}, {3, 4.08}}},
-        {"forward.first_tail", "f_2 <= (8a/pi) k2 e^(-3d) {0} (d + {1}), and {2} e^(-5d/2)", file, {{"slope", 2.02}, {"offset", 1.2}, {"all", 1.43}}, first_tail, {{0, 1.99}, {1, 0.9}, {2, 1.42}}},
+        {"forward.remainder",
+         "beyond the cut: {0} from D >= 1, {1} from D < 1, {2} in all",
+         file,
+         {{"far", 1.26}, {"near", 2.52}, {"all", 3.5}},
+         remainder,
+         {{0, 1.25}, {1, 2.51}, {2, 3.3}}},
+        {"forward.next_tail",
+         "T_{k+1} <= e^-2 k2 ({0} e^6 + {3} e^-4 T_k), {3} > {1} + {2}",
+         file,
+         {{"below 4", 1.01}, {"far", 1.26}, {"near", 2.83}, {"all", 4.1}},
+         next_tail,
+         {{0, 1.009}, {1, 1.25}, {2, 2.51}, {3, 4.08}}},
+        {"forward.first_tail",
+         "f_2 <= (8a/pi) k2 e^(-3d) {0} (d + {1}), and {2} e^(-5d/2)",
+         file,
+         {{"slope", 2.02}, {"offset", 1.2}, {"all", 1.43}},
+         first_tail,
+         {{0, 1.99}, {1, 0.9}, {2, 1.42}}},
         {"forward.slope", "|(log)'| <= {0} + {1} x/(1-x)", file, {{"at the edge", 0.8}, {"slope", 1.75}}, slope, {{0, 0.79}, {1, 1.74}}},
         {"forward.size_of_h", "h <= {0} (1-x)^(-3/2), D >= 1", file, {{"constant", 1.26}}, size_of_h, {{0, 1.25}}},
         {"forward.mean", "|E(z) - 1| <= {0} |z|, |z| < 1/1000", file, {{"constant", 1}}, mean, {{0, 0.5}}},

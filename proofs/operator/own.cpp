@@ -42,7 +42,8 @@ CheckedLemma run(const OwnClaim& c)
 std::vector<std::string> CheckedLemma::failures() const
 {
     std::vector<std::string> all;
-    if (finding.verdict != Verdict::proved && finding.verdict != Verdict::verified) all.push_back(fmt::format("{}: {}", name(finding.verdict), finding.reason));
+    if (finding.verdict != Verdict::proved && finding.verdict != Verdict::verified)
+        all.push_back(fmt::format("{}: {}", name(finding.verdict), finding.reason));
     if (controls.empty()) all.push_back("no perturbed constant to be refuted");
     for (const auto& k : controls)
         if (k.finding.verdict != Verdict::refuted) all.push_back(fmt::format("control '{}' is {}", k.what, name(k.finding.verdict)));
@@ -55,7 +56,8 @@ void Worst::below(const Ball& value, const Ball& bound, const std::string& where
     ++points_;
     sum_ += share;
     most_ = std::max(most_, share);
-    if (refuted_.empty() && !certainly(less(value, bound))) refuted_ = where + ": " + value.to_string(6) + ", not below " + bound.to_string(6);
+    if (refuted_.empty() && !certainly(less(value, bound)))
+        refuted_ = where + ": " + value.to_string(6) + ", not below " + bound.to_string(6);
 }
 
 Check Worst::result() const
@@ -68,7 +70,8 @@ const std::vector<OwnClaim>& own_claims()
 {
     static const std::vector<OwnClaim> all = [] {
         std::vector<OwnClaim> claims;
-        for (auto part : {operator_claims, approximation_claims, partial_contact_claims, full_contact_claims, two_waves_claims, distribution_claims, rounding_claims})
+        for (auto part : {operator_claims, approximation_claims, partial_contact_claims, full_contact_claims, two_waves_claims,
+                          distribution_claims, rounding_claims})
             for (OwnClaim& c : part()) claims.push_back(std::move(c));
         return claims;
     }();

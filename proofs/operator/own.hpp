@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What the program itself rests on: the lemmas of its operator (lib/touchstone/wave) and every constant of its proofs that a person counted, each proved
-/// or refuted by a judge that is handed the constants. The judge is run once with the code's constants, and once for each perturbed one, which it must
-/// refute: the same discipline as for the equations of the paper (ledger.hpp).
+/// What the program itself rests on: the lemmas of its operator (lib/touchstone/wave) and every constant of its proofs that a person
+/// counted, each proved or refuted by a judge that is handed the constants. The judge is run once with the code's constants, and once for
+/// each perturbed one, which it must refute: the same discipline as for the equations of the paper (ledger.hpp).
 #pragma once
 
 #include "proofs/enclosure/enclosure.hpp"
@@ -56,8 +56,8 @@ struct CheckedLemma {
 
 CheckedLemma run(const OwnClaim&);
 
-/// Something positive that is to lie below its bound at each of many points. How near it comes, and the mean share of its bound that it takes, are said, to
-/// six digits: another choice of points, or another bound, is a change of what is on record (recorded.hpp).
+/// Something positive that is to lie below its bound at each of many points. How near it comes, and the mean share of its bound that it
+/// takes, are said, to six digits: another choice of points, or another bound, is a change of what is on record (recorded.hpp).
 class Worst {
 public:
     void below(const Ball& value, const Ball& bound, const std::string& where);

@@ -20,7 +20,8 @@ constexpr int sample_sets = 4;
 Rational sample(const OwnSymbol& s, std::size_t index, int set)
 {
     const long steps = 23; // prime, so that no two symbols keep step
-    const long k = static_cast<long>((index * 7 + static_cast<std::size_t>(set) * 5 + index * static_cast<std::size_t>(set)) % (steps - 1)) + 1;
+    const long k =
+        static_cast<long>((index * 7 + static_cast<std::size_t>(set) * 5 + index * static_cast<std::size_t>(set)) % (steps - 1)) + 1;
     return s.low + (s.high - s.low) * Rational(k, steps);
 }
 
@@ -87,7 +88,8 @@ ex derived(const OwnLedger& ledger, const Follows& f)
     const auto expand = [&](const std::string& t) {
         static const std::regex name("@([\\w.-]+)");
         std::string out, rest = t;
-        for (std::smatch m; std::regex_search(rest, m, name); rest = m.suffix()) out += m.prefix().str() + "(" + right_form(ledger.at(m[1])).text("rhs") + ")";
+        for (std::smatch m; std::regex_search(rest, m, name); rest = m.suffix())
+            out += m.prefix().str() + "(" + right_form(ledger.at(m[1])).text("rhs") + ")";
         return read(out + rest);
     };
     ex e = right_form(ledger.at(f.equation))(f.side);
@@ -106,7 +108,8 @@ Check same(const ex& print, const ex& wanted, const Points& at)
         const Check powers = power_identity(print, wanted, at);
         if (powers.verdict == Verdict::proved) return powers;
         const Check squares = identity(pow(print, 2), pow(wanted, 2), at);
-        if (squares.verdict == Verdict::proved) return {Verdict::verified, "the squares have the same normal form, and the sign is the same at the points"};
+        if (squares.verdict == Verdict::proved)
+            return {Verdict::verified, "the squares have the same normal form, and the sign is the same at the points"};
     } catch (const std::exception&) {
     }
     return evaluates_at(print, wanted, at) ? Check{Verdict::verified, "the same in balls at the points, not by normal form"} : direct;
@@ -127,7 +130,8 @@ Check bounds(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     for (std::size_t i = 0; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
-        if (relation != "<" && relation != ">" && relation != "<=" && relation != ">=") return {Verdict::refuted, "no bound: printed " + relation};
+        if (relation != "<" && relation != ">" && relation != "<=" && relation != ">=")
+            return {Verdict::refuted, "no bound: printed " + relation};
         const ex gap = written_out(ledger, e, (p(part + "rhs") - p(part + "lhs")) * (relation[0] == '<' ? 1 : -1));
         const Check c = positive_on(gap, e.over);
         if (c.verdict != Verdict::proved) return c;
@@ -162,7 +166,8 @@ Check printed(const OwnTable& t, std::size_t row, const std::string& digits)
 Finding judge_table(const OwnTable& t, const Print& p)
 {
     Argument a("each printed number in balls");
-    for (std::size_t k = 0; k < t.inputs.size(); ++k) a.add("row " + std::to_string(k + 1), printed(t, k, p.text("row" + std::to_string(k + 1) + ".digits")));
+    for (std::size_t k = 0; k < t.inputs.size(); ++k)
+        a.add("row " + std::to_string(k + 1), printed(t, k, p.text("row" + std::to_string(k + 1) + ".digits")));
     return a.conclude(std::to_string(t.inputs.size()) + " numbers right as printed, rounding " + t.rounding, Verdict::verified);
 }
 
@@ -201,7 +206,9 @@ Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
     Argument a(e.follows ? "normal form" : !e.over.empty() ? "balls over the range" : "balls at the samples");
     try {
         a.add("dimensions", units(p));
-        if (e.follows) a.add("the right side follows from (" + e.follows->equation + ")", same(p("rhs"), derived(ledger, *e.follows), free_points(ledger)));
+        if (e.follows)
+            a.add("the right side follows from (" + e.follows->equation + ")",
+                  same(p("rhs"), derived(ledger, *e.follows), free_points(ledger)));
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
         if (readable(ledger, e)) {
@@ -250,7 +257,8 @@ OwnMutation mutate_own(const OwnLedger& ledger, const std::string& id)
                 continue;
             }
             const auto excuse = e.excuses.find(change.name);
-            m.survivors.push_back({e.print.id, change.name, change.kind, std::string(name(f.verdict)), excuse == e.excuses.end() ? "" : excuse->second});
+            m.survivors.push_back(
+                {e.print.id, change.name, change.kind, std::string(name(f.verdict)), excuse == e.excuses.end() ? "" : excuse->second});
         }
     }
     return m;

@@ -14,8 +14,8 @@ struct OwnResult {
     std::optional<Finding> corrected;
 };
 
-/// proved: the side is that of the equation it follows from, by normal form, or the bound holds over the whole range; verified: every printed
-/// number of a table, or every side in balls at the samples; definition; refuted with the first wrong place; undecided otherwise.
+/// proved: the side is that of the equation it follows from, by normal form, or the bound holds over the whole range; verified: every
+/// printed number of a table, or every side in balls at the samples; definition; refuted with the first wrong place; undecided otherwise.
 Finding judge_own(const OwnLedger&, const OwnEntry&, const Print&);
 
 /// All entries, in order.

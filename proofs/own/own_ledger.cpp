@@ -173,7 +173,8 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
     std::set<std::string> names;
     collect(formula(table.formula, at), names);
     for (const std::string& n : names)
-        if (std::find(table.columns.begin(), table.columns.end(), n) == table.columns.end()) at.fail("the formula asks for '" + n + "', which is no column");
+        if (std::find(table.columns.begin(), table.columns.end(), n) == table.columns.end())
+            at.fail("the formula asks for '" + n + "', which is no column");
     std::vector<std::vector<std::string>> rows;
     if (t.contains("rows")) {
         for (const auto& row : t["rows"]) {
@@ -193,7 +194,9 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
     }
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const Place row = at.in("row " + std::to_string(k + 1));
-        if (rows[k].size() != table.columns.size() + 1) row.fail("has " + std::to_string(rows[k].size()) + " numbers, " + std::to_string(table.columns.size() + 1) + " are wanted: the columns, then what is printed");
+        if (rows[k].size() != table.columns.size() + 1)
+            row.fail("has " + std::to_string(rows[k].size()) + " numbers, " + std::to_string(table.columns.size() + 1) +
+                     " are wanted: the columns, then what is printed");
         for (const std::string& cell : rows[k])
             if (!parse_rational(cell)) row.fail("not a number: " + cell);
         e.print.fields["row" + std::to_string(k + 1) + ".digits"] = rows[k].back();
@@ -215,7 +218,8 @@ std::vector<std::string> references(const std::string& t)
 
 OwnEntry read_entry(const json& content, const std::string& dir, const Place& file, std::size_t index)
 {
-    if (!content.is_object() || !content.contains("id") || !content["id"].is_string()) file.fail("entry " + std::to_string(index + 1) + " has no \"id\"");
+    if (!content.is_object() || !content.contains("id") || !content["id"].is_string())
+        file.fail("entry " + std::to_string(index + 1) + " has no \"id\"");
     OwnEntry e;
     e.print.id = content["id"];
     const Place at = file.in("entry '" + e.print.id + "'");
@@ -351,7 +355,8 @@ OwnLedger load_ledger(const std::string& dir)
         }
         stands_for[name].assign(names.begin(), names.end());
     }
-    if (const std::string path = cycle_in(stands_for); !path.empty()) file.fail("symbol '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
+    if (const std::string path = cycle_in(stands_for); !path.empty())
+        file.fail("symbol '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
     std::map<std::string, std::vector<std::string>> rests_on;
     for (std::size_t i = 0; i < all["entries"].size(); ++i) {
         OwnEntry e;
@@ -368,7 +373,8 @@ OwnLedger load_ledger(const std::string& dir)
         for (const std::string& other : e.rests_on)
             if (!ledger.has(other)) file.fail("entry '" + e.print.id + "': no entry '" + other + "' to follow from");
             else if (ledger.at(other).print.parts() == 0) file.fail("entry '" + e.print.id + "': '" + other + "' is a table, no equation");
-    if (const std::string path = cycle_in(rests_on); !path.empty()) file.fail("entry '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
+    if (const std::string path = cycle_in(rests_on); !path.empty())
+        file.fail("entry '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
     return ledger;
 }
 

@@ -118,7 +118,8 @@ private:
     static bool has_property(const std::string& property, const Ball& b)
     {
         for (long k = -1000; k <= 1000; ++k) // the situations' numbers are small
-            if (b.contains(Rational(k)) && certainly(less(abs(b - k), ScalarTraits<Ball>::power_of_two(-equality_bits)))) return property == "integer" || (k % 2 != 0) == (property == "odd");
+            if (b.contains(Rational(k)) && certainly(less(abs(b - k), ScalarTraits<Ball>::power_of_two(-equality_bits))))
+                return property == "integer" || (k % 2 != 0) == (property == "odd");
         return false;
     }
     static std::vector<ex> symbols_of(const ex& e)
@@ -148,11 +149,13 @@ private:
         }
         if (kind == "derivative") {
             const auto d = situation_.derivative.find({field(name, "of"), field(name, "by")});
-            if (d == situation_.derivative.end()) throw Unreadable("the derivative of " + field(name, "of") + " by " + field(name, "by") + " is not what is meant");
+            if (d == situation_.derivative.end())
+                throw Unreadable("the derivative of " + field(name, "of") + " by " + field(name, "by") + " is not what is meant");
             return d->second;
         }
         if (kind == "limit") {
-            if (field(name, "variable") != "n" || field(name, "to") != "infinity") throw Unreadable("a limit as " + field(name, "variable") + " tends to " + field(name, "to"));
+            if (field(name, "variable") != "n" || field(name, "to") != "infinity")
+                throw Unreadable("a limit as " + field(name, "variable") + " tends to " + field(name, "to"));
             const auto limit = situation_.limit.find(field(name, "of"));
             if (limit == situation_.limit.end()) throw Unreadable("the limit of " + field(name, "of") + " is not what is meant");
             return limit->second;
@@ -288,7 +291,8 @@ struct Seen {
     std::vector<bool> reached; ///< by part: the two sides were equal once
     std::vector<int> looked;   ///< by part: situations in which the relation was asked
     bool stated_held = false;  ///< all stated parts, in one situation
-    std::map<std::pair<std::size_t, std::size_t>, std::pair<bool, std::string>> outside; ///< by group and part: did it fail outside its condition?
+    std::map<std::pair<std::size_t, std::size_t>, std::pair<bool, std::string>>
+        outside; ///< by group and part: did it fail outside its condition?
 };
 
 /// What one situation says against the print, or nothing.
@@ -334,7 +338,8 @@ std::optional<std::string> objection(const Print& print, const std::vector<Part>
     }
     seen.stated_held = seen.stated_held || stated_hold;
     if (s.wanted && stated_hold != *s.wanted && (stated_hold || !m.one_way))
-        return "at " + where(s, parts[*m.stated.begin()]) + " the printed inequality is " + (stated_hold ? "true" : "false") + ", what it stands for is " + (*s.wanted ? "true" : "false");
+        return "at " + where(s, parts[*m.stated.begin()]) + " the printed inequality is " + (stated_hold ? "true" : "false") +
+               ", what it stands for is " + (*s.wanted ? "true" : "false");
     return std::nullopt;
 }
 
@@ -370,9 +375,11 @@ Check read_whole_as(const Print& print, const Meaning& says)
     try {
         const std::vector<Part> parts = parts_of(print);
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (parts[i].left.is_equal(parts[i].right)) return Check{Verdict::refuted, "part " + std::to_string(i) + " has the same on both sides: it says nothing"};
+            if (parts[i].left.is_equal(parts[i].right))
+                return Check{Verdict::refuted, "part " + std::to_string(i) + " has the same on both sides: it says nothing"};
             for (std::size_t j = 0; j < i; ++j)
-                if (parts[i].left.is_equal(parts[j].left) && parts[i].right.is_equal(parts[j].right)) return Check{Verdict::refuted, "part " + std::to_string(i) + " repeats part " + std::to_string(j)};
+                if (parts[i].left.is_equal(parts[j].left) && parts[i].right.is_equal(parts[j].right))
+                    return Check{Verdict::refuted, "part " + std::to_string(i) + " repeats part " + std::to_string(j)};
         }
         Seen seen{std::vector<bool>(parts.size(), false), std::vector<int>(parts.size(), 0), false, {}};
         for (const Situation& s : m->situations)
@@ -381,10 +388,13 @@ Check read_whole_as(const Print& print, const Meaning& says)
         for (const auto& [key, outside] : seen.outside)
             if (!outside.first) return Check{Verdict::refuted, outside.second};
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (seen.looked[i] == 0) return Check{Verdict::refuted, "the printed condition of part " + std::to_string(i) + " holds in no situation"};
-            if (m->bounds_are_reached && !seen.reached[i]) return Check{Verdict::refuted, "the printed bound is not reached: it is too wide"};
+            if (seen.looked[i] == 0)
+                return Check{Verdict::refuted, "the printed condition of part " + std::to_string(i) + " holds in no situation"};
+            if (m->bounds_are_reached && !seen.reached[i])
+                return Check{Verdict::refuted, "the printed bound is not reached: it is too wide"};
         }
-        return Check{Verdict::verified, "every field of the print read in " + std::to_string(m->situations.size()) + " situations in balls"};
+        return Check{Verdict::verified,
+                     "every field of the print read in " + std::to_string(m->situations.size()) + " situations in balls"};
     } catch (const Unreadable& e) {
         return Check{Verdict::refuted, std::string("cannot be read: ") + e.what()};
     } catch (const std::exception& e) { // GiNaC's parser, a division by zero, an operand outside a function's domain

@@ -66,7 +66,8 @@ struct Meaning {
 /// What the symbols of an equation mean, or nothing for entries that are not equations.
 const Meaning* meaning(const std::string& id);
 
-/// Refuted with the situation where the print fails; `verified` with the number of situations otherwise. Nothing for entries without a meaning.
+/// Refuted with the situation where the print fails; `verified` with the number of situations otherwise. Nothing for entries without a
+/// meaning.
 std::optional<Check> read_whole(const Print&);
 
 /// One file for each group of sections.

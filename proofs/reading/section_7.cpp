@@ -19,8 +19,9 @@ Rational q(long a, long b) { return Rational(a, b); }
 struct Parameters {
     Rational gamma, D, load, x; ///< x as a share of the contact half-width
 };
-const std::vector<Parameters> cases{{q(5, 1), q(3, 2), q(1, 6), q(0, 1)}, {q(5, 1), q(3, 2), q(1, 6), q(3, 7)}, {q(7, 1), q(5, 4), q(1, 17), q(-2, 3)},
-                                    {q(7, 1), q(5, 4), q(1, 17), q(11, 10)}, {q(5, 1), q(3, 2), q(1, 6), q(-16, 10)}, {q(5, 1), q(3, 2), q(1, 6), q(16, 10)}};
+const std::vector<Parameters> cases{{q(5, 1), q(3, 2), q(1, 6), q(0, 1)},    {q(5, 1), q(3, 2), q(1, 6), q(3, 7)},
+                                    {q(7, 1), q(5, 4), q(1, 17), q(-2, 3)},  {q(7, 1), q(5, 4), q(1, 17), q(11, 10)},
+                                    {q(5, 1), q(3, 2), q(1, 6), q(-16, 10)}, {q(5, 1), q(3, 2), q(1, 6), q(16, 10)}};
 
 /// A single Hertzian wave at level 0, one wave of level 1 below it, and constants K, alpha, beta, delta that nothing restricts.
 Situation hertz_wave(const Parameters& c)
@@ -28,7 +29,8 @@ Situation hertz_wave(const Parameters& c)
     Situation s;
     const Ball E(5), nu(q(1, 4)), g_0(q(1, 3)), lambda_0(2), gamma(c.gamma), D(c.D), load(c.load);
     const auto pstar = [&](const Ball& g, const Ball& lambda) {
-        return evaluate(amplitude_of_pressure(sym("g"), 2 * GiNaC::Pi / sym("lambda")), std::map<std::string, Ball>{{"g", g}, {"lambda", lambda}, {"E", E}, {"nu", nu}});
+        return evaluate(amplitude_of_pressure(sym("g"), 2 * GiNaC::Pi / sym("lambda")),
+                        std::map<std::string, Ball>{{"g", g}, {"lambda", lambda}, {"E", E}, {"nu", nu}});
     };
     const Ball pstar_0 = pstar(g_0, lambda_0);
     s["E"] = E;
@@ -56,17 +58,21 @@ Situation hertz_wave(const Parameters& c)
     s["alpha_n"] = alpha;
     s["beta_n"] = beta;
     s["delta_n"] = delta;
-    const auto area = [&](const Ball& lambda, const Ball& g, const Ball& share) { return lambda * K * pow(gamma, alpha) * pow(lambda / g, beta) * pow(share, delta); };
+    const auto area = [&](const Ball& lambda, const Ball& g, const Ball& share) {
+        return lambda * K * pow(gamma, alpha) * pow(lambda / g, beta) * pow(share, delta);
+    };
     s["A_n"] = area(lambda_0, g_0, load);
     s["A"] = area(lambda_1, g_1, s["F_1"] / (lambda_1 * pstar_1));
     // the power of gamma that the area of one wave of level 1 under a pressure has in the quantities of level 0
     const Ball pressed(q(2, 7));
-    s["rho"] = log(area(lambda_1, g_1, pressed / pstar_1) / (lambda_0 * K * pow(lambda_0 / g_0, beta) * pow(pressed / pstar_0, delta))) / log(gamma);
+    s["rho"] = log(area(lambda_1, g_1, pressed / pstar_1) / (lambda_0 * K * pow(lambda_0 / g_0, beta) * pow(pressed / pstar_0, delta))) /
+               log(gamma);
     // summed over the contact: (2 sqrt(load))^delta (1 - xi^2)^(delta/2) over xi, as in the library's step of K
     s["A_np1"] = lambda_0 * K * pow(gamma, s["rho"] + 1) * pow(lambda_0 / g_0, beta) * archard::step(delta) * pow(load, (delta + 1) / 2);
     s["alpha_np1"] = s["rho"] + 1;
     s["beta_np1"] = beta;
-    s["delta_np1"] = log(s["A_np1"] / (lambda_0 * K * pow(gamma, s["rho"] + 1) * pow(lambda_0 / g_0, beta) * archard::step(delta))) / log(load);
+    s["delta_np1"] =
+        log(s["A_np1"] / (lambda_0 * K * pow(gamma, s["rho"] + 1) * pow(lambda_0 / g_0, beta) * archard::step(delta))) / log(load);
     s["A_0"] = 2 * s["a_0"];
     return s;
 }
@@ -86,7 +92,8 @@ void press_level_1(Situation& s)
 {
     const Ball pstar_1 = evaluate(amplitude_of_pressure(sym("g_1"), 2 * GiNaC::Pi / sym("lambda_1")), s.value);
     s["F_1"] = s["p_0"] * s["lambda_1"];
-    s["A"] = s["lambda_1"] * s["K_n"] * pow(s["gamma"], s["alpha_n"]) * pow(s["lambda_1"] / s["g_1"], s["beta_n"]) * pow(s["p_0"] / pstar_1, s["delta_n"]);
+    s["A"] = s["lambda_1"] * s["K_n"] * pow(s["gamma"], s["alpha_n"]) * pow(s["lambda_1"] / s["g_1"], s["beta_n"]) *
+             pow(s["p_0"] / pstar_1, s["delta_n"]);
 }
 
 /// The sequence of section 7 at scale n.
@@ -142,7 +149,8 @@ void add_meanings_of_section_7(std::map<std::string, Meaning>& all)
         s["alpha_np1"] = Ball(q(-17, 9));
         s["beta_np1"] = Ball(q(5, 11));
         s["delta_np1"] = Ball(q(8, 9));
-        s["A_np1"] = s["lambda_0"] * s["K_np1"] * pow(s["gamma"], s["alpha_np1"]) * pow(s["lambda_0"] / s["g_0"], s["beta_np1"]) * pow(s["ptilde"], s["delta_np1"]);
+        s["A_np1"] = s["lambda_0"] * s["K_np1"] * pow(s["gamma"], s["alpha_np1"]) * pow(s["lambda_0"] / s["g_0"], s["beta_np1"]) *
+                     pow(s["ptilde"], s["delta_np1"]);
     }
     all["7.5"] = inside(hertz_waves(press_level_1));
     for (Situation& s : all["7.5"].situations) s.value.erase("beta_np1");

@@ -49,8 +49,10 @@ Situation wave(const Body& b, const Rational& load, const Rational& x, const std
         s.derivative[{"Q", "p"}] = -s["q"];
     }
     // the profile that this pressure displaces the surface by, where the contact is full
-    s["z"] = evaluate(displacement_of_pressure(sym("c"), 2 * GiNaC::Pi / sym("lambda")),
-        std::map<std::string, Ball>{{"c", pstar * ScalarTraits<Ball>::cos_pi(2 * place)}, {"lambda", Ball(b.lambda)}, {"E", Ball(b.E)}, {"nu", Ball(b.nu)}});
+    s["z"] = evaluate(
+        displacement_of_pressure(sym("c"), 2 * GiNaC::Pi / sym("lambda")),
+        std::map<std::string, Ball>{
+            {"c", pstar * ScalarTraits<Ball>::cos_pi(2 * place)}, {"lambda", Ball(b.lambda)}, {"E", Ball(b.E)}, {"nu", Ball(b.nu)}});
     return s;
 }
 
@@ -216,13 +218,15 @@ Situation surface(const Surface& f, long n, const Rational& x, long last_term = 
     const Rational unit = f.lambda_0;
     s.function["z"] = [f, x, g_0](const Ball& at) { // at x or at gamma x, whichever it is
         for (const Rational& factor : {Rational(1), f.gamma})
-            if (at.contains(Rational(factor * x * f.lambda_0))) return g_0 * weierstrass::profile_by_terms(Rational(factor * x), f.D, f.gamma);
+            if (at.contains(Rational(factor * x * f.lambda_0)))
+                return g_0 * weierstrass::profile_by_terms(Rational(factor * x), f.D, f.gamma);
         return Ball::indeterminate();
     };
     return s;
 }
 
-Meaning at_surfaces(const std::vector<long>& scales, const std::vector<Rational>& xs, const std::vector<const char*>& without = {}, long last_term = 3)
+Meaning at_surfaces(const std::vector<long>& scales, const std::vector<Rational>& xs, const std::vector<const char*>& without = {},
+                    long last_term = 3)
 {
     Meaning m;
     for (const Surface& f : surfaces)
@@ -265,7 +269,9 @@ void add_meanings_of_sections_2_3(std::map<std::string, Meaning>& all)
     all["3.1"] = at_surfaces({3}, xs, {"n", "z"});
     for (Situation& s : all["3.1"].situations) { // the sum as far as it is read
         Ball z(0);
-        for (long k = 0; k <= s.last_term; ++k) z += s["g_0"] * pow(weierstrass::amplitude_ratio(s["D"], s["gamma"]), Ball(k)) * cos(2 * ScalarTraits<Ball>::pi() * s["x"] * pow(s["gamma"], Ball(k)) / s["lambda_0"]);
+        for (long k = 0; k <= s.last_term; ++k)
+            z += s["g_0"] * pow(weierstrass::amplitude_ratio(s["D"], s["gamma"]), Ball(k)) *
+                 cos(2 * ScalarTraits<Ball>::pi() * s["x"] * pow(s["gamma"], Ball(k)) / s["lambda_0"]);
         s["z"] = z;
     }
     all["3.2"] = all["3.6"] = all["3.8"] = at_surfaces({0, 2, 3}, {q(1, 7)});

@@ -50,7 +50,8 @@ Meaning over_peaks()
 Meaning over_x()
 {
     Meaning m;
-    for (const Rational& x : {q(0, 1), q(1, 1), q(1, 50), q(1, 3), q(9, 10), q(99, 100), q(101, 100), q(11, 10), q(3, 2), q(19, 10), q(21, 10), q(5, 1)}) {
+    for (const Rational& x :
+         {q(0, 1), q(1, 1), q(1, 50), q(1, 3), q(9, 10), q(99, 100), q(101, 100), q(11, 10), q(3, 2), q(19, 10), q(21, 10), q(5, 1)}) {
         Situation s;
         s.at_equality = x == 0 || x == 1;
         s["x"] = Ball(x);
@@ -157,8 +158,10 @@ void add_meanings_of_sections_5_6(std::map<std::string, Meaning>& all)
         for (Situation& s : all[id].situations) s.value.erase("x");
     }
     all["5.4"] = all["5.5"] = over_x();
-    all["5.11"] = threshold(q(1, 5), {q(11, 10), q(2, 1), q(4, 1), q(43, 10), q(441, 100), q(446, 100), q(448, 100), q(453, 100), q(5, 1), q(21, 1)});
-    all["5.12"] = load_threshold(1, q(1, 5), q(5, 1), {q(1, 100), q(11, 100), q(19, 100), q(199, 1000), q(201, 1000), q(21, 100), q(3, 10), q(5, 2)});
+    all["5.11"] =
+        threshold(q(1, 5), {q(11, 10), q(2, 1), q(4, 1), q(43, 10), q(441, 100), q(446, 100), q(448, 100), q(453, 100), q(5, 1), q(21, 1)});
+    all["5.12"] =
+        load_threshold(1, q(1, 5), q(5, 1), {q(1, 100), q(11, 100), q(19, 100), q(199, 1000), q(201, 1000), q(21, 100), q(3, 10), q(5, 2)});
     all["5.13"] = threshold(q(1, 1), {q(11, 10), q(3, 2), q(19, 10), q(199, 100), q(201, 100), q(21, 10), q(3, 1), q(5, 1)});
     all["5.14"] = load_threshold(0, q(1, 1), q(3, 1), {q(1, 100), q(1, 2), q(9, 10), q(99, 100), q(101, 100), q(11, 10), q(3, 2), q(5, 1)});
     const std::vector<Rational> pressures{q(1, 5), q(1, 2), q(9, 10), q(11, 10), q(3, 2), q(19, 10), q(21, 10), q(5, 2), q(7, 2)};

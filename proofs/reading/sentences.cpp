@@ -48,7 +48,8 @@ bool terms_stay(const Rational& gamma, const Rational& D) { return (gamma - 1) *
 Meaning dimensions()
 {
     Meaning m;
-    for (const Ball& d : {Ball(0), Ball(log(Ball(2)) / log(Ball(3))), Ball(1)}) m.situations.push_back(just({{"dimension", d}}).situations[0]);
+    for (const Ball& d : {Ball(0), Ball(log(Ball(2)) / log(Ball(3))), Ball(1)})
+        m.situations.push_back(just({{"dimension", d}}).situations[0]);
     return m;
 }
 
@@ -65,7 +66,8 @@ Meaning pressure_amplitudes()
 Meaning both_branches_of_f()
 {
     Meaning m;
-    for (const Rational& x : {q(1, 3), q(1, 1), q(7, 3)}) m.situations.push_back(just({{"x", Ball(x)}, {"f_above", 1 + Ball(x)}, {"f_below", 2 * sqrt(Ball(x))}}).situations[0]);
+    for (const Rational& x : {q(1, 3), q(1, 1), q(7, 3)})
+        m.situations.push_back(just({{"x", Ball(x)}, {"f_above", 1 + Ball(x)}, {"f_below", 2 * sqrt(Ball(x))}}).situations[0]);
     return m;
 }
 
@@ -78,7 +80,8 @@ Meaning largest_ratios()
     while (!certainly(less(Ball(1), x(n_0)))) ++n_0;
     Meaning m;
     for (long n = 0; n <= n_0 + 3; ++n)
-        m.situations.push_back(just({{"n", Ball(n)}, {"n_0", Ball(n_0)}, {"x_nm1", x(n)}, {"x_n", x(n + 1)}, {"x_P", peaks::fixed_point(G)}}).situations[0]);
+        m.situations.push_back(
+            just({{"n", Ball(n)}, {"n_0", Ball(n_0)}, {"x_nm1", x(n)}, {"x_n", x(n + 1)}, {"x_P", peaks::fixed_point(G)}}).situations[0]);
     return m;
 }
 
@@ -91,7 +94,8 @@ const std::vector<Parameters> profiles{{q(5, 1), q(3, 2)}, {q(9, 1), q(5, 4)}, {
 Meaning slopes(const char* name, Ball (*of)(const Ball& gamma, const Ball& D))
 {
     Meaning m;
-    for (const Parameters& c : profiles) m.situations.push_back(just({{"gamma", Ball(c.gamma)}, {"D", Ball(c.D)}, {name, of(Ball(c.gamma), Ball(c.D))}}).situations[0]);
+    for (const Parameters& c : profiles)
+        m.situations.push_back(just({{"gamma", Ball(c.gamma)}, {"D", Ball(c.D)}, {name, of(Ball(c.gamma), Ball(c.D))}}).situations[0]);
     return m;
 }
 
@@ -153,7 +157,12 @@ Meaning centres()
             for (const long k : {0L, 1L}) {
                 const Rational x = (Rational(k) + q(1, 2)) / parts - q(1, 2);
                 const Ball lambda_0(q(7, 5));
-                m.situations.push_back(just({{"gamma", Ball(gamma)}, {"n", Ball(n)}, {"D", Ball(q(3, 2))}, {"lambda_0", lambda_0}, {"x_centre", lambda_0 * Ball(x)}}).situations[0]);
+                m.situations.push_back(just({{"gamma", Ball(gamma)},
+                                             {"n", Ball(n)},
+                                             {"D", Ball(q(3, 2))},
+                                             {"lambda_0", lambda_0},
+                                             {"x_centre", lambda_0 * Ball(x)}})
+                                           .situations[0]);
             }
         }
     return m;
@@ -166,7 +175,9 @@ Meaning load_powers()
     for (const Parameters& c : profiles)
         for (const long n : {0L, 1L, 3L}) {
             const Ball gamma(c.gamma), power = ScalarTraits<Ball>::power_of_two(-(n + 1));
-            m.situations.push_back(just({{"gamma", gamma}, {"D", Ball(c.D)}, {"n", Ball(n)}, {"load_power_of_length", power}, {"rate", power / log(gamma)}}).situations[0]);
+            m.situations.push_back(
+                just({{"gamma", gamma}, {"D", Ball(c.D)}, {"n", Ball(n)}, {"load_power_of_length", power}, {"rate", power / log(gamma)}})
+                    .situations[0]);
         }
     return m;
 }
@@ -178,12 +189,16 @@ Ball minus_log_G(const Ball& gamma, const Ball& D) { return (1 - D) * log(gamma)
 void add_meanings_of_sentences(std::map<std::string, Meaning>& all)
 {
     const std::vector<Rational> gammas{q(1, 2), q(1, 1), q(11, 10), q(5, 1)};
-    const std::vector<Rational> Ds{q(-1, 1), q(0, 1), q(1, 2), q(9, 10), q(1, 1), q(11, 10), q(3, 2), q(19, 10)}; // D < 2: there is no profile beyond
-    // the slope of log A from n = 0 to 1 at G^2 = 5: A_1/A_0 at a load of 1/1000 is below the bound of text.light-load-steeper, at loads above 1 + G it is 1
-    all["text.simple-fractal"] = just({{"slope_small_load", log(sqrt(2 * sqrt(Ball(5))) * sqrt(sqrt(Ball(q(1, 1000)))) / sqrt(Ball(5)))}, {"slope_large_load", Ball(0)}});
+    const std::vector<Rational> Ds{q(-1, 1), q(0, 1),   q(1, 2), q(9, 10),
+                                   q(1, 1),  q(11, 10), q(3, 2), q(19, 10)}; // D < 2: there is no profile beyond
+    // the slope of log A from n = 0 to 1 at G^2 = 5: A_1/A_0 at a load of 1/1000 is below the bound of text.light-load-steeper, at loads
+    // above 1 + G it is 1
+    all["text.simple-fractal"] = just(
+        {{"slope_small_load", log(sqrt(2 * sqrt(Ball(5))) * sqrt(sqrt(Ball(q(1, 1000)))) / sqrt(Ball(5)))}, {"slope_large_load", Ball(0)}});
     const Ball S(q(1, 9));
     all["text.probability"] = just({{"S", S}, {"total_full", Ball(1)}, {"total_partial", 2 * westergaard::half_width(S)}});
-    all["text.fractal-domain"] = if_domain({q(5, 1)}, {q(1, 2), q(1, 1), q(11, 10), q(3, 2), q(19, 10), q(2, 1), q(3, 1)}, {0, 1}, [](const Rational&, const Rational& D) { return D > 1 && D < 2; });
+    all["text.fractal-domain"] = if_domain({q(5, 1)}, {q(1, 2), q(1, 1), q(11, 10), q(3, 2), q(19, 10), q(2, 1), q(3, 1)}, {0, 1},
+                                           [](const Rational&, const Rational& D) { return D > 1 && D < 2; });
     all["text.series-diverges"] = if_domain(gammas, Ds, {0, 1}, terms_stay);
     all["text.divergence-D1"] = if_domain({q(3, 1)}, Ds, {0}, terms_stay);
     all["text.dimension-below-one"] = dimensions();

@@ -51,8 +51,10 @@ Check share_satisfies(const Ball& share, const Print& p, const std::string& what
 {
     const std::string& relation = p.text("relation");
     const ex number = p("rhs");
-    if (relation == "<" && !certainly(less(Ball(0), evaluate(number, Point{})))) return {Verdict::refuted, "a share is not negative; printed < " + p.text("rhs")};
-    if (relation == ">" && !certainly(less(evaluate(number, Point{}), Ball(1)))) return {Verdict::refuted, "a share is at most one; printed > " + p.text("rhs")};
+    if (relation == "<" && !certainly(less(Ball(0), evaluate(number, Point{}))))
+        return {Verdict::refuted, "a share is not negative; printed < " + p.text("rhs")};
+    if (relation == ">" && !certainly(less(evaluate(number, Point{}), Ball(1))))
+        return {Verdict::refuted, "a share is at most one; printed > " + p.text("rhs")};
     return number_satisfies(share, p, what);
 }
 
@@ -95,7 +97,8 @@ std::string between(const Ball& hull)
 std::vector<Claim> sentences()
 {
     std::vector<Claim> all;
-    for (auto* part : {&sentences_of_sections_2_5, &sentences_of_sections_6_7, &sentences_of_sections_8_11, &sentences_about_the_text, &figures})
+    for (auto* part :
+         {&sentences_of_sections_2_5, &sentences_of_sections_6_7, &sentences_of_sections_8_11, &sentences_about_the_text, &figures})
         for (Claim& c : part()) all.push_back(std::move(c));
     return all;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What the judges of sentences share: a sentence says that a quantity of which an enclosure is known stands in a relation to a number, or names
-/// a bound below which something holds.
+/// What the judges of sentences share: a sentence says that a quantity of which an enclosure is known stands in a relation to a number, or
+/// names a bound below which something holds.
 #pragma once
 
 #include "proofs/enclosure/enclosure.hpp"

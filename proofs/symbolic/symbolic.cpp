@@ -123,7 +123,8 @@ ex Ring::rewrite(const ex& e) const
                 if (f == "cos" && times.is_equal(2)) return 1 - 2 * a.s * a.s;
             }
         }
-        if (is_a<GiNaC::power>(x) && is_a<numeric>(x.op(1)) && ex_to<numeric>(x.op(1) * 2).is_integer() && !ex_to<numeric>(x.op(1)).is_integer()) {
+        if (is_a<GiNaC::power>(x) && is_a<numeric>(x.op(1)) && ex_to<numeric>(x.op(1) * 2).is_integer() &&
+            !ex_to<numeric>(x.op(1)).is_integer()) {
             for (const Relation& r : relations_) {
                 if (is_angle_relation(r)) continue;
                 const ex q = GiNaC::normal(x.op(0) / r.square);
@@ -177,7 +178,8 @@ ex log_symbol(const ex& e)
 {
     static std::vector<std::pair<ex, ex>> known;
     for (const auto& [of, symbol] : known) // up to sign: GiNaC writes 1/(1 - nu^2) as -1/(nu^2 - 1)
-        if (of.is_equal(e) || GiNaC::normal(GiNaC::expand(of - e)).is_zero() || GiNaC::normal(GiNaC::expand(of + e)).is_zero()) return symbol;
+        if (of.is_equal(e) || GiNaC::normal(GiNaC::expand(of - e)).is_zero() || GiNaC::normal(GiNaC::expand(of + e)).is_zero())
+            return symbol;
     known.emplace_back(e, GiNaC::realsymbol("log(" + str(e) + ")"));
     return known.back().second;
 }
@@ -248,8 +250,10 @@ Check power_identity(const ex& left, const ex& right, const Points& points)
     // The logarithms are of absolute values; the sign is that of one point, since no factor vanishes.
     const Check numbers = compare_at(left, right, points);
     if (numbers.verdict == Verdict::refuted || points.empty() || !evaluates_at(left, right, points)) return numbers;
-    if (hides_a_sign(left) || hides_a_sign(right)) return {Verdict::undecided, "the root of an even power of something without a known sign"};
-    if (GiNaC::normal(GiNaC::expand(log_form(left) - log_form(right))).is_zero()) return {Verdict::proved, "the logarithms of both sides have the same normal form"};
+    if (hides_a_sign(left) || hides_a_sign(right))
+        return {Verdict::undecided, "the root of an even power of something without a known sign"};
+    if (GiNaC::normal(GiNaC::expand(log_form(left) - log_form(right))).is_zero())
+        return {Verdict::proved, "the logarithms of both sides have the same normal form"};
     return numbers;
 }
 
@@ -295,7 +299,8 @@ Check limit_at_zero(const ex& e, const ex& x, const ex& value, const Points& poi
     return {c.verdict, "the leading term of the series: " + c.detail};
 }
 
-Check condition_says(const Print& p, const std::string& field, const ex& left, const std::string& relation, const ex& right, const Points& points)
+Check condition_says(const Print& p, const std::string& field, const ex& left, const std::string& relation, const ex& right,
+                     const Points& points)
 {
     const std::string& text = p.text(field);
     std::string signs;
@@ -303,7 +308,8 @@ Check condition_says(const Print& p, const std::string& field, const ex& left, c
         if (c == '<' || c == '>' || c == '=') signs += c;
     const std::vector<ex> sides = p.sides(field);
     const bool turned = signs == (relation == ">" ? "<" : ">"); // b < a says a > b
-    if (sides.size() != 2 || (signs != relation && !turned) || text.find(" or ") != std::string::npos) return {Verdict::refuted, "printed " + text};
+    if (sides.size() != 2 || (signs != relation && !turned) || text.find(" or ") != std::string::npos)
+        return {Verdict::refuted, "printed " + text};
     const Check one = identity(sides.at(turned ? 1 : 0), left, points);
     return one.verdict == Verdict::proved ? identity(sides.at(turned ? 0 : 1), right, points) : one;
 }

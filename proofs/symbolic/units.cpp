@@ -54,7 +54,8 @@ Dimension parsed(const std::string& text)
     Dimension d;
     std::size_t at = 0;
     for (std::sregex_iterator it(text.begin(), text.end(), factor), end; it != end; ++it) {
-        if (static_cast<std::size_t>(it->position()) != at || ((*it)[1].length() == 0) != (at == 0)) throw std::invalid_argument("not a dimension: '" + text + "'");
+        if (static_cast<std::size_t>(it->position()) != at || ((*it)[1].length() == 0) != (at == 0))
+            throw std::invalid_argument("not a dimension: '" + text + "'");
         at += static_cast<std::size_t>(it->length());
         if ((*it)[2] == "1") continue;
         const long power = (*it)[3].matched ? std::stol((*it)[3]) : 1;
@@ -146,7 +147,8 @@ Dimension of_symbol(const std::string& name, const Print& print)
             for (const char* end : {"from", "to"}) {
                 if (print.text(name + "." + end) == "infinity") continue;
                 const auto d = of(field(end), print);
-                if (d && !(*d == v)) throw Mismatch("the limit " + print.text(name + "." + end) + " of an integral over " + v.text() + " is " + d->text());
+                if (d && !(*d == v))
+                    throw Mismatch("the limit " + print.text(name + "." + end) + " of an integral over " + v.text() + " is " + d->text());
             }
             const Dimension integrand = must(field("integrand"), print);
             return Dimension(integrand).times(v);
@@ -167,7 +169,8 @@ Check units(const Print& print)
         for (std::size_t i = 0; i < print.parts(); ++i) {
             const std::string part = std::to_string(i);
             const auto left = of(print(part + ".lhs"), print), right = of(print(part + ".rhs"), print);
-            if (left && right && !(*left == *right)) throw Mismatch("the left side is " + left->text() + ", the right side " + right->text());
+            if (left && right && !(*left == *right))
+                throw Mismatch("the left side is " + left->text() + ", the right side " + right->text());
         }
     } catch (const Mismatch& m) {
         return {Verdict::refuted, m.what()};

@@ -26,7 +26,7 @@ WHERE = ["lib/touchstone/paper/*.hpp", "proofs/lemmas/*.cpp", "proofs/section_*.
 TESTS = {"formulas": ["paper/archard_constants.cpp", "paper/identities.cpp"], "four_arithmetics": ["scalar/four_arithmetics.cpp"], "double_accuracy": ["paper/double_accuracy.cpp"],
          "gap": ["paper/gap.cpp"], "ledger": ["proofs/ledger.cpp", "proofs/stored_values.cpp", "proofs/transcription.cpp"], "proof_kernel": ["proofs/kernel.cpp"],
          "operator": ["proofs/operator.cpp"], "errata": ["proofs/errata.cpp", "proofs/sentences.cpp"], "table_1": ["proofs/table_1.cpp"]}
-PATTERNS = [(r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "), (r"(?<![\w.\"\['])(?<!\de[-+])([1-9])(?![\w.\"\]'])", None)]
+PATTERNS = [(r" \+( |$)", " - "), (r" -( |$)", " + "), (r" \*( |$)", " / "), (r" /( |$)", " * "), (r"(?<![\w.\"\['])(?<!\de[-+])([1-9])(?![\w.\"\]'])", None)]
 # What cannot change a proof: includes, loops, what is shown, precision and sizes of searches.
 NO_PROOF = re.compile(r"^\s*(#|//|/\*|\*|using|for \(|constexpr (slong|int|long) (digits|bits)|const int pieces)|to_string|WorkingPrecision|std::next|substr|size\(\)")
 OPTIONS = ["-O1", "-w", "-Wno-narrowing"]
