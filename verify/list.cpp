@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <sstream>
+#include <utility>
 
 namespace touchstone::program {
 namespace {
@@ -42,8 +43,12 @@ struct ListOptions {
 
 nlohmann::ordered_json as_json(const Quantity& q)
 {
-    return {{"name", q.name},     {"equation", q.equation}, {"unit", q.unit},
-            {"domain", q.domain}, {"inputs", q.inputs},     {"description", q.description}};
+    nlohmann::ordered_json certified = nlohmann::ordered_json::array();
+    for (const Certified& c : certified_where(q))
+        certified.push_back(
+            {{"where", c.where}, {"digits", c.digits}, {"proof", c.proof}, {"second_look", c.second_look}, {"shares", c.shares}});
+    return {{"name", q.name},     {"equation", q.equation},       {"unit", q.unit},        {"domain", q.domain},
+            {"inputs", q.inputs}, {"description", q.description}, {"certified", certified}};
 }
 
 std::vector<std::string> tables_of(const Quantity& q)
@@ -54,7 +59,30 @@ std::vector<std::string> tables_of(const Quantity& q)
     return names;
 }
 
-std::string cost(const Quantity& q) { return q.costly ? "seconds to minutes, the first value of a scale most" : "milliseconds"; }
+/// What a value takes, roughly: docs/measured.md has figures.
+std::string cost(const Quantity& q)
+{
+    if (q.costly) return "seconds to minutes, the first value of a surface and scale most";
+    return q.plan ? "milliseconds for n <= 1, about a second for the first value of a G > 2 with load <= 1, else seconds to minutes"
+                  : "milliseconds";
+}
+
+/// "20 digits", "any number of digits"; what is more than a number stays as it is said.
+std::string digits_in_words(const std::string& digits)
+{
+    if (digits == "any") return "any number of digits";
+    if (digits.starts_with("what ")) return "the digits that " + digits.substr(5);
+    return digits + " digits";
+}
+
+/// One line of what is certified where, and what its second look shares with the proof.
+std::string in_words(const Certified& c)
+{
+    if (c.proof.empty())
+        return fmt::format("{}: only estimated, up to {} digits{}", c.where, c.digits, c.second_look.empty() ? "" : ", " + c.second_look);
+    return fmt::format("{}: {}; proof {}, second look: {}; they share {}", c.where, digits_in_words(c.digits), c.proof, c.second_look,
+                       c.shares);
+}
 
 /// For Markdown: an asterisk is one, and a bar is not the end of a table's cell.
 std::string literal(const std::string& text)
@@ -64,14 +92,30 @@ std::string literal(const std::string& text)
     return all;
 }
 
+/// Where a method is not the same everywhere: a table of its own.
+std::string certified_table(const Quantity& q)
+{
+    std::string all = "| certified where | digits | proof | second look | what the two share |\n|---|---|---|---|---|\n";
+    for (const Certified& c : certified_where(q))
+        all += fmt::format("| {} | {} | {} | {} | {} |\n", literal(c.where), c.digits, c.proof.empty() ? "none: estimated" : c.proof,
+                           c.second_look, literal(c.shares));
+    return all + "\n";
+}
+
 std::string section(const Quantity& q)
 {
-    std::vector<std::string> routes;
-    for (const Route& r : q.routes) routes.push_back(r.name);
-    return fmt::format("## {}\n\n{}. Equation {}.\n\n| | |\n|---|---|\n| inputs | {} |\n| unit | {} |\n| domain, status | {} |\n| routes | "
-                       "{} |\n| cost | {} |\n| tables | {} |\n\n",
+    return fmt::format("## {}\n\n{}. Equation {}.\n\n| | |\n|---|---|\n| inputs | {} |\n| unit | {} |\n| domain | {} |\n| cost | {} |\n"
+                       "| tables | {} |\n\n{}",
                        q.name, literal(q.description), q.equation, q.inputs.empty() ? "none" : fmt::format("{}", fmt::join(q.inputs, ", ")),
-                       literal(q.unit), literal(q.domain), fmt::join(routes, ", "), cost(q), fmt::join(tables_of(q), ", "));
+                       literal(q.unit), literal(q.domain), cost(q), fmt::join(tables_of(q), ", "), certified_table(q));
+}
+
+/// "  domain    n from 0 ...", in lines of at most 80 columns.
+std::string field(const std::string& name, const std::string& text)
+{
+    constexpr std::size_t indent = 12;
+    const std::string lines = wrapped(text, indent);
+    return fmt::format("  {:<10}{}", name, lines.size() > indent ? lines.substr(indent) : "\n");
 }
 
 int print_markdown()
@@ -94,12 +138,12 @@ int print_one(const std::string& name, bool json)
         return holds;
     }
     const auto tables = tables_of(*q);
-    std::vector<std::string> routes;
-    for (const Route& r : q->routes) routes.push_back(r.name);
-    fmt::print(
-        "{}  {}\n\n  equation  {}\n  inputs    {}\n  unit      {}\n  domain    {}\n  routes    {}\n  cost      {}\n  tables    {}\n\n",
-        q->name, q->description, q->equation, q->inputs.empty() ? "none" : fmt::format("{}", fmt::join(q->inputs, " ")), q->unit, q->domain,
-        fmt::join(routes, ", "), cost(*q), fmt::join(tables, " "));
+    fmt::print("{}  {}\n\n{}{}{}{}", q->name, q->description, field("equation", q->equation),
+               field("inputs", q->inputs.empty() ? "none" : fmt::format("{}", fmt::join(q->inputs, " "))), field("unit", q->unit),
+               field("domain", q->domain));
+    for (const char* name = "certified"; const Certified& c : certified_where(*q))
+        fmt::print("{}", field(std::exchange(name, ""), in_words(c)));
+    fmt::print("{}{}\n", field("cost", cost(*q)), field("tables", fmt::format("{}", fmt::join(tables, " "))));
     fmt::print("To judge your own code, put it where the adapter says `your code here`:\n  touchstone judge {} -- COMMAND\n\n",
                tables.empty() ? "TABLE" : tables.front());
     fmt::print("-- Python --\n{}\n-- C and C++ --\n{}\n-- Fortran --\n{}", adapter(*q, "python"), adapter(*q, "c"), adapter(*q, "fortran"));

@@ -118,6 +118,22 @@ class Program(unittest.TestCase):
         for q in j:
             self.assertIn(q["name"], text)
 
+    def test_one_quantity_says_what_is_proven_where_and_how(self):
+        for q in json.loads(run("list", "--json").stdout):
+            page = run("list", q["name"]).stdout.partition("To judge your own code")[0]
+            squeezed = " ".join(page.split())
+            self.assertLessEqual(max(map(len, page.splitlines()[1:])), 80, page)
+            self.assertTrue(q["certified"], q["name"])
+            for c in q["certified"]:
+                self.assertIn(f"{c['where']}: ", squeezed)
+                if c["proof"]:
+                    self.assertIn(f"; proof {c['proof']}, second look: {c['second_look']}; they share {c['shares']}", squeezed)
+                    self.assertTrue(c["second_look"] and c["shares"] and c["digits"], c)
+                else:
+                    self.assertIn("only estimated", squeezed)
+        proofs = {c["proof"] for c in json.loads(run("list", "contact.area", "--json").stdout)["certified"]}
+        self.assertGreaterEqual(proofs, {"arcsine", "force-weighted-chebyshev", "proven-levels", "limit-of-scales", ""})
+
     def test_tables_are_whole_or_absent_and_checked_byte_for_byte(self):
         with tempfile.TemporaryDirectory() as folder:
             out = os.path.join(folder, "new")

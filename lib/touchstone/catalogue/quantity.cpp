@@ -69,7 +69,7 @@ Plan plan_of(const Quantity& q, const Inputs& in, Accuracy wanted)
 std::vector<Certified> certified_where(const Quantity& q)
 {
     if (!q.certified.empty()) return q.certified;
-    return {{"everywhere in its domain", "any", q.routes.at(0).name, "proof " + q.routes.at(1).name, {}}};
+    return {{"everywhere in its domain", "any", q.routes.at(0).name, "proof " + q.routes.at(1).name, "what the quantity is defined as, and ball arithmetic"}};
 }
 
 Ball first_ball(const Quantity& q, const Inputs& in)
