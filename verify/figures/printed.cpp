@@ -219,8 +219,8 @@ Figure edge_error()
              "The library stays below that line; the formula as printed goes with it for the pressure, and for the gap, a difference of "
              "nearly equal numbers, errs by powers of ten more: beside the edge no digit of it is right. Points on the lower border are "
              "errors of 0.001 ulp or less.",
-             "Two panels of error against distance from the edge, both logarithmic: the formula as printed loses more and more digits "
-             "towards the edge, the library's stays at one ulp.", {}, 2, 360};
+             "Two panels of error against distance from the edge, both logarithmic: towards the edge the library's error stays below what "
+             "rounded inputs force; the formula as printed goes with it for the pressure and is far above it for the gap.", {}, 2, 360};
     f.panels.push_back(edge_panel({"westergaard.pressure", [](double x, double s) { return westergaard::pressure(x, s); },
                                    [](double x, double s) { return as_printed::pressure_partial(x, s); }},
                                   "a", "pressure inside, (2.4)", -1));
