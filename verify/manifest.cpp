@@ -2,6 +2,7 @@
 #include "verify/manifest.hpp"
 
 #include "touchstone/table/format.hpp"
+#include "touchstone/table/json_text.hpp"
 #include "verify/files.hpp"
 
 #include <algorithm>
@@ -10,10 +11,13 @@ namespace touchstone::program {
 
 nlohmann::ordered_json with_entries(const std::filesystem::path& manifest, const nlohmann::ordered_json& fresh)
 {
-    auto entries = nlohmann::ordered_json::parse(read_file(manifest), nullptr, false);
-    if (entries.is_discarded() || !entries.contains("tables"))
+    const std::string text = read_file(manifest);
+    auto entries = nlohmann::ordered_json::parse(shallow(text), nullptr, false);
+    const auto names_a_file = [](const auto& e) { return e.is_object() && e.contains("file"); };
+    if (!entries.is_object() || !entries.contains("tables") || !entries["tables"].is_array() ||
+        !std::all_of(entries["tables"].begin(), entries["tables"].end(), names_a_file))
         throw CorruptTable(manifest.string() + ": not a manifest; remove it or write all tables");
-    entries = entries["tables"];
+    entries = nlohmann::ordered_json(entries["tables"]);
     for (const auto& entry : fresh) {
         const auto same = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.at("file") == entry.at("file"); });
         if (same == entries.end())

@@ -67,6 +67,8 @@ report::Drawn draw(const figures::Recipe& recipe, const fs::path& base)
 int make_report(const ReportOptions& o)
 {
     make_folder(o.out);
+    report::Contents contents;
+    if (!o.ledger.empty()) contents.ledger = report::parse_ledger(read_file(o.ledger), o.ledger); // what is wrong with it is said at once
     if (o.recompute) {
         const auto changed = recompute(o);
         if (!changed.empty())
@@ -79,7 +81,6 @@ int make_report(const ReportOptions& o)
     // parts as long as each other, about: a figure is drawn while two entries are judged
     constexpr std::size_t of_figure = 2, of_judgement = 3, of_ledger = 160;
     Progress progress("report", of_figure * figures::recipes().size() + (codes ? of_judgement * report::judgements() : 0) + of_ledger);
-    report::Contents contents;
     for (const auto& recipe : figures::recipes()) {
         progress.next(of_figure, "drawing " + recipe.id);
         contents.drawn.push_back(draw(recipe, fs::path(o.out) / "figures" / recipe.id));
@@ -92,7 +93,7 @@ int make_report(const ReportOptions& o)
         contents.judged_drawing = report::drawn_judgement(*codes);
     }
     progress.next(of_ledger);
-    contents.ledger = o.ledger.empty() ? ledger_json() : report::parse_ledger(read_file(o.ledger), o.ledger);
+    if (o.ledger.empty()) contents.ledger = ledger_json();
     const fs::path page = fs::path(o.out) / "index.html";
     write_file(page, report::page(contents));
     Progress::clear();

@@ -3,12 +3,14 @@
 
 #include "proofs/symbols.hpp"
 #include "proofs/symbolic/units.hpp"
+#include "touchstone/table/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -42,11 +44,19 @@ void only(const json& object, std::initializer_list<const char*> keys, const Pla
         }
 }
 
+/// Regular expressions and the parser of formulas go deeper with the length of a text, and a stack has an end.
+const std::string& of_some_length(const std::string& text, const Place& at)
+{
+    constexpr std::size_t longest = 4000;
+    if (text.size() > longest) at.fail("'" + text.substr(0, 40) + "...' is longer than " + std::to_string(longest) + " characters");
+    return text;
+}
+
 std::string text(const json& object, const char* key, const Place& at, const std::string& otherwise = {})
 {
     if (!object.contains(key)) return otherwise;
     if (!object[key].is_string()) at.fail(std::string("'") + key + "' wants a string, not " + object[key].dump().substr(0, 40));
-    return object[key];
+    return of_some_length(object[key], at);
 }
 
 Rational number(const json& value, const Place& at)
@@ -138,6 +148,7 @@ Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file
     std::map<std::string, std::vector<std::string>> of_dimension;
     for (const auto& [name, content] : symbols.items()) {
         const Place at = file.in("symbol '" + name + "'");
+        of_some_length(name, file);
         if (!std::regex_match(name, std::regex("[A-Za-z]\\w*"))) at.fail("a symbol is a letter, then letters, digits and _");
         only(content, {"dimension", "sign", "is", "range", "means"}, at);
         SymbolKind& kind = a.symbols[name];
@@ -247,6 +258,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
             for (const auto& [symbol, by] : f["with"].items()) {
                 if (!by.is_string()) at.fail("'" + symbol + "' is replaced by a formula in quotes");
                 must_be_symbol(symbol, at.in("with"));
+                of_some_length(by.get_ref<const std::string&>(), at.in("with"));
                 follows.with.emplace_back(symbol, by);
                 formula(std::regex_replace(by.get<std::string>(), std::regex("@([\\w.-]+)"), "1"), at.in("with"));
                 for (const std::string& id : references(by)) e.rests_on.push_back(id);
@@ -328,9 +340,11 @@ OwnLedger load_ledger(const std::string& dir)
     std::ifstream in(ledger.file);
     if (!in) throw OwnLedgerError(ledger.file + ": no such file", true);
     const Place file(ledger.file);
+    const std::string written{std::istreambuf_iterator<char>(in), {}};
+    if (shallow(written).size() < written.size()) file.fail("brackets nest too deep");
     json all;
     try {
-        all = json::parse(in, nullptr, true, true); // comments are allowed
+        all = json::parse(written, nullptr, true, true); // comments are allowed
     } catch (const json::exception& e) {
         const std::string what = e.what();
         file.fail("not JSON: " + what.substr(std::min(what.find("parse error"), what.size())));

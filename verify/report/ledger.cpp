@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/errata.hpp"
 #include "proofs/table_1.hpp"
+#include "touchstone/table/json_text.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/report/mathml.hpp"
 #include "verify/report/page.hpp"
@@ -126,9 +127,15 @@ std::string box(const char* group, const std::string& value, std::size_t count)
 
 Json parse_ledger(const std::string& text, const std::string& file)
 {
-    Json ledger = Json::parse(text, nullptr, false);
-    const auto good = [](const Json& e) {
-        return e.is_object() && e.contains("id") && e["id"].is_string() && e.contains("verdict") && e["verdict"].is_string();
+    Json ledger = Json::parse(shallow(text), nullptr, false);
+    const auto list = [](const Json& e, const char* key, auto of) {
+        return !e.contains(key) || (e[key].is_array() && std::all_of(e[key].begin(), e[key].end(), of));
+    };
+    const auto good = [&list](const Json& e) {
+        const auto text = [](const Json& item) { return item.is_string(); };
+        return e.is_object() && e.contains("id") && e["id"].is_string() && e.contains("verdict") && e["verdict"].is_string() &&
+               list(e, "steps", text) && list(e, "rests_on", text) && list(e, "lemmas", text) && list(e, "rows", text) &&
+               list(e, "controls", [](const Json& item) { return item.is_object(); });
     };
     if (!ledger.is_array() || ledger.empty() || !std::all_of(ledger.begin(), ledger.end(), good))
         throw Failure(bad_input, fmt::format("{}: not what `touchstone paper --json` writes", file));

@@ -2,6 +2,7 @@
 #include "touchstone/table/own_table.hpp"
 
 #include "touchstone/catalogue/named_inputs.hpp"
+#include "touchstone/table/json_text.hpp"
 #include "touchstone/table/ranges.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ constexpr std::size_t longest_name = 100;
 
 class Reader {
 public:
-    Reader(std::string_view json, std::string_view file) : file_(file), json_(Json::parse(json, nullptr, false))
+    Reader(std::string_view json, std::string_view file) : file_(file), json_(Json::parse(shallow(json), nullptr, false))
     {
         if (!json_.is_object()) throw wrong("is not a JSON object such as {\"name\": ..., \"quantity\": ..., \"inputs\": {...}}");
         for (const auto& [key, unused] : json_.items())

@@ -3,6 +3,7 @@
 
 #include "touchstone/rounding/decimal.hpp"
 #include "touchstone/table/format.hpp"
+#include "touchstone/table/json_text.hpp"
 #include "touchstone/table/working_order.hpp"
 
 #include <fmt/format.h>
@@ -131,7 +132,7 @@ Shard parse_shard(std::string_view text, std::string_view file)
     if (!text.starts_with(shard_mark)) throw fail("is no shard");
     const auto first = text.find('\n'), second = first == std::string_view::npos ? first : text.find('\n', first + 1);
     if (second == std::string_view::npos || text.back() != '\n' || !text.substr(first + 1).starts_with("# {")) throw fail("is cut off");
-    Json head = Json::parse(text.substr(first + 3, second - first - 3), nullptr, false);
+    Json head = Json::parse(shallow(text.substr(first + 3, second - first - 3)), nullptr, false);
     std::string_view rows = text.substr(second + 1);
     Shard s;
     try {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "tests/fuzz/expect.hpp"
+#include "tests/fuzz/targets.hpp"
+#include "touchstone/catalogue/named_inputs.hpp"
+#include "touchstone/oracle/printed.hpp"
+#include "touchstone/oracle/subject.hpp"
+#include "touchstone/scalar/exact_text.hpp"
+#include "touchstone/scalar/rational.hpp"
+#include "touchstone/scalar/rational_text.hpp"
+#include "touchstone/table/ranges.hpp"
+#include "touchstone/table/rows.hpp"
+#include "touchstone/table/shard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace touchstone::fuzz {
+namespace {
+
+constexpr std::size_t longest = 400; ///< what is longer is long, and not another case
+
+/// An answer is a number: what it is read as, written as a hexfloat, is read as the same.
+void one_answer(std::string_view text)
+{
+    const auto value = oracle::parse_answer(text);
+    if (!value) return;
+    char written[64];
+    std::snprintf(written, sizeof written, "%a", *value);
+    const auto again = oracle::parse_answer(written);
+    expect(again && (std::isnan(*value) ? std::isnan(*again) : *again == *value), "an answer written as a hexfloat is the same answer");
+}
+
+void domain_errors_only(std::string_view text)
+{
+    try {
+        const Share s = share_named(text);
+        expect(s.index >= 1 && s.index <= s.count && s.count <= Share::most, "a share is one of its count");
+    }
+    catch (const DomainError&) {
+    }
+}
+
+} // namespace
+
+void numbers(std::string_view text)
+{
+    if (text.size() > longest) return;
+    const auto rational = parse_rational(text);
+    if (rational) {
+        expect(RowsReader::number(text).has_value(), "what the command line takes, a file of rows takes");
+        constexpr std::size_t most_bits = 3'000'000; // near 10^(+-10^6), where exponents end
+        const auto again = parse_rational(exact_text(*rational));
+        const std::size_t bits = std::max(mpz_sizeinbase(rational->get_num_mpz_t(), 2), mpz_sizeinbase(rational->get_den_mpz_t(), 2));
+        expect(again ? *again == *rational : bits > most_bits, "an exact number written is the same number");
+    }
+    else
+        expect(!why_not_rational(text).empty(), "a refusal has a reason");
+    if (const auto exact = parse_exact(text)) {
+        try {
+            const Root root = as_root(*exact);
+            expect(root.degree >= 1 && (root.degree == 1 || root.base > 0), "a root is of a positive number");
+        }
+        catch (const NotExact&) {
+        }
+    }
+    if (oracle::is_printed_decimal(text)) expect(parse_rational(text).has_value(), "a printed decimal is a number");
+    one_answer(text);
+    domain_errors_only(text);
+}
+
+void inputs(std::string_view text)
+{
+    if (text.size() > longest) return;
+    std::istringstream words{std::string(text)};
+    std::string name;
+    words >> name;
+    const Quantity* q = find_quantity(name);
+    if (q == nullptr) {
+        nearest_name(name, quantity_names());
+        return;
+    }
+    NamedTexts named;
+    for (std::string word; words >> word;) {
+        const auto equals = word.find('=');
+        named.emplace_back(word.substr(0, equals), equals == std::string::npos ? "" : word.substr(equals + 1));
+    }
+    try {
+        q->check(read_inputs(*q, named));
+    }
+    catch (const WrongKeys&) {
+    }
+    catch (const DomainError&) {
+    }
+    catch (const BeyondReach&) { // G that cannot be told from a bound
+    }
+}
+
+void answers(std::string_view text)
+{
+    std::istringstream in{std::string(text)};
+    constexpr std::size_t asked = 3;
+    const oracle::Answers got = oracle::read_answers(in, asked);
+    expect(got.fault ? got.values.size() <= asked && !got.fault->detail.empty() : got.values.size() == asked, "as many answers as rows, or a fault that says why");
+}
+
+void ranges(std::string_view text)
+{
+    if (text.size() > longest) return;
+    try {
+        const Range range(text);
+        expect(range.size() >= 1 && range.size() <= Range::most, "a range has values");
+        for (const std::size_t i : {std::size_t{0}, range.size() / 2, range.size() - 1})
+            expect(!range.at(i).empty(), "a value of a range has a text");
+    }
+    catch (const DomainError&) {
+    }
+}
+
+} // namespace touchstone::fuzz
