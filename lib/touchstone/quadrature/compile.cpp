@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/compiled.hpp"
 #include "touchstone/quadrature/inner_integral.hpp"
+#include "touchstone/quadrature/substitution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,8 @@ private:
     NodePtr part_of(const ExpressionPtr& e) const;
     void find_zeros(Node& n, const Expression& e) const;
     std::optional<Zero> zero_at(const Node& n, const Expression& e, Side side) const;
+    std::optional<Zero> zero_of_odd_difference(const Node& n) const;
+    std::optional<Exponent> order_beside(const Node& n, Side side, double distance) const;
     std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node& n, Side side, double radius) const;
     /// The end as an exact number, if it is finite and one.
     const std::optional<ExactSum>& end(Side s) const { return s == Side::left ? place_.range->from.exact : place_.range->to.exact; }
@@ -298,6 +301,8 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     case Op::multiply: return node(Kind::multiply, e->args);
     case Op::divide: return node(Kind::divide, e->args);
     case Op::negate: return node(Kind::multiply, {number(-1), e->args[0]});
+    case Op::odd_difference:
+        return node(Kind::add, {e->args[0], of(Op::negate, substituted(e->args[0], of(Op::negate, make_variable())))});
     case Op::sqrt:
     case Op::cbrt: return power(e->args[0], make_number(Rational(1, e->op == Op::sqrt ? 2 : 3)));
     case Op::power: return power(e->args[0], e->args[1]);
@@ -344,6 +349,15 @@ NodePtr Compiler::compile(const ExpressionPtr& e) const
     return n;
 }
 
+/// The power of s that n shows on a small box beside the end; nothing if it is not proved analytic there.
+std::optional<Exponent> Compiler::order_beside(const Node& n, Side side, double distance) const
+{
+    const ComplexBall s(Ball::exactly(distance));
+    const Disc disc(side, s);
+    const EndpointNumber<ComplexBall> v = evaluate(n, point_about(side, disc, s, place_), place_);
+    return v.factor().is_finite() ? std::optional(v.order(side).power) : std::nullopt;
+}
+
 /// On the disc |s| <= radius about the end, n = s^p c: p, and a bound of |c|. Nothing if c is not proved analytic there.
 std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, Side side, double radius) const
 {
@@ -387,6 +401,7 @@ std::optional<Zero> Compiler::zero_at(const Node& n, const Expression& e, Side s
     zero.c = series->c;
     const Range& range = *place_.range;
     const double span = range.map == Map::finite ? to_double(range.to.ball() - range.from.ball()) / 2 : 1;
+    if (const auto own = order_beside(n, side, span / 64); own && *own == Exponent(zero.order)) return std::nullopt; // it shows as it is
     std::optional<Zero> best;
     for (double radius = span; radius >= span / 64; radius /= 2) {
         const auto bound = bound_on_disc(n, side, radius);
@@ -406,8 +421,32 @@ std::optional<Zero> Compiler::zero_at(const Node& n, const Expression& e, Side s
     return best;
 }
 
+/// h(s) - h(-s) = s T(s): if h is analytic on |s| <= R, so is T, and |T| <= 2 sup|h|/R (tanh_sinh.md, section 11).
+std::optional<Zero> Compiler::zero_of_odd_difference(const Node& n) const
+{
+    const Range& range = *place_.range;
+    if (range.map != Map::finite) return std::nullopt;
+    const double span = to_double(range.to.ball()) / 2;
+    for (double radius = span; radius >= span / 64; radius /= 2) {
+        const auto bound = bound_on_disc(*n.args[0], Side::left, radius);
+        if (!bound) continue;
+        const auto& [order, size] = *bound;
+        if (!order.is_integer() || order < Exponent(0)) return std::nullopt; // h itself has a pole or a branch point
+        Zero zero;
+        zero.order = 1;
+        zero.radius = radius;
+        zero.bound = Ball(2) * size * exp((order - Exponent(1)).ball() * log(Ball::exactly(radius)));
+        return zero;
+    }
+    return std::nullopt;
+}
+
 void Compiler::find_zeros(Node& n, const Expression& e) const
 {
+    if (e.op == Op::odd_difference) {
+        if (end(Side::left) && end(Side::left)->is_zero()) n.zero[0] = zero_of_odd_difference(n);
+        return;
+    }
     std::array<std::optional<Zero>, 2> found;
     for (const Side s : {Side::left, Side::right})
         if (end(s)) found[s == Side::left ? 0 : 1] = zero_at(n, e, s);

@@ -37,6 +37,9 @@ public:
         return s;
     }
 
+    using Key = std::pair<long, long>; ///< power of sqrt(pi), radicand
+    const std::map<Key, Rational>& terms() const { return terms_; }
+
     bool is_zero() const { return terms_.empty(); }
     bool is_real() const;
     ExactSum real() const;
@@ -62,7 +65,6 @@ public:
     std::optional<ExactSum> sqrt() const;
 
 private:
-    using Key = std::pair<long, long>; // power of sqrt(pi), radicand
     void add(const Key& key, const Rational& q);
     std::map<Key, Rational> terms_;
 };

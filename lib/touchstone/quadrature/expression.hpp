@@ -95,6 +95,7 @@ enum class Op {
     conjugate,       ///< f*
     real_value,      ///< of the value for a real x, whatever points of other variables stand in the formula
     imaginary_value,
+    odd_difference, ///< h(x) - h(-x), h its argument: what a principal value is folded to
     integral,  ///< of `integrand`; its ends are the arguments
 };
 

@@ -13,8 +13,14 @@ using compiled::Point;
 
 Ball Limit::ball() const
 {
-    if (exact) return exact->ball();
-    return evaluate_at(*formula, Ball(0));
+    const slong bits = WorkingPrecision::bits();
+    if (kept_bits_ < bits) {
+        kept_ = exact ? exact->ball() : evaluate_at(*formula, Ball(0));
+        kept_bits_ = bits;
+    }
+    Ball x;
+    arb_set_round(x.get(), kept_.get(), bits);
+    return x;
 }
 
 Endpoint Limit::endpoint() const
@@ -134,6 +140,15 @@ template std::array<EndpointNumber<ComplexBall>, 2> Integrand::both_parts(const 
 
 ComplexBall Integrand::in_plane(const ComplexBall& z) const { return about_an_end(z, false); }
 ComplexBall Integrand::on_the_line(const ComplexBall& z) const { return about_an_end(z, arb_is_zero(acb_imagref(z.get())) != 0); }
+
+Ball Integrand::at_real(const Ball& x) const
+{
+    const Ball from_left = x - body_->range.from.ball();
+    const bool at_left = arf_get_d(arb_midref(from_left.get()), ARF_RND_NEAR) < body_->width / 2;
+    const Point<Ball> p =
+        at_left ? body_->place.at_distance(Side::left, from_left) : body_->place.at_distance(Side::right, body_->range.to.ball() - x);
+    return compiled::evaluate(*body_->root, p, body_->place).value();
+}
 
 ComplexBall Integrand::about_an_end(const ComplexBall& z, bool on_the_line) const
 {

@@ -33,6 +33,10 @@ struct Limit {
 
     Ball ball() const; ///< at the working precision
     Endpoint endpoint() const;
+
+private:
+    mutable Ball kept_; ///< at the highest precision asked for so far: a limit belongs to one thread at a time
+    mutable slong kept_bits_ = 0;
 };
 
 /// `1/3`, `pi/2`, `log(2)`, `inf`, `-inf`. \throws ExpressionError
@@ -79,6 +83,8 @@ public:
     std::array<EndpointNumber<V>, 2> both_parts(const EndpointNumber<V>& x, const EndpointNumber<V>& left, const EndpointNumber<V>& right) const;
     /// At a point of the plane: non-finite unless analytic on the whole ball. For finite ranges.
     ComplexBall in_plane(const ComplexBall& z) const;
+    /// The values of a real formula on a ball of the finite range, in real arithmetic.
+    Ball at_real(const Ball& x) const;
     /// The values on a real ball (z without imaginary part), across kinks and steps too.
     ComplexBall on_the_line(const ComplexBall& z) const;
     /// Whether it is analytic and bounded on a neighbourhood of each end of the finite range.

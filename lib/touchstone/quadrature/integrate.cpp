@@ -188,12 +188,12 @@ bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long 
 {
     if (from.infinite && !to.infinite && to.exact && !substituted_) {
         const auto mirrored = shifted(e_, ExactSum(0), -1);
-        if (!mirrored || !waves(*mirrored)) return false;
+        if (!waves(mirrored)) return false;
         IntegralOptions options;
         options.digits = digits;
         Integral other;
         const ExactSum start = -*to.exact;
-        if (!Integration(*mirrored, options, true)
+        if (!Integration(mirrored, options, true)
                  .add_oscillating_tail(limit_at(start, text_of(start)), parse_limit("inf"), digits, depth, other))
             return false;
         for (Part& p : other.parts) {
@@ -249,12 +249,12 @@ bool Integration::add_about_infinity(const Limit& from, const Limit& to, bool le
     const ExactSum half = other.infinite ? *end.exact + ExactSum(left ? 1 : -1) : (*from.exact + *to.exact) * ExactSum(Rational(1, 2));
     const auto start = (left ? half - *end.exact : *end.exact - half).inverse();
     const auto f = about_infinity(e_, *end.exact, left ? 1 : -1);
-    if (!start || !f) return false;
+    if (!start) return false;
     const Limit middle = limit_at(half, text_of(half));
     Integral whole = out;
     const std::string in =
         left ? std::string(" in 1/(x-").append(end.text).append(")") : std::string(" in 1/(").append(end.text).append("-x)");
-    if (!add_of_another(*f, limit_at(*start, text_of(*start)), parse_limit("inf"), in, digits, whole)) return false;
+    if (!add_of_another(f, limit_at(*start, text_of(*start)), parse_limit("inf"), in, digits, whole)) return false;
     if (!(left ? add_part(middle, to, digits, depth + 1, whole) : add_part(from, middle, digits, depth + 1, whole))) return false;
     out = std::move(whole);
     return true;

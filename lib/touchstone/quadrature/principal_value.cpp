@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cauchy principal values: about a named pole c the integrand is folded, PV integral over |x - c| <= R of f = integral_0^R of
-// f(c + s) + f(c - s) ds. That is the definition; nothing is assumed of the pole. Its cancellation is exact (exact_series.hpp).
+// f(c + s) + f(c - s) ds. That is the definition; nothing is assumed of the pole. Its cancellation is exact (exact_series.hpp), or that of
+// an odd difference of an analytic function (tanh_sinh.md, section 11).
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/substitution.hpp"
 
@@ -13,6 +14,7 @@ struct Piece {
     ExpressionPtr formula;
     Limit from, to;
     std::string in;
+    ExpressionPtr otherwise; ///< the same function in another form, if there is one
 };
 
 bool less(const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; }
@@ -20,7 +22,7 @@ bool less(const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), 
 const ExactSum& exact_end(const Limit& end)
 {
     if (!end.exact)
-        throw DomainError("a principal value needs ends that are rational numbers or multiples of pi, or infinite: not " + end.text);
+        throw DomainError("a principal value needs poles and ends that are sums of rational numbers, square roots and multiples of pi (or infinite ends): not " + end.text);
     return *end.exact;
 }
 
@@ -43,6 +45,17 @@ ExactSum reach(const std::vector<Limit>& poles, std::size_t i, const Limit& from
     return least ? *least : ExactSum(1);
 }
 
+/// f(c + s) + f(c - s) on [0, reach]. With h(s) = s f(c + s) it is (h(s) - h(-s))/s: the form for a pole whose residue is no exact number.
+Piece folded_about(const ExpressionPtr& e, const Limit& pole, const ExactSum& reach)
+{
+    const ExpressionPtr right = shifted(e, *pole.exact, 1), left = shifted(e, *pole.exact, -1), s = make_variable();
+    Piece p{make(Op::add, {right, left}), parse_limit("0"), limit_at(reach, reach.ball().to_string(10)), ", folded about " + pole.text, nullptr};
+    if (expand(*p.formula, ExactSum(0), 1)) return p;
+    p.otherwise = make(Op::divide, {make(Op::odd_difference, {make(Op::multiply, {s, right})}), s});
+    std::swap(p.formula, p.otherwise);
+    return p;
+}
+
 std::vector<Piece> folded(const ExpressionPtr& e, const Limit& from, const Limit& to, std::vector<Limit> poles)
 {
     const auto inside = [&](const ExactSum& c) {
@@ -57,15 +70,12 @@ std::vector<Piece> folded(const ExpressionPtr& e, const Limit& from, const Limit
     for (std::size_t i = 0; i < poles.size(); ++i) {
         const ExactSum &c = *poles[i].exact, r = reach(poles, i, from, to);
         if (r.is_zero()) throw DomainError("the pole " + poles[i].text + " is named twice");
-        const auto right = shifted(e, c, 1), left = shifted(e, c, -1);
-        if (!right || !left) throw DomainError("a pole must be a rational number or a rational multiple of pi: not " + poles[i].text);
         const ExactSum below = c - r, above = c + r;
-        if (!cursor.exact || !(*cursor.exact == below)) pieces.push_back({e, cursor, limit_at(below, poles[i].text + " - reach"), ""});
-        pieces.push_back(
-            {make(Op::add, {*right, *left}), parse_limit("0"), limit_at(r, r.ball().to_string(10)), ", folded about " + poles[i].text});
+        if (!cursor.exact || !(*cursor.exact == below)) pieces.push_back({e, cursor, limit_at(below, poles[i].text + " - reach"), "", nullptr});
+        pieces.push_back(folded_about(e, poles[i], r));
         cursor = limit_at(above, poles[i].text + " + reach");
     }
-    if (to.infinite || !(*cursor.exact == *to.exact)) pieces.push_back({e, cursor, to, ""});
+    if (to.infinite || !(*cursor.exact == *to.exact)) pieces.push_back({e, cursor, to, "", nullptr});
     return pieces;
 }
 
@@ -89,6 +99,7 @@ Integral principal_value(const ExpressionPtr& e, const Limit& from, const Limit&
         out.imaginary = Ball(0);
         for (const Piece& p : pieces) {
             Integral part = integrate(p.formula, p.from, p.to, each);
+            if (!part.value.is_finite() && p.otherwise) part = integrate(p.otherwise, p.from, p.to, each);
             if (!part.value.is_finite()) {
                 out.value = Ball::indeterminate();
                 out.reason = part.reason + p.in;

@@ -42,15 +42,24 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long 
 {
     struct Call {
         const Integrand* f;
+        bool in_real_numbers;
         long evaluations = 0;
-    } call{&f};
+    } call{&f, !complex && !kinks};
     constexpr slong for_kinks = 16; // each kink adds an enclosure as wide as the tolerance
     const slong bits = bits_for_digits(digits) + (kinks ? for_kinks : 0);
     const WorkingPrecision precision(bits);
     const auto evaluate = [](acb_ptr out, const acb_t z, void* data, slong order, slong working) -> int {
         auto& c = *static_cast<Call*>(data);
         ++c.evaluations;
-        const WorkingPrecision here(working);
+        // a box across which f varies in its first digits needs few bits
+        constexpr slong least = 64, spare = 40;
+        const WorkingPrecision here(std::min(working, std::max(least, acb_rel_accuracy_bits(z) + spare)));
+        if (order == 0 && c.in_real_numbers && arb_is_zero(acb_imagref(z)) != 0) {
+            Ball x;
+            arb_set(x.get(), acb_realref(z));
+            acb_set_arb(out, c.f->at_real(x).get());
+            return 0;
+        }
         ComplexBall argument;
         acb_set(argument.get(), z);
         acb_set(out, (order == 0 ? c.f->on_the_line(argument) : c.f->in_plane(argument)).get());

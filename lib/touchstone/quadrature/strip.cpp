@@ -28,44 +28,104 @@ std::pair<Ball, Ball> cos_sin(double y) { return {cos(exactly(y)), sin(exactly(y
 Ball sinh_of(double x) { Ball r; arb_sinh(r.get(), exactly(x).get(), strip_bits); return r; }
 Ball cosh_of(double x) { Ball r; arb_cosh(r.get(), exactly(x).get(), strip_bits); return r; }
 
-ComplexBall hull(const ComplexBall& a, const ComplexBall& b)
-{
-    ComplexBall z;
-    acb_union(z.get(), a.get(), b.get(), strip_bits);
-    return z;
-}
-
 struct FarAndNear {
     ComplexBall far, near, log_one_plus_e; // 1/(1 + E), E/(1 + E), log(1 + E)
 };
 
-/// For E = exp(-w), Re w in [re1, re2] (>= 0), Im w in [im1, im2]. With e = |E|, c = cos Im w, s = sin Im w:
-/// 1 + E = 1 + e c - i e s, D = |1 + E|^2; real and imaginary parts apart, on parts of w small enough for balls.
+Ball lowest(const Ball& x)
+{
+    Ball r;
+    arb_get_lbound_arf(arb_midref(r.get()), x.get(), strip_bits);
+    return r;
+}
+Ball highest(const Ball& x)
+{
+    Ball r;
+    arb_get_ubound_arf(arb_midref(r.get()), x.get(), strip_bits);
+    return r;
+}
+
+/// The least interval that has all values of a function on a box, from those at its corners and at the places where it may be largest.
+class Range {
+public:
+    void take(const Ball& value)
+    {
+        const Ball low = lowest(value), high = highest(value);
+        if (empty_ || !arb_ge(low.get(), low_.get())) low_ = low;
+        if (empty_ || !arb_le(high.get(), high_.get())) high_ = high;
+        empty_ = false;
+    }
+    const Ball& low() const { return low_; }
+    const Ball& high() const { return high_; }
+    Ball ball() const { return touchstone::hull(low_, high_); }
+
+private:
+    Ball low_, high_;
+    bool empty_ = true;
+};
+
+/// Whether an angle of [low, high] may be congruent to `at` modulo 2 pi. In double with room to spare: where in doubt, yes.
+bool may_meet(double low, double high, double at)
+{
+    constexpr double spare = 1e-9;
+    const double k = std::ceil((low - at) / (2 * M_PI) - spare);
+    return !(at + 2 * M_PI * k > high + spare * (1 + std::fabs(high)));
+}
+
+/// For E = exp(-w), w = x + iy, 0 <= re1 <= x <= re2, im1 <= y <= im2. With e = exp(-x), c = cos y, s = sin y and D = |1 + E|^2 = 1 + 2ec + e^2:
+/// 1/(1 + E) = (1 + ec + i es)/D = (1 + tanh(w/2))/2, E/(1 + E) = (e(c + e) - i es)/D, log(1 + E) = log(D)/2 - i atan2(es, 1 + ec).
+/// Their parts are monotone in x and in c (or s) but at the places named below, so corners and those places bound them (tanh_sinh.md, section 2).
 FarAndNear far_and_near(const Ball& re1, const Ball& re2, const Ball& im1, const Ball& im2)
 {
-    const auto parts = [](const Ball& a, const Ball& b) {
-        const double width = arf_get_d(arb_midref((b - a).get()), ARF_RND_UP);
-        return std::clamp(static_cast<long>(std::ceil(width / 0.5)), 1L, 4L);
+    const FarAndNear nothing{ComplexBall::indeterminate(), ComplexBall::indeterminate(), ComplexBall::indeterminate()};
+    const double y1 = arf_get_d(arb_midref(im1.get()), ARF_RND_DOWN), y2 = arf_get_d(arb_midref(im2.get()), ARF_RND_UP);
+    constexpr double farthest = 1e5; // beyond, angles in double are too coarse
+    if (!(y2 < farthest)) return nothing;
+    const std::array<Ball, 2> e{exp(-re2), exp(-re1)};
+    std::array<Ball, 2> sine, cosine;
+    arb_sin_cos(sine[0].get(), cosine[0].get(), im1.get(), strip_bits);
+    arb_sin_cos(sine[1].get(), cosine[1].get(), im2.get(), strip_bits);
+    Range c;
+    for (const Ball& v : cosine) c.take(v);
+    if (may_meet(y1, y2, 0)) c.take(Ball(1));
+    if (may_meet(y1, y2, M_PI)) c.take(Ball(-1));
+
+    const Ball one(1);
+    Range d, far_real, near_real, imaginary, angle;
+    for (const Ball& r : e)
+        for (const Ball& v : {c.low(), c.high()}) {
+            const Ball modulus = one + r * (v + v + r);
+            d.take(modulus);
+            far_real.take((one + r * v) / modulus);
+            near_real.take(r * (v + r) / modulus);
+        }
+    const Ball opposite = -c.low(), square = one - opposite * opposite;
+    const auto may_be_between = [&](const Ball& low, const Ball& high) {
+        return !arb_lt(opposite.get(), low.get()) && !arb_gt(opposite.get(), high.get());
     };
-    const auto part = [](const Ball& a, const Ball& b, long i, long n) {
-        return touchstone::hull(a + (b - a) * Ball(i) / Ball(n), a + (b - a) * Ball(i + 1) / Ball(n));
-    };
-    const long n = parts(re1, re2), m = parts(im1, im2);
-    std::optional<FarAndNear> all;
-    for (long i = 0; i < n; ++i) {
-        // exp is monotone: from the ends of the part
-        const Ball e = touchstone::hull(exp(-(re1 + (re2 - re1) * Ball(i) / Ball(n))), exp(-(re1 + (re2 - re1) * Ball(i + 1) / Ball(n))));
-        for (long j = 0; j < m; ++j) {
-            const Ball angle = part(im1, im2, j, m);
-            const Ball ec = e * cos(angle), es = e * sin(angle), a = Ball(1) + ec;
-            const Ball d = a * a + es * es;
-            if (!arb_is_positive(d.get())) return {ComplexBall::indeterminate(), ComplexBall::indeterminate(), ComplexBall::indeterminate()};
-            const FarAndNear here{ComplexBall(a / d, es / d), ComplexBall((ec + e * e) / d, -es / d), analytic::log(ComplexBall(a, -es))};
-            if (!all) all = here;
-            else all = FarAndNear{hull(all->far, here.far), hull(all->near, here.near), hull(all->log_one_plus_e, here.log_one_plus_e)};
+    if (may_be_between(e[0], e[1])) d.take(square); // D is least at e = -c
+    const auto secant = [&](const Ball& r) { return (r + r) / (one + r * r); }; // 1/cosh x
+    if (may_be_between(secant(e[0]), secant(e[1]))) { // where c cosh x = -1 the real parts are (1 +- 1/sqrt(1 - c^2))/2, beyond 1 and 0
+        const Ball root = sqrt(square), beyond = opposite * opposite / (root * (one + root) * Ball(2));
+        far_real.take(one + beyond);
+        near_real.take(-beyond);
+    }
+    if (!arb_is_positive(d.low().get())) return nothing;
+    for (const Ball& r : e) {
+        for (const std::size_t k : {0, 1}) {
+            const Ball across = r * sine[k], along = one + r * cosine[k];
+            imaginary.take(across / (along * along + across * across));
+            angle.take(atan2(across, along));
+        }
+        // for fixed e the angle is extreme where cos y = -e, the imaginary part where cos y = -2e/(1 + e^2)
+        const double size = std::min(1.0, arf_get_d(arb_midref(r.get()), ARF_RND_NEAR));
+        for (const double sign : {1.0, -1.0}) {
+            if (may_meet(y1, y2, M_PI - sign * std::acos(size))) angle.take(Ball(static_cast<long>(sign)) * asin(at_most(r, one)));
+            if (may_meet(y1, y2, M_PI - sign * std::acos(2 * size / (1 + size * size)))) imaginary.take(Ball(static_cast<long>(sign)) * r / (one - r * r));
         }
     }
-    return *all;
+    const Ball half_log = touchstone::hull(log(d.low()), log(d.high())) / Ball(2), across = imaginary.ball();
+    return {ComplexBall(far_real.ball(), across), ComplexBall(near_real.ball(), -across), ComplexBall(half_log, -angle.ball())};
 }
 
 struct Key {

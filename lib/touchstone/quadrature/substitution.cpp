@@ -5,6 +5,8 @@
 #include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/polynomial.hpp"
 
+#include <cstdlib>
+
 namespace touchstone::quadrature {
 namespace {
 
@@ -47,6 +49,10 @@ ExpressionPtr replaced(const ExpressionPtr& e, const ExpressionPtr& x, const Lin
     if (!depends_on_x(*e)) return e;
     if (const auto better = linear(*e)) return *better;
     if (e->op == Op::variable) return x;
+    if (e->op == Op::odd_difference) { // of another variable it is no longer one
+        const ExpressionPtr mirrored = substituted(e->args[0], make(Op::negate, {make_variable()}));
+        return make(Op::add, {replaced(e->args[0], x, linear), make(Op::negate, {replaced(mirrored, x, linear)})});
+    }
     std::vector<ExpressionPtr> args;
     for (const ExpressionPtr& a : e->args) args.push_back(replaced(a, x, linear));
     if (e->op == Op::integral) {
@@ -63,20 +69,28 @@ ExpressionPtr replaced(const ExpressionPtr& e, const ExpressionPtr& x, const Lin
 
 } // namespace
 
-std::optional<ExpressionPtr> formula_of(const ExactSum& c)
+ExpressionPtr formula_of(const ExactSum& c)
 {
-    if (const auto q = c.rational()) return number(*q);
-    if (const auto q = c.times_pi()) return product(number(*q), make(Op::pi, {}));
-    return std::nullopt;
+    ExpressionPtr sum;
+    for (const auto& [key, q] : c.terms()) {
+        const auto& [halves_of_pi, radicand] = key;
+        ExpressionPtr term = number(q);
+        if (halves_of_pi == 2)
+            term = product(term, make(Op::pi, {}));
+        else if (halves_of_pi != 0)
+            term = product(term, make(Op::power, {make(Op::pi, {}), number(Rational(halves_of_pi) / 2)}));
+        if (radicand < 0) term = product(term, make(Op::imaginary_unit, {}));
+        if (std::labs(radicand) != 1) term = product(term, make(Op::sqrt, {number(Rational(std::labs(radicand)))}));
+        sum = sum ? make(Op::add, {sum, term}) : term;
+    }
+    return sum ? sum : number(0);
 }
 
-std::optional<ExpressionPtr> shifted(const ExpressionPtr& e, const ExactSum& centre, int direction)
+ExpressionPtr shifted(const ExpressionPtr& e, const ExactSum& centre, int direction)
 {
-    const auto c = formula_of(centre);
-    if (!c) return std::nullopt;
     const ExpressionPtr step = product(number(direction), make_variable());
     const auto as_it_is = [](const Expression&) -> std::optional<ExpressionPtr> { return std::nullopt; };
-    return replaced(e, centre.is_zero() ? step : make(Op::add, {*c, step}), as_it_is);
+    return replaced(e, centre.is_zero() ? step : make(Op::add, {formula_of(centre), step}), as_it_is);
 }
 
 ExpressionPtr substituted(const ExpressionPtr& e, const ExpressionPtr& x)
@@ -84,18 +98,15 @@ ExpressionPtr substituted(const ExpressionPtr& e, const ExpressionPtr& x)
     return replaced(e, x, [](const Expression&) -> std::optional<ExpressionPtr> { return std::nullopt; });
 }
 
-std::optional<ExpressionPtr> about_infinity(const ExpressionPtr& e, const ExactSum& end, int direction)
+ExpressionPtr about_infinity(const ExpressionPtr& e, const ExactSum& end, int direction)
 {
-    const auto c = formula_of(end);
-    if (!c) return std::nullopt;
     const ExpressionPtr step = quotient(number(direction), make_variable());
     const auto linear = [&](const Expression& a) -> std::optional<ExpressionPtr> { // k (x - end) is k direction/x
         const auto p = polynomial(a);
         if (!p || p->size() != 2 || !value(*p, end).is_zero()) return std::nullopt;
-        const auto slope = formula_of((*p)[1] * ExactSum(direction));
-        return slope ? std::optional(quotient(*slope, make_variable())) : std::nullopt;
+        return quotient(formula_of((*p)[1] * ExactSum(direction)), make_variable());
     };
-    const ExpressionPtr f = replaced(e, end.is_zero() ? step : make(Op::add, {*c, step}), linear);
+    const ExpressionPtr f = replaced(e, end.is_zero() ? step : make(Op::add, {formula_of(end), step}), linear);
     return quotient(f, make(Op::power, {make_variable(), number(2)}));
 }
 

@@ -6,21 +6,19 @@
 #include "touchstone/quadrature/exact_sum.hpp"
 #include "touchstone/quadrature/expression.hpp"
 
-#include <optional>
-
 namespace touchstone::quadrature {
 
-/// The constant as a formula: q, q pi, or nothing where it is another.
-std::optional<ExpressionPtr> formula_of(const ExactSum&);
+/// The constant as a formula.
+ExpressionPtr formula_of(const ExactSum&);
 
 /// The formula with another in place of x.
 ExpressionPtr substituted(const ExpressionPtr&, const ExpressionPtr& x);
 
 /// f(centre + direction x).
-std::optional<ExpressionPtr> shifted(const ExpressionPtr&, const ExactSum& centre, int direction);
+ExpressionPtr shifted(const ExpressionPtr&, const ExactSum& centre, int direction);
 
 /// f(end + direction/x)/x^2: what is integrated over [1/L, oo) in place of f over the part of length L beside the end. Quotients of
 /// quotients are cleared, so exp(-1/x)/x^2 about 0 becomes exp(-x).
-std::optional<ExpressionPtr> about_infinity(const ExpressionPtr&, const ExactSum& end, int direction);
+ExpressionPtr about_infinity(const ExpressionPtr&, const ExactSum& end, int direction);
 
 } // namespace touchstone::quadrature
