@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/compiled.hpp"
+#include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/inner_integral.hpp"
 #include "touchstone/quadrature/substitution.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace touchstone::quadrature::compiled {
 namespace {
@@ -23,10 +25,14 @@ public:
     explicit Compiler(const Place& place)
         : place_(place)
     {
+        for (const Side s : {Side::left, Side::right})
+            if (has_range() && end(s)) expansions_[s == Side::left ? 0 : 1].emplace(*end(s), s == Side::left ? 1 : -1);
     }
     NodePtr compile(const ExpressionPtr& e) const;
 
 private:
+    NodePtr compiled_anew(const ExpressionPtr& e) const;
+    std::optional<ExactSeries> expanded(const ExpressionPtr& e, Side s) const { return expansions_[s == Side::left ? 0 : 1]->of(e); }
     NodePtr by_operation(const ExpressionPtr& e) const;
     NodePtr power(const ExpressionPtr& base, const ExpressionPtr& exponent) const;
     NodePtr exponential(const ExpressionPtr& argument) const;
@@ -36,8 +42,8 @@ private:
     NodePtr factored(const Polynomial& p) const;
     std::optional<ExpressionPtr> rewritten(const Expression& e) const;
     NodePtr part_of(const ExpressionPtr& e) const;
-    void find_zeros(Node& n, const Expression& e) const;
-    std::optional<Zero> zero_at(const Node& n, const Expression& e, Side side) const;
+    void find_zeros(Node& n, const ExpressionPtr& e) const;
+    std::optional<Zero> zero_at(const Node& n, const ExpressionPtr& e, Side side) const;
     std::optional<Zero> zero_of_odd_difference(const Node& n) const;
     std::optional<Exponent> order_beside(const Node& n, Side side, double distance) const;
     std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node& n, Side side, double radius) const;
@@ -45,11 +51,14 @@ private:
     const std::optional<ExactSum>& end(Side s) const { return s == Side::left ? place_.range->from.exact : place_.range->to.exact; }
     bool has_range() const { return place_.range != nullptr; }
     bool is_infinite() const { return has_range() && place_.range->map != Map::finite; }
-    bool reaches_one(const Expression& e) const;
+    bool reaches_one(const ExpressionPtr& e) const;
     int sign_of_linear(const Expression& e) const;
     ExpressionPtr settled(const ExpressionPtr& e) const;
 
     Place place_;
+    mutable std::array<std::optional<Expansions>, 2> expansions_; // about the ends that are exact
+    mutable std::unordered_map<const Expression*, NodePtr> done_;
+    mutable std::vector<ExpressionPtr> alive_; // what done_ points to
 };
 
 NodePtr Compiler::constant(const ExactSum& c) const
@@ -87,11 +96,11 @@ NodePtr Compiler::factored(const Polynomial& p) const
 }
 
 /// Whether e is 1 or -1 at an end of the range.
-bool Compiler::reaches_one(const Expression& e) const
+bool Compiler::reaches_one(const ExpressionPtr& e) const
 {
     for (const Side s : {Side::left, Side::right}) {
         if (!has_range() || !end(s)) continue;
-        const auto series = expand(e, *end(s), s == Side::left ? 1 : -1);
+        const auto series = expanded(e, s);
         if (series && !series->c.empty() && series->valuation == 0 && (series->c[0] == ExactSum(1) || series->c[0] == ExactSum(-1)))
             return true;
     }
@@ -124,16 +133,16 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     case Op::expm1: return difference(of(Op::exp, a), one);
     case Op::log1p: return of(Op::log, sum(one, a));
     case Op::acos: // cos t = a: tan(t/4) = sqrt(1 - a)/(sqrt 2 + sqrt(1 + a))
-        if (!reaches_one(*a)) return std::nullopt;
+        if (!reaches_one(a)) return std::nullopt;
         return product(number(4), of(Op::atan, quotient(below(), sum(of(Op::sqrt, two), above()))));
     case Op::asin: // sin t = a: tan(t/2) = a/(1 + cos t)
-        if (!reaches_one(*a)) return std::nullopt;
+        if (!reaches_one(a)) return std::nullopt;
         return product(two, of(Op::atan, quotient(a, sum(one, product(below(), above())))));
     case Op::acosh:
-        if (!reaches_one(*a)) return std::nullopt;
+        if (!reaches_one(a)) return std::nullopt;
         return product(two, of(Op::asinh, of(Op::sqrt, quotient(difference(a, one), two))));
     case Op::atanh:
-        if (!reaches_one(*a)) return std::nullopt;
+        if (!reaches_one(a)) return std::nullopt;
         return quotient(difference(of(Op::log, sum(one, a)), of(Op::log, difference(one, a))), two);
     default: return std::nullopt;
     }
@@ -331,7 +340,20 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     }
 }
 
+/// Equal parts of a formula are one node.
 NodePtr Compiler::compile(const ExpressionPtr& e) const
+{
+    if (const auto found = done_.find(e.get()); found != done_.end()) {
+        found->second->is_shared = true;
+        return found->second;
+    }
+    NodePtr n = compiled_anew(e);
+    done_.emplace(e.get(), n);
+    alive_.push_back(e);
+    return n;
+}
+
+NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
 {
     if (!depends_on_x(*e)) {
         if (const auto exact = exact_value(*e)) return constant(*exact);
@@ -343,9 +365,10 @@ NodePtr Compiler::compile(const ExpressionPtr& e) const
     }
     if (const auto better = rewritten(*e)) return compile(*better);
     NodePtr n = by_operation(e);
-    if (has_range() && depends_on_x(*e) && (n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||
+    const bool is_another = n.use_count() > 1; // its zeros are known
+    if (!is_another && has_range() && depends_on_x(*e) && (n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||
                                              n->kind == Kind::real_part || n->kind == Kind::imaginary_part))
-        find_zeros(*n, *e);
+        find_zeros(*n, e);
     return n;
 }
 
@@ -390,9 +413,9 @@ std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, 
 }
 
 /// The zero that the exact expansion shows and the sum of terms does not.
-std::optional<Zero> Compiler::zero_at(const Node& n, const Expression& e, Side side) const
+std::optional<Zero> Compiler::zero_at(const Node& n, const ExpressionPtr& e, Side side) const
 {
-    const auto series = expand(e, *end(side), side == Side::left ? 1 : -1);
+    const auto series = expanded(e, side);
     if (!series || series->is_exactly_zero || series->valuation.get_den() != 1 || series->valuation < 0 ||
         !series->valuation.get_num().fits_slong_p())
         return std::nullopt;
@@ -441,9 +464,9 @@ std::optional<Zero> Compiler::zero_of_odd_difference(const Node& n) const
     return std::nullopt;
 }
 
-void Compiler::find_zeros(Node& n, const Expression& e) const
+void Compiler::find_zeros(Node& n, const ExpressionPtr& e) const
 {
-    if (e.op == Op::odd_difference) {
+    if (e->op == Op::odd_difference) {
         if (end(Side::left) && end(Side::left)->is_zero()) n.zero[0] = zero_of_odd_difference(n);
         return;
     }
@@ -463,6 +486,6 @@ void require_real_arguments(const Expression& e, bool all_but_last)
             throw ExpressionError(e.column, "this function takes real arguments: write re(...) or im(...) where a number is complex");
 }
 
-NodePtr compile(const ExpressionPtr& e, const Place& place) { return Compiler(place).compile(e); }
+NodePtr compile(const ExpressionPtr& e, const Place& place) { return Compiler(place).compile(with_shared_parts(e)); }
 
 } // namespace touchstone::quadrature::compiled

@@ -41,7 +41,15 @@ struct Zero {
 };
 
 struct Node;
-using NodePtr = std::unique_ptr<Node>;
+using NodePtr = std::shared_ptr<Node>;
+
+/// The value at the point that was looked at last.
+template <class V>
+struct Last {
+    unsigned long point = 0;
+    bool conjugated = false, mirrored = false, on_the_line = false;
+    EndpointNumber<V> value;
+};
 
 struct Node {
     Kind kind = Kind::constant;
@@ -61,13 +69,25 @@ struct Node {
         slong bits = 0;
     };
     mutable std::vector<Kept> kept;
+
+    bool is_shared = false; ///< stands at several places of the formula: its last value is kept
+    mutable Last<Ball> last_real;
+    mutable Last<ComplexBall> last_complex;
 };
+
+/// Another one each time, on each thread.
+inline unsigned long next_point()
+{
+    thread_local unsigned long last = 0;
+    return ++last;
+}
 
 /// x, the distances, and exp(x) where the map makes it a power of them.
 template <class V>
 struct Point {
     EndpointNumber<V> x, left, right;
     std::optional<EndpointNumber<V>> exp_x;
+    unsigned long id = next_point();
     const EndpointNumber<V>& distance(Side s) const { return s == Side::left ? left : right; }
 };
 

@@ -294,10 +294,28 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
 
 } // namespace
 
+namespace {
+
+template <class V>
+Last<V>& last_of(const Node& node)
+{
+    if constexpr (std::same_as<V, Ball>)
+        return node.last_real;
+    else
+        return node.last_complex;
+}
+
+} // namespace
+
 template <class V>
 EndpointNumber<V> evaluate(const Node& node, const Point<V>& p, const Place& place)
 {
-    return node.zero[0] || node.zero[1] ? with_zeros(node, p, place) : ordinary(node, p, place);
+    const auto value = [&] { return node.zero[0] || node.zero[1] ? with_zeros(node, p, place) : ordinary(node, p, place); };
+    if (!node.is_shared) return value();
+    Last<V>& last = last_of<V>(node);
+    const bool same_place = last.conjugated == place.conjugated && last.mirrored == place.mirrored && last.on_the_line == place.on_the_line;
+    if (last.point != p.id || !same_place) last = {p.id, place.conjugated, place.mirrored, place.on_the_line, value()};
+    return last.value;
 }
 
 std::array<N<Ball>, 2> both_parts(const Node& node, const Point<Ball>& p, const Place& place)

@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/exact_series.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace touchstone::quadrature {
 namespace {
@@ -257,11 +258,14 @@ public:
         s.c[1] = direction;
         x_ = *normalised(std::move(s));
     }
-    Series of(const Expression& e) const;
+    /// The expression outlives the expansion.
+    Series of(const Expression& e);
 
 private:
-    Series analytic(const Expression& e, const Series& argument) const;
+    Series by_operation(const Expression& e);
+    Series analytic(const Expression& e, const Series& argument);
     Series x_;
+    std::unordered_map<const Expression*, Series> known_;
 };
 
 /// The real (imaginary, conjugated) coefficients: s is real and positive.
@@ -275,7 +279,7 @@ Series each_coefficient(Series a, const Map& map)
 
 Series reciprocal_of(const Series& a) { return inverse(a); }
 
-Series Expansion::analytic(const Expression& e, const Series& argument) const
+Series Expansion::analytic(const Expression& e, const Series& argument)
 {
     const auto t = taylor(argument);
     if (!t || t->empty()) return std::nullopt;
@@ -356,7 +360,16 @@ Series Expansion::analytic(const Expression& e, const Series& argument) const
     }
 }
 
-Series Expansion::of(const Expression& e) const
+Series Expansion::of(const Expression& e)
+{
+    if (e.args.empty()) return by_operation(e);
+    if (const auto found = known_.find(&e); found != known_.end()) return found->second;
+    Series s = by_operation(e);
+    known_.emplace(&e, s);
+    return s;
+}
+
+Series Expansion::by_operation(const Expression& e)
 {
     switch (e.op) {
     case Op::number: return constant(e.number);
@@ -392,11 +405,58 @@ Series Expansion::of(const Expression& e) const
 
 } // namespace
 
+struct Expansions::Body {
+    Expansion expansion;
+    std::vector<ExpressionPtr> alive;
+};
+Expansions::Expansions(const ExactSum& centre, int direction)
+    : body_(std::make_unique<Body>(Body{Expansion(centre, direction), {}}))
+{
+}
+Expansions::~Expansions() = default;
+Expansions::Expansions(Expansions&&) noexcept = default;
+std::optional<ExactSeries> Expansions::of(const ExpressionPtr& e)
+{
+    body_->alive.push_back(e);
+    return body_->expansion.of(*e);
+}
+
 std::optional<ExactSeries> expand(const Expression& e, const ExactSum& centre, int direction) { return Expansion(centre, direction).of(e); }
+
+namespace {
+
+/// The value by arithmetic alone; nothing where that does not give it.
+std::optional<ExactSum> by_arithmetic(const Expression& e)
+{
+    const auto arg = [&](std::size_t k) { return by_arithmetic(*e.args[k]); };
+    switch (e.op) {
+    case Op::number: return ExactSum(e.number);
+    case Op::pi: return ExactSum::pi();
+    case Op::imaginary_unit: return ExactSum::i();
+    case Op::negate: {
+        const auto a = arg(0);
+        return a ? std::optional(-*a) : std::nullopt;
+    }
+    case Op::add:
+    case Op::multiply:
+    case Op::divide: {
+        const auto a = arg(0), b = a ? arg(1) : std::nullopt;
+        if (!b) return std::nullopt;
+        if (e.op == Op::add) return *a + *b;
+        if (e.op == Op::multiply) return *a * *b;
+        const auto inverse = b->inverse();
+        return inverse ? std::optional(*a * *inverse) : std::nullopt;
+    }
+    default: return std::nullopt;
+    }
+}
+
+} // namespace
 
 std::optional<ExactSum> exact_value(const Expression& e)
 {
     if (depends_on_x(e)) return std::nullopt;
+    if (auto direct = by_arithmetic(e)) return direct;
     const auto s = Expansion(ExactSum(), 1).of(e);
     if (!s) return std::nullopt;
     if (s->is_exactly_zero || s->c.empty()) return s->is_exactly_zero ? std::optional(ExactSum()) : std::nullopt;

@@ -10,6 +10,7 @@
 #include "touchstone/quadrature/exact_sum.hpp"
 #include "touchstone/quadrature/expression.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,7 +22,21 @@ struct ExactSeries {
     bool is_exactly_zero = false; ///< the zero function, no matter what order
 };
 
-/// The expansion in s of e with x = centre + direction s, direction 1 or -1.
+/// Expansions of many formulas about one point, those of their parts kept.
+class Expansions {
+public:
+    /// In s with x = centre + direction s, direction 1 or -1.
+    Expansions(const ExactSum& centre, int direction);
+    ~Expansions();
+    Expansions(Expansions&&) noexcept;
+    std::optional<ExactSeries> of(const ExpressionPtr&);
+
+private:
+    struct Body;
+    std::unique_ptr<Body> body_;
+};
+
+/// The expansion in s of e with x = centre + direction s.
 std::optional<ExactSeries> expand(const Expression& e, const ExactSum& centre, int direction);
 
 /// The value of a formula without x, if it is of the form.

@@ -71,6 +71,53 @@ ExpressionPtr rebuilt(const ExpressionPtr& e, const std::function<ExpressionPtr(
 
 namespace {
 
+/// The nodes seen so far, by what they compute from which nodes.
+class Parts {
+public:
+    ExpressionPtr shared(const ExpressionPtr& e)
+    {
+        if (const auto found = done_.find(e.get()); found != done_.end()) return found->second;
+        Key key{e->op, e->number.get_str(), e->radius.get_str(), e->name, e->ball.get(), nullptr, {}};
+        Expression copy = *e;
+        bool changed = false;
+        const auto replace = [&](ExpressionPtr& part) {
+            ExpressionPtr one = shared(part);
+            changed = changed || one != part;
+            part = std::move(one);
+        };
+        for (ExpressionPtr& a : copy.args) {
+            replace(a);
+            key.args.push_back(a.get());
+        }
+        if (copy.integrand) {
+            replace(copy.integrand);
+            key.integrand = copy.integrand.get();
+        }
+        auto& known = known_[std::move(key)];
+        if (!known) known = changed ? std::make_shared<const Expression>(std::move(copy)) : e;
+        done_[e.get()] = known;
+        return known;
+    }
+
+private:
+    struct Key {
+        Op op;
+        std::string number, radius, name;
+        const ComplexBall* ball;
+        const Expression* integrand;
+        std::vector<const Expression*> args;
+        auto operator<=>(const Key&) const = default;
+    };
+    std::map<Key, ExpressionPtr> known_;
+    std::map<const Expression*, ExpressionPtr> done_; // of the tree that is walked, which its owner keeps
+};
+
+} // namespace
+
+ExpressionPtr with_shared_parts(const ExpressionPtr& e) { return Parts().shared(e); }
+
+namespace {
+
 class Names {
 public:
     explicit Names(const Parameters& parameters)

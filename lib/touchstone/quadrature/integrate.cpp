@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/integrate.hpp"
 
+#include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/rules.hpp"
 #include "touchstone/quadrature/substitution.hpp"
@@ -43,7 +44,7 @@ bool changes_branch(const Expression& e, const ExactSum& at)
 class Integration {
 public:
     Integration(const ExpressionPtr& e, const IntegralOptions& o, bool substituted = false)
-        : e_(e)
+        : e_(with_shared_parts(e))
         , options_(o)
         , substituted_(substituted)
         , complex_(!is_real(*e) || has_complex_point(*e))
@@ -262,7 +263,6 @@ bool Integration::add_about_infinity(const Limit& from, const Limit& to, bool le
 
 bool Integration::add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
 {
-    if (diverges(from, 1, out) || diverges(to, -1, out)) return false;
     Attempt a = attempt(from, to, digits);
     if (a.value.is_finite()) {
         a.part.from = from.text;
@@ -272,6 +272,7 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
         out.parts.push_back(std::move(a.part));
         return true;
     }
+    if (diverges(from, 1, out) || diverges(to, -1, out)) return false;
     if (options_.quick) {
         out.reason = a.reason;
         return false;

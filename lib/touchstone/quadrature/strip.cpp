@@ -22,45 +22,99 @@ ComplexBall conjugate(ComplexBall z)
     return z;
 }
 
-/// cos y for 0 <= y < pi/2 and sin y, at an exact y.
-std::pair<Ball, Ball> cos_sin(double y) { return {cos(exactly(y)), sin(exactly(y))}; }
-
-Ball sinh_of(double x) { Ball r; arb_sinh(r.get(), exactly(x).get(), strip_bits); return r; }
-Ball cosh_of(double x) { Ball r; arb_cosh(r.get(), exactly(x).get(), strip_bits); return r; }
+/// Two functions at an exact place, kept: pieces share their sides.
+template <class F>
+const std::pair<Ball, Ball>& kept_at(double x, F&& both)
+{
+    thread_local std::unordered_map<double, std::pair<Ball, Ball>> known;
+    constexpr std::size_t most = 4000;
+    if (const auto found = known.find(x); found != known.end()) return found->second;
+    if (known.size() > most) known.clear();
+    std::pair<Ball, Ball> pair;
+    both(pair.first.get(), pair.second.get(), exactly(x).get(), strip_bits);
+    return known.emplace(x, std::move(pair)).first->second;
+}
+std::pair<Ball, Ball> sin_cos(double y)
+{
+    return kept_at(y, [](auto... a) { arb_sin_cos(a...); });
+}
+std::pair<Ball, Ball> sinh_cosh(double x)
+{
+    return kept_at(x, [](auto... a) { arb_sinh_cosh(a...); });
+}
 
 struct FarAndNear {
     ComplexBall far, near, log_one_plus_e; // 1/(1 + E), E/(1 + E), log(1 + E)
 };
 
-Ball lowest(const Ball& x)
-{
-    Ball r;
-    arb_get_lbound_arf(arb_midref(r.get()), x.get(), strip_bits);
-    return r;
-}
-Ball highest(const Ball& x)
-{
-    Ball r;
-    arb_get_ubound_arf(arb_midref(r.get()), x.get(), strip_bits);
-    return r;
-}
+/// An interval of real numbers with binary64 ends. Each operation rounds to nearest, so to within 2^-53 of its result (2^-1075 where that is
+/// subnormal), and the ends are moved outwards by more.
+struct Span {
+    double low = 0, high = 0;
+
+    explicit Span(double x)
+        : low(x)
+        , high(x)
+    {
+    }
+    Span(double l, double h)
+        : low(l)
+        , high(h)
+    {
+    }
+    explicit Span(const Ball& x)
+    {
+        Ball end;
+        arb_get_lbound_arf(arb_midref(end.get()), x.get(), strip_bits);
+        low = arf_get_d(arb_midref(end.get()), ARF_RND_FLOOR);
+        arb_get_ubound_arf(arb_midref(end.get()), x.get(), strip_bits);
+        high = arf_get_d(arb_midref(end.get()), ARF_RND_CEIL);
+    }
+    Ball ball() const
+    {
+        const double middle = low / 2 + high / 2;
+        Ball x = exactly(middle);
+        mag_set_d(arb_radref(x.get()), std::max(high - middle, middle - low) * (1 + 0x1p-50) + 0x1p-1070);
+        if (!std::isfinite(high - low)) return Ball::indeterminate();
+        return x;
+    }
+    friend Span operator-(const Span& a) { return {-a.high, -a.low}; }
+    friend Span operator+(const Span& a, const Span& b) { return outwards(a.low + b.low, a.high + b.high); }
+    friend Span operator-(const Span& a, const Span& b) { return a + (-b); }
+    friend Span operator*(const Span& a, const Span& b)
+    {
+        const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, t = a.high * b.high;
+        return outwards(std::min({p, q, r, t}), std::max({p, q, r, t}));
+    }
+    /// b > 0
+    friend Span operator/(const Span& a, const Span& b)
+    {
+        if (!(b.low > 0)) return {-HUGE_VAL, HUGE_VAL};
+        return outwards(std::min(a.low / b.low, a.low / b.high), std::max(a.high / b.low, a.high / b.high));
+    }
+    friend Span sqrt(const Span& a) { return outwards(std::sqrt(std::max(0.0, a.low)), std::sqrt(std::max(0.0, a.high))); }
+
+private:
+    static Span outwards(double low, double high)
+    {
+        return {low - (std::fabs(low) * 0x1p-51 + 0x1p-1060), high + (std::fabs(high) * 0x1p-51 + 0x1p-1060)};
+    }
+};
 
 /// The least interval that has all values of a function on a box, from those at its corners and at the places where it may be largest.
 class Range {
 public:
-    void take(const Ball& value)
+    void take(const Span& v)
     {
-        const Ball low = lowest(value), high = highest(value);
-        if (empty_ || !arb_ge(low.get(), low_.get())) low_ = low;
-        if (empty_ || !arb_le(high.get(), high_.get())) high_ = high;
+        all_ = empty_ ? v : Span(std::min(all_.low, v.low), std::max(all_.high, v.high));
         empty_ = false;
     }
-    const Ball& low() const { return low_; }
-    const Ball& high() const { return high_; }
-    Ball ball() const { return touchstone::hull(low_, high_); }
+    const Span& span() const { return all_; }
+    Span low() const { return Span(all_.low); }
+    Span high() const { return Span(all_.high); }
 
 private:
-    Ball low_, high_;
+    Span all_{0};
     bool empty_ = true;
 };
 
@@ -81,51 +135,55 @@ FarAndNear far_and_near(const Ball& re1, const Ball& re2, const Ball& im1, const
     const double y1 = arf_get_d(arb_midref(im1.get()), ARF_RND_DOWN), y2 = arf_get_d(arb_midref(im2.get()), ARF_RND_UP);
     constexpr double farthest = 1e5; // beyond, angles in double are too coarse
     if (!(y2 < farthest)) return nothing;
-    const std::array<Ball, 2> e{exp(-re2), exp(-re1)};
+    const std::array<Ball, 2> size{exp(-re2), exp(-re1)};
     std::array<Ball, 2> sine, cosine;
     arb_sin_cos(sine[0].get(), cosine[0].get(), im1.get(), strip_bits);
     arb_sin_cos(sine[1].get(), cosine[1].get(), im2.get(), strip_bits);
+    const std::array<Span, 2> e{Span(size[0]), Span(size[1])}, s{Span(sine[0]), Span(sine[1])}, cos_y{Span(cosine[0]), Span(cosine[1])};
+    const Span one(1);
     Range c;
-    for (const Ball& v : cosine) c.take(v);
-    if (may_meet(y1, y2, 0)) c.take(Ball(1));
-    if (may_meet(y1, y2, M_PI)) c.take(Ball(-1));
+    for (const Span& v : cos_y) c.take(v);
+    if (may_meet(y1, y2, 0)) c.take(one);
+    if (may_meet(y1, y2, M_PI)) c.take(-one);
 
-    const Ball one(1);
-    Range d, far_real, near_real, imaginary, angle;
-    for (const Ball& r : e)
-        for (const Ball& v : {c.low(), c.high()}) {
-            const Ball modulus = one + r * (v + v + r);
+    Range d, far_real, near_real, imaginary;
+    for (const Span& r : e)
+        for (const Span& v : {c.low(), c.high()}) {
+            const Span modulus = one + r * (v + v + r);
             d.take(modulus);
             far_real.take((one + r * v) / modulus);
             near_real.take(r * (v + r) / modulus);
         }
-    const Ball opposite = -c.low(), square = one - opposite * opposite;
-    const auto may_be_between = [&](const Ball& low, const Ball& high) {
-        return !arb_lt(opposite.get(), low.get()) && !arb_gt(opposite.get(), high.get());
-    };
+    const Span opposite = -c.low(), square = one - opposite * opposite;
+    const auto may_be_between = [&](const Span& low, const Span& high) { return opposite.high >= low.low && opposite.low <= high.high; };
     if (may_be_between(e[0], e[1])) d.take(square); // D is least at e = -c
-    const auto secant = [&](const Ball& r) { return (r + r) / (one + r * r); }; // 1/cosh x
+    const auto secant = [&](const Span& r) { return (r + r) / (one + r * r); }; // 1/cosh x
     if (may_be_between(secant(e[0]), secant(e[1]))) { // where c cosh x = -1 the real parts are (1 +- 1/sqrt(1 - c^2))/2, beyond 1 and 0
-        const Ball root = sqrt(square), beyond = opposite * opposite / (root * (one + root) * Ball(2));
+        const Span root = sqrt(square), beyond = opposite * opposite / (root * (one + root) * Span(2));
         far_real.take(one + beyond);
         near_real.take(-beyond);
     }
-    if (!arb_is_positive(d.low().get())) return nothing;
-    for (const Ball& r : e) {
+    if (!(d.span().low > 0)) return nothing;
+
+    std::optional<Ball> angle;
+    const auto take_angle = [&](const Ball& v) { angle = angle ? touchstone::hull(*angle, v) : v; };
+    for (const std::size_t i : {0, 1}) {
         for (const std::size_t k : {0, 1}) {
-            const Ball across = r * sine[k], along = one + r * cosine[k];
+            const Span along = one + e[i] * cos_y[k], across = e[i] * s[k];
             imaginary.take(across / (along * along + across * across));
-            angle.take(atan2(across, along));
+            take_angle(atan2(across.ball(), along.ball()));
         }
         // for fixed e the angle is extreme where cos y = -e, the imaginary part where cos y = -2e/(1 + e^2)
-        const double size = std::min(1.0, arf_get_d(arb_midref(r.get()), ARF_RND_NEAR));
+        const double middle = std::min(1.0, e[i].high);
         for (const double sign : {1.0, -1.0}) {
-            if (may_meet(y1, y2, M_PI - sign * std::acos(size))) angle.take(Ball(static_cast<long>(sign)) * asin(at_most(r, one)));
-            if (may_meet(y1, y2, M_PI - sign * std::acos(2 * size / (1 + size * size)))) imaginary.take(Ball(static_cast<long>(sign)) * r / (one - r * r));
+            if (may_meet(y1, y2, M_PI - sign * std::acos(middle)))
+                take_angle(Ball(static_cast<long>(sign)) * asin(at_most(size[i], Ball(1))));
+            if (may_meet(y1, y2, M_PI - sign * std::acos(2 * middle / (1 + middle * middle))))
+                imaginary.take(Span(sign) * e[i] / (one - e[i] * e[i]));
         }
     }
-    const Ball half_log = touchstone::hull(log(d.low()), log(d.high())) / Ball(2), across = imaginary.ball();
-    return {ComplexBall(far_real.ball(), across), ComplexBall(near_real.ball(), -across), ComplexBall(half_log, -angle.ball())};
+    const Ball half_log = touchstone::hull(log(exactly(d.span().low)), log(exactly(d.span().high))) / Ball(2), across = imaginary.span().ball();
+    return {ComplexBall(far_real.span().ball(), across), ComplexBall(near_real.span().ball(), -across), ComplexBall(half_log, -*angle)};
 }
 
 struct Key {
@@ -151,9 +209,10 @@ StripPiece StripPiece::finite(Side side, double x1, double x2, double y1, double
     piece.x1_ = x1;
     piece.x2_ = x2;
     const Ball pi = touchstone::pi<Ball>();
-    const auto [c1, s1] = cos_sin(y1);
-    const auto [c2, s2] = cos_sin(y2);
-    const Ball sh1 = sinh_of(x1), sh2 = sinh_of(x2), ch1 = cosh_of(x1), ch2 = cosh_of(x2);
+    const auto [s1, c1] = sin_cos(y1);
+    const auto [s2, c2] = sin_cos(y2);
+    const auto [sh1, ch1] = sinh_cosh(x1);
+    const auto [sh2, ch2] = sinh_cosh(x2);
     // every factor is monotone and non-negative on the piece
     const Ball re1 = pi * sh1 * c2, re2 = pi * sh2 * c1, im1 = pi * ch1 * s1, im2 = pi * ch2 * s2;
     const ComplexBall w(hull(re1, re2), hull(im1, im2));
@@ -178,8 +237,9 @@ StripPiece StripPiece::endless(Side side, double x1, double y2)
     piece.endless_ = true;
     piece.x1_ = x1;
     piece.x2_ = std::numeric_limits<double>::infinity();
-    const auto [c, s] = cos_sin(y2);
-    piece.depth_ = touchstone::pi<Ball>() * sinh_of(x1) * c;
+    const auto [s, c] = sin_cos(y2);
+    const auto [sinh, cosh] = sinh_cosh(x1);
+    piece.depth_ = touchstone::pi<Ball>() * sinh * c;
     const Ball e = exp(-piece.depth_);            // |E| <= e < 1
     const Ball near = e / (Ball(1) - e);          // |E/(1 + E)|
     const Ball log_far = -log(Ball(1) - e);       // |log(1 + E)|
@@ -188,7 +248,7 @@ StripPiece StripPiece::endless(Side side, double x1, double y2)
     piece.log_near_ = ComplexBall::indeterminate();
     piece.log_far_ = disc(log_far);
     // |Im w| = pi cosh x sin y <= rho tan d coth x1
-    piece.slope_ = s / c * cosh_of(x1) / sinh_of(x1);
+    piece.slope_ = s / c * cosh / sinh;
     return piece;
 }
 

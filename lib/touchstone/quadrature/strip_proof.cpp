@@ -89,16 +89,42 @@ Ball StripProof::piece_bound(Side side, double x1, double x2, double d)
     return upper_ball(upper_ball(c.factor()) * exp(exponent) * piece.stretch() * Ball::exactly(x2 - x1));
 }
 
-Ball StripProof::line(Side side, double x1, double x2, double d, int depth, const Ball* whole)
+/// The bound of the integral over 0 <= Re t <= edge enters through its logarithm: the piece with the largest share is halved while that
+/// promises more bits, each of which saves nodes, than the two values of f cost.
+Ball StripProof::line(Side side, double edge, double d)
 {
-    const Ball own = whole ? *whole : piece_bound(side, x1, x2, d);
-    const double x = (x1 + x2) / 2;
-    const Ball a = piece_bound(side, x1, x, d), b = piece_bound(side, x, x2, d);
-    const Ball both = a + b;
-    if (depth == 0 || pieces >= budget_) return arb_lt(both.get(), own.get()) ? both : own;
-    // sharper bounds only matter through their logarithm
-    if (both.is_finite() && upper(both) > slack_ * upper(own)) return both;
-    return line(side, x1, x, d, depth - 1, &a) + line(side, x, x2, d, depth - 1, &b);
+    struct Piece {
+        double x1, x2;
+        Ball bound;
+        double bits; // log2 of the bound
+    };
+    constexpr int at_first = 4;
+    constexpr double to_a_quarter = 0.75; // what a half of a box takes off its bound, about
+    std::vector<Piece> all;
+    const auto add = [&](double x1, double x2) {
+        Ball bound = piece_bound(side, x1, x2, d);
+        const double bits = bound.is_finite() ? log2_upper(bound) : std::numeric_limits<double>::infinity();
+        all.push_back({x1, x2, std::move(bound), bits});
+    };
+    const auto total = [&] {
+        Ball sum(0);
+        for (const Piece& p : all) sum += p.bound;
+        return upper_ball(sum);
+    };
+    for (int k = 0; k < at_first; ++k) add(edge * k / at_first, edge * (k + 1) / at_first);
+    constexpr double narrowest = 1.0 / 1024;
+    while (pieces < budget_) {
+        const auto largest = std::max_element(all.begin(), all.end(), [](const Piece& p, const Piece& q) { return p.bits < q.bits; });
+        const double share = std::exp2(largest->bits - log2_upper(total()));
+        const bool worth_while = !(share <= 1) || -std::log2(1 - to_a_quarter * share) * pieces_per_bit_ > 2;
+        if (!worth_while || largest->x2 - largest->x1 < edge * narrowest) break;
+        const Piece halved = *largest;
+        all.erase(largest);
+        const double x = (halved.x1 + halved.x2) / 2;
+        add(halved.x1, x);
+        add(x, halved.x2);
+    }
+    return total();
 }
 
 /// The integral of |F| over |Re t| >= edge on the line Im t = d, for every d up to the end's own:
@@ -117,7 +143,7 @@ Ball StripProof::strip_integral(double d, const End& left, const End& right)
     thread_local std::map<Key, Ball> known;
     const auto& p = constant_.left().power;
     const auto& q = constant_.right().power;
-    const Key key{p.num(), p.den(), q.num(), q.den(), d, left.edge, right.edge, slack_};
+    const Key key{p.num(), p.den(), q.num(), q.den(), d, left.edge, right.edge, pieces_per_bit_};
     const Ball size = upper_ball(constant_.factor());
     if (const auto found = known.find(key); found != known.end()) return upper_ball(size * found->second);
     if (known.size() > 1000) known.clear();
@@ -134,14 +160,16 @@ Ball StripProof::strip_integral(double d, const End& left, const End& right)
 Ball StripProof::strip_integral_by_pieces(double d, const End& left, const End& right)
 {
     const Ball half =
-        line(Side::left, 0, left.edge, d, 12, nullptr) + line(Side::right, 0, right.edge, d, 12, nullptr) + tail(left, d) + tail(right, d);
+        line(Side::left, left.edge, d) + line(Side::right, right.edge, d) + tail(left, d) + tail(right, d);
     return upper_ball(half);
 }
 
 bool StripProof::run(Panel& panel, double bits)
 {
     const WorkingPrecision precision(strip_bits);
-    slack_ = std::exp2(-std::max(0.6, bits / 100));
+    // What a piece costs against a node at this precision: the proof may cost about as much as the nodes it saves.
+    const double nodes_cost = 1.1 * bits * (1 + std::pow(bits / 500, 1.3));
+    pieces_per_bit_ = nodes_cost / bits;
     {
         const EndpointNumber<ComplexBall> c = value(StripPiece::everywhere());
         if (c.factor().is_finite()) {
@@ -180,8 +208,6 @@ bool StripProof::run(Panel& panel, double bits)
         budget_ = total;
         return yes;
     };
-    // What a piece costs against a node at this precision: the proof may cost about as much as the nodes it saves.
-    const double nodes_cost = 1.1 * bits * (1 + std::pow(bits / 500, 1.3));
     std::vector<Candidate> proved;
     double failed = 1.5;
     const auto descend = [&](double from, double to, long allowance) {
@@ -197,10 +223,11 @@ bool StripProof::run(Panel& panel, double bits)
     // lower: a singularity may be close; or a factor such as cos x, which grows with the height of the strip, needs a low one
     if (proved.empty()) descend(failure_u >= 0 ? 0.125 : 1.0 / 128, failure_u >= 0 ? 1e-4 : 1e-3, total);
     if (proved.empty()) return false;
+    constexpr double least_gain = 60; // in pieces: what the proof of a higher strip costs
     while (proved.size() < 6) {
         const double d0 = proved.back().d, d = (d0 + failed) / 2;
         const double gain = nodes_cost * (d - d0) / d0;
-        if (!is_constant_ && (gain < 150 || (d - d0) / d0 < 0.04)) break;
+        if (!is_constant_ && (gain < least_gain || (d - d0) / d0 < 0.04)) break;
         Candidate c{d, {}, {}};
         if (holds(c, d0, static_cast<long>(gain)))
             proved.push_back(c);

@@ -42,7 +42,7 @@ private:
     bool constant(Panel& panel, double bits);
     End end(Side side, double d);
     bool layer(Side side, double x1, double x2, double y1, double y2, double smallest);
-    Ball line(Side side, double x1, double x2, double d, int depth, const Ball* whole);
+    Ball line(Side side, double edge, double d);
     Ball piece_bound(Side side, double x1, double x2, double d);
     Ball tail(const End& e, double d) const;
     Ball strip_integral(double d, const End& left, const End& right);
@@ -52,7 +52,7 @@ private:
     const PanelFunction<ComplexBall>& f_;
     long budget_;
     bool is_constant_ = false;
-    double slack_ = 0.5; // how much a bisection must sharpen a bound of the strip integral to be worth while
+    double pieces_per_bit_ = 1; // as many values of f cost what one bit of the tolerance costs at the nodes
     EndpointNumber<ComplexBall> constant_;
 };
 

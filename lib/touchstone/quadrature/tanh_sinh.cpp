@@ -256,12 +256,42 @@ std::string not_as_declared(const Options& options, const std::vector<ProvedPane
     return !left.empty() ? left : differs(options.right_exponent, panels.back().panel.beta, "right");
 }
 
+/// About log2 of the integral that is smallest (of that of |f|, if its digits are enough), by a few nodes of 53 bits: what the first tolerance
+/// goes by. Nothing is claimed of it; at most 2^-6 of the integral of |f| is believed.
+double rough_log2_size(std::vector<ProvedPanel>& panels, std::size_t count, bool of_absolute)
+{
+    constexpr long m = 2, nodes = 8;
+    constexpr double believed = 6;
+    const WorkingPrecision coarse(strip_bits);
+    const auto table = NodeTable::get(m, nodes, strip_bits, 1);
+    std::vector<Ball> sums(count, Ball(0));
+    Ball absolute(0);
+    std::vector<EndpointNumber<Ball>> g;
+    for (ProvedPanel& p : panels) {
+        p.f.prepare();
+        for (long k = -nodes; k <= nodes; ++k) {
+            const Node node(*table, std::labs(k), k < 0 ? Side::left : Side::right);
+            p.f.at_node(node, g);
+            for (std::size_t i = 0; i < count; ++i) {
+                const Ball term = g[i].factor() * node.weighted(g[i].left().power, g[i].right().power);
+                sums[i] += term;
+                absolute += touchstone::abs(term);
+            }
+        }
+    }
+    Ball least = absolute;
+    for (const Ball& s : sums)
+        if (!of_absolute && log2_upper(s) < log2_upper(least)) least = s;
+    return std::max(log2_upper(least), log2_upper(absolute) - believed);
+}
+
 /// The sums over all panels, the tolerance lowered until each has its digits; the reason if that takes too many bits.
 std::vector<Ball> summed(std::vector<ProvedPanel>& panels, std::size_t count, const Options& options, double wanted, const Ball& scale,
                          slong& precision, std::string& reason)
 {
     constexpr int most_attempts = 4;
-    double log2_tolerance = log2_upper(scale) - wanted - 2 - std::log2(static_cast<double>(panels.size()));
+    const double rough = rough_log2_size(panels, count, options.of_absolute), proved = log2_upper(scale);
+    double log2_tolerance = (std::isfinite(rough) ? std::min(rough, proved) : proved) - wanted - 2 - std::log2(static_cast<double>(panels.size()));
     std::vector<Ball> totals;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
         const double bits =
