@@ -191,6 +191,13 @@ TEST_CASE("Bessel remainder: K_n less its leading term, near and far")
             Rational(99, 100));
 }
 
+TEST_CASE("odd difference: the identity attains it")
+{
+    const WorkingPrecision precision(100);
+    const Ball R = decimal("0.3"), s = decimal("0.07");
+    attains((s - -s) / s, lemma::odd_difference(R, R) * (Ball(1) + decimal("1e-20")), Rational(999999, 1000000));
+}
+
 TEST_CASE("turned path: a constant amplitude attains what lies beyond; the quadrant has all of 1/(1 + z)")
 {
     const WorkingPrecision precision(100);

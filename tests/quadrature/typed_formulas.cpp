@@ -264,11 +264,9 @@ TEST_CASE("changes of variable are exact")
         const auto e = parse_expression(formula);
         const Rational at(3, 2), t = 1 / (at - 1);
         const auto far = about_infinity(e, ExactSum(1), 1);
-        REQUIRE(far);
-        CHECK((evaluate_at(**far, Ball(t)) * Ball(t) * Ball(t)).overlaps(evaluate_at(*e, Ball(at))));
+        CHECK((evaluate_at(*far, Ball(t)) * Ball(t) * Ball(t)).overlaps(evaluate_at(*e, Ball(at))));
         const auto moved = shifted(e, ExactSum(1), -1);
-        REQUIRE(moved);
-        CHECK(evaluate_at(**moved, Ball(Rational(-1, 2))).overlaps(evaluate_at(*e, Ball(at))));
+        CHECK(evaluate_at(*moved, Ball(Rational(-1, 2))).overlaps(evaluate_at(*e, Ball(at))));
     }
 }
 
@@ -292,7 +290,15 @@ TEST_CASE("Cauchy's principal value: the poles named are folded, others still di
                  {"1/(x*(x-1))", "-1", "3", {"0", "1"}, "log(2/3)-log(2)"},
                  {"1/(x*(x-pi))", "1", "5", {"pi"}, "(log((5-pi)/5)-log(pi-1))/pi"},
                  {"1/log(x)", "0", "2", {"1"}, "li(2)"},
-                 {"1/x", "-1", "1", {"0"}, "0"}};
+                 {"1/x", "-1", "1", {"0"}, "0"},
+                 // residues that are no exact number
+                 {"cos(x)/(x-1/2)", "0", "1", {"1/2"}, "-2*sin(1/2)*si(1/2)"},
+                 {"exp(x)/(x-1)", "0", "3", {"1"}, "e*(ei(2)-ei(-1))"},
+                 {"exp(x)/(x^2-2)", "0", "3", {"sqrt(2)"}, "(exp(sqrt(2))*(ei(3-sqrt(2))-ei(-sqrt(2)))-exp(-sqrt(2))*(ei(3+sqrt(2))-ei(sqrt(2))))/sqrt(8)"},
+                 {"log(x)/(x-2)", "1", "3", {"2"}, "dilog(1/2)-dilog(-1/2)"},
+                 {"exp(x)/((x-1)*(x-2))", "0", "3", {"1", "2"}, "e^2*(ei(1)-ei(-2))-e*(ei(2)-ei(-1))"},
+                 {"cos(x)/sin(x-1)", "0", "2", {"1"}, "-2*sin(1)"},
+                 {"cos(x)/(x-1/2)", "-inf", "inf", {"1/2"}, "-pi*sin(1/2)"}};
     for (const auto& c : cases) {
         CAPTURE(c.formula);
         const Ball value = parse_limit(c.value).ball();

@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/compiled.hpp"
 #include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/inner_integral.hpp"
+#include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/substitution.hpp"
 
 #include <algorithm>
@@ -376,8 +377,8 @@ NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
 std::optional<Exponent> Compiler::order_beside(const Node& n, Side side, double distance) const
 {
     const ComplexBall s(Ball::exactly(distance));
-    const Disc disc(side, s);
-    const EndpointNumber<ComplexBall> v = evaluate(n, point_about(side, disc, s, place_), place_);
+    const Disc<ComplexBall> disc(side, s);
+    const EndpointNumber<ComplexBall> v = evaluate(n, point_about(disc, place_), place_);
     return v.factor().is_finite() ? std::optional(v.order(side).power) : std::nullopt;
 }
 
@@ -400,8 +401,8 @@ std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, 
                 return b;
             };
             const ComplexBall s(interval(i), interval(j));
-            const Disc disc(side, s);
-            const EndpointNumber<ComplexBall> v = evaluate(n, point_about(side, disc, s, place_), place_);
+            const Disc<ComplexBall> disc(side, s);
+            const EndpointNumber<ComplexBall> v = evaluate(n, point_about(disc, place_), place_);
             if (!v.factor().is_finite()) return std::nullopt;
             if (order && !(*order == v.order(side).power)) return std::nullopt;
             order = v.order(side).power;
@@ -458,7 +459,8 @@ std::optional<Zero> Compiler::zero_of_odd_difference(const Node& n) const
         Zero zero;
         zero.order = 1;
         zero.radius = radius;
-        zero.bound = Ball(2) * size * exp((order - Exponent(1)).ball() * log(Ball::exactly(radius)));
+        const Ball R = Ball::exactly(radius);
+        zero.bound = lemma::odd_difference(size * exp(order.ball() * log(R)), R);
         return zero;
     }
     return std::nullopt;

@@ -113,23 +113,26 @@ std::array<EndpointNumber<Ball>, 2> both_parts(const Node&, const Point<Ball>&, 
 std::array<EndpointNumber<ComplexBall>, 2> both_parts(const Node&, const Point<ComplexBall>&, const Place&);
 
 /// The disc about one end, where only that end's distance keeps its powers.
-class Disc : public Frame<ComplexBall> {
+template <class V>
+class Disc : public Frame<V> {
 public:
-    Disc(Side side, ComplexBall s)
+    Disc(Side side, V s)
         : side_(side)
         , s_(std::move(s))
     {
     }
-    ComplexBall distance(Side s) const override { return s == side_ ? s_ : ComplexBall::indeterminate(); }
-    ComplexBall logarithm(Side) const override { return ComplexBall::indeterminate(); }
+    V distance(Side s) const override { return s == side_ ? s_ : V::indeterminate(); }
+    V logarithm(Side) const override { return V::indeterminate(); }
+    Side side() const { return side_; }
 
 private:
     Side side_;
-    ComplexBall s_;
+    V s_;
 };
 
-/// The point at distance s (complex) from an end; `disc` must outlive it.
-Point<ComplexBall> point_about(Side side, const Disc& disc, const ComplexBall& s, const Place& place);
+/// The point at that distance from the end; `disc` must outlive it.
+template <class V>
+Point<V> point_about(const Disc<V>& disc, const Place& place);
 
 NodePtr compile(const ExpressionPtr&, const Place&);
 

@@ -386,15 +386,19 @@ Point<V> Place::at_distance(Side side, const V& s) const
     return p;
 }
 
-Point<ComplexBall> point_about(Side side, const Disc& disc, const ComplexBall&, const Place& place)
+template <class V>
+Point<V> point_about(const Disc<V>& disc, const Place& place)
 {
     const Order one{1, 0};
-    const EndpointNumber<ComplexBall> s(&disc, side == Side::left ? one : Order{}, side == Side::left ? Order{} : one, ComplexBall(1));
-    Point<ComplexBall> p = about<ComplexBall>(*place.range, side, s);
+    const bool at_left = disc.side() == Side::left;
+    const EndpointNumber<V> s(&disc, at_left ? one : Order{}, at_left ? Order{} : one, V(1));
+    Point<V> p = about<V>(*place.range, disc.side(), s);
     p.exp_x = place.exp_x(p.left, p.right);
     return p;
 }
 
+template Point<Ball> point_about(const Disc<Ball>&, const Place&);
+template Point<ComplexBall> point_about(const Disc<ComplexBall>&, const Place&);
 template Point<Ball> Place::at_distance(Side, const Ball&) const;
 template Point<ComplexBall> Place::at_distance(Side, const ComplexBall&) const;
 

@@ -145,9 +145,8 @@ Ball Integrand::at_real(const Ball& x) const
 {
     const Ball from_left = x - body_->range.from.ball();
     const bool at_left = arf_get_d(arb_midref(from_left.get()), ARF_RND_NEAR) < body_->width / 2;
-    const Point<Ball> p =
-        at_left ? body_->place.at_distance(Side::left, from_left) : body_->place.at_distance(Side::right, body_->range.to.ball() - x);
-    return compiled::evaluate(*body_->root, p, body_->place).value();
+    const compiled::Disc<Ball> disc(at_left ? Side::left : Side::right, at_left ? from_left : body_->range.to.ball() - x);
+    return compiled::evaluate(*body_->root, compiled::point_about(disc, body_->place), body_->place).value();
 }
 
 ComplexBall Integrand::about_an_end(const ComplexBall& z, bool on_the_line) const
@@ -158,9 +157,8 @@ ComplexBall Integrand::about_an_end(const ComplexBall& z, bool on_the_line) cons
     const double l =
         mag_get_d(arb_radref(acb_realref(from_left.get()))) + std::fabs(arf_get_d(arb_midref(acb_realref(from_left.get())), ARF_RND_NEAR));
     const Side side = l < body_->width / 2 ? Side::left : Side::right;
-    const compiled::Disc disc(side, side == Side::left ? from_left : from_right);
-    const Point<ComplexBall> p = compiled::point_about(side, disc, side == Side::left ? from_left : from_right, place);
-    return compiled::evaluate(*body_->root, p, place).value();
+    const compiled::Disc<ComplexBall> disc(side, side == Side::left ? from_left : from_right);
+    return compiled::evaluate(*body_->root, compiled::point_about(disc, place), place).value();
 }
 
 bool Integrand::is_regular_at_ends() const

@@ -43,6 +43,9 @@ inline Ball remainder(const Ball& bound, const Ball& q, long n)
 /// Slope: |T(s) - T(m)|, |T| <= bound for |s| <= R, at |s|, |m| <= R/4: |T'| <= (bound/R)/(1 - |s/R|^2) (Schwarz and Pick).
 inline Ball slope(const Ball& bound, const Ball& R, const Ball& distance) { return Ball(16) / Ball(15) * bound / R * distance; }
 
+/// Odd difference: (h(s) - h(-s))/s, |h| <= supremum on |s| <= R; h(s) = s attains it.
+inline Ball odd_difference(const Ball& supremum, const Ball& R) { return Ball(2) * supremum / R; }
+
 /// Logarithm: log(rho) <= (4/e) rho^(1/4) for rho >= 1, with equality at e^4.
 inline Ball logarithm_over_fourth_root() { return Ball(4) * exp(Ball(-1)); }
 

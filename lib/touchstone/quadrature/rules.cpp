@@ -57,8 +57,10 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long 
         if (order == 0 && c.in_real_numbers && arb_is_zero(acb_imagref(z)) != 0) {
             Ball x;
             arb_set(x.get(), acb_realref(z));
-            acb_set_arb(out, c.f->at_real(x).get());
-            return 0;
+            if (const Ball y = c.f->at_real(x); y.is_finite()) { // else about an end, where the powers of its distance must be kept
+                acb_set_arb(out, y.get());
+                return 0;
+            }
         }
         ComplexBall argument;
         acb_set(argument.get(), z);
