@@ -59,6 +59,47 @@ TEST_CASE("a piece of the strip encloses the map at each of its points")
     CHECK(finite > 1900);
 }
 
+TEST_CASE("wide pieces enclose the map on a grid of their points, and are not much wider than that")
+{
+    const unsigned seed = 1975;
+    MESSAGE("seed " << seed);
+    std::mt19937_64 random(seed);
+    const auto uniform = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    constexpr int steps = 24;
+    const WorkingPrecision precision(64);
+    double widest = 0;
+    int seen = 0;
+    for (int i = 0; i < 250; ++i) {
+        const double x1 = i % 5 ? uniform(0, 1.5) : 0, x2 = x1 + uniform(0, 0.6), y1 = i % 3 ? uniform(0, 1.3) : 0, y2 = std::min(1.45, y1 + uniform(0, 0.5));
+        const StripPiece piece = StripPiece::at(Side::right, x1, x2, y1, y2);
+        const ComplexBall near = piece.distance(Side::right), far = piece.distance(Side::left), log_far = piece.logarithm(Side::left);
+        if (!near.is_finite()) continue;
+        ++seen;
+        Ball parts[4], sampled[4];
+        for (int k = 0; k <= steps * steps; ++k) {
+            const double x = x1 + (x2 - x1) * (k / steps) / steps, y = y1 + (y2 - y1) * (k % steps) / (steps - 1);
+            if (x > x2 || y > y2) continue;
+            const ComplexBall t(Ball::exactly(x), Ball::exactly(y)), w = ComplexBall(pi<Ball>()) * (exp(t) - exp(-t)) / 2, e = exp(-w);
+            const ComplexBall u = 1 / (1 + e), r = e / (1 + e), l = -log(1 + e);
+            CHECK(far.overlaps(u));
+            CHECK(near.overlaps(r));
+            CHECK(log_far.overlaps(l));
+            const Ball at[4] = {u.real(), u.imag(), l.real(), l.imag()};
+            for (int j = 0; j < 4; ++j) sampled[j] = k == 0 ? at[j] : touchstone::hull(sampled[j], at[j]);
+        }
+        parts[0] = far.real();
+        parts[1] = far.imag();
+        parts[2] = log_far.real();
+        parts[3] = log_far.imag();
+        // the box of w that the piece is enclosed by is itself wider than its image
+        for (int j = 0; j < 4; ++j)
+            if (x2 - x1 < 0.1 && y2 - y1 < 0.1) widest = std::max(widest, parts[j].radius_bound() / (sampled[j].radius_bound() + 1e-3));
+    }
+    CHECK(seen > 60);
+    CHECK(widest < 6);
+    MESSAGE(seen << " pieces, at most " << widest << " times too wide");
+}
+
 TEST_CASE("a half-infinite piece encloses powers and logarithms at points however far out")
 {
     std::mt19937_64 random(5);

@@ -256,7 +256,11 @@ TEST_CASE("random formulas: no enclosure misses the closed form")
     const double seconds = limit ? std::strtod(limit, nullptr) : 1e9;
     const std::clock_t start = std::clock();
     Draw draw(seed);
-    std::map<std::string, std::pair<long, long>> families; // certified, not
+    struct Family {
+        long certified = 0, refused = 0;
+        double seconds = 0; // of the processor
+    };
+    std::map<std::string, Family> families;
     for (long i = 0; i < count && static_cast<double>(std::clock() - start) < seconds * CLOCKS_PER_SEC; ++i) {
         constexpr long now_and_then = 1000;
         if (i > 0 && i % now_and_then == 0) std::fprintf(stderr, "%ld integrals, none wrong\n", i);
@@ -272,8 +276,10 @@ TEST_CASE("random formulas: no enclosure misses the closed form")
             options.principal_value.push_back(parse_limit(c.pole.substr(at, comma - at)));
             at = comma + 1;
         }
+        const std::clock_t begun = std::clock();
         const Integral result = computed(c, options);
-        auto& [certified, refused] = families[c.family];
+        auto& [certified, refused, spent] = families[c.family];
+        spent += static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
         const bool served = result.status == Status::certified || (c.a.radius != 0 && result.digits > 0) || (c.value == "0" && result.value.is_finite());
         (served ? certified : refused) += 1;
         if (!result.value.is_finite()) {
@@ -293,9 +299,9 @@ TEST_CASE("random formulas: no enclosure misses the closed form")
     }
     long all = 0, missing = 0;
     for (const auto& [name, n] : families) {
-        std::printf("%-30s %6ld certified %5ld refused\n", name.c_str(), n.first, n.second);
-        all += n.first + n.second;
-        missing += n.second;
+        std::printf("%-30s %6ld certified %5ld refused %8.1f s\n", name.c_str(), n.certified, n.refused, n.seconds);
+        all += n.certified + n.refused;
+        missing += n.refused;
     }
     std::printf("%ld integrals, %ld certified, %ld refused, none wrong\n", all, all - missing, missing);
     CHECK(missing * 20 <= all);

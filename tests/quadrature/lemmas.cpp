@@ -5,6 +5,7 @@
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/quadrant.hpp"
+#include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/strip.hpp"
 
 #include <doctest/doctest.h>
@@ -189,6 +190,67 @@ TEST_CASE("Bessel remainder: K_n less its leading term, near and far")
     // |R| -> |a_1|/|z|: half of what is claimed, the other half is 2 |a_1|
     attains(Ball(2) * remainder(Ball(7), ComplexBall(decimal("1e8"))), lemma::bessel_remainder(Ball(7), decimal("1e8"), Ball(1)),
             Rational(99, 100));
+}
+
+TEST_CASE("elliptic remainder: K(1 - u) less its logarithm, for u so small that one term is all")
+{
+    const WorkingPrecision precision(400);
+    for (const char* text : {"1e-30", "1e-3", "0.4"}) {
+        const Ball u = decimal(text);
+        const Ball rest = special_function(Op::elliptic_k, u) / pi<Ball>() * (log(Ball(16)) - log(u)) - special_function(Op::elliptic_k, Ball(1) - u);
+        CHECK(arb_le(rest.get(), lemma::elliptic_remainder(u, 1).get()));
+        if (text[0] == '1') attains(rest, lemma::elliptic_remainder(u, 1), Rational(72, 100));
+    }
+}
+
+TEST_CASE("functions with a logarithm at an end are themselves on both sides of where their form changes, and along the strip")
+{
+    const WorkingPrecision precision(200);
+    struct Distance : Frame<Ball> {
+        explicit Distance(const Ball& s)
+            : s_(s)
+        {
+        }
+        Ball distance(Side) const override { return s_; }
+        Ball logarithm(Side) const override { return log(s_); }
+        Ball s_;
+    };
+    for (const char* text : {"1e-40", "0.001", "0.49", "0.51", "0.9", "1.9", "2.1", "7"}) {
+        const Ball s = decimal(text);
+        const Distance frame(s);
+        const EndpointNumber<Ball> u(&frame, {Exponent(1), {}}, {}, Ball(1));
+        CAPTURE(text);
+        if (arb_lt(s.get(), Ball(1).get()))
+            for (const Op op : {Op::elliptic_k, Op::elliptic_e}) {
+                const Op complement = op == Op::elliptic_k ? Op::elliptic_k_of_complement : Op::elliptic_e_of_complement;
+                const Ball value = function_of(complement, u).value();
+                CHECK(value.overlaps(special_function(op, Ball(1) - s)));
+                CHECK(value.relative_bits() > 150);
+            }
+        for (const long order : {0L, 1L, 2L, 5L})
+            for (const Op op : {Op::bessel_k, Op::bessel_y}) {
+                const Ball value = function_of(op, Ball(order), u).value();
+                CHECK(value.overlaps(special_function(op, Ball(order), s)));
+                CHECK(value.relative_bits() > 140);
+            }
+        for (const long twice : {1L, -1L, 3L, -5L})
+            for (const Op op : {Op::bessel_j, Op::bessel_i}) {
+                const Ball order = Ball(twice) / Ball(2), value = function_of(op, order, u).value();
+                CHECK(value.overlaps(special_function(op, order, s)));
+                CHECK(value.relative_bits() > 140);
+            }
+    }
+    // a point at which the image has wound more than half around the end: the continued function, by its derivative's equation along the way
+    const StripPiece piece = StripPiece::at(Side::right, 1.5, 1.5, 1.2, 1.2);
+    const Complex r(&piece, {}, {Exponent(1), {}}, ComplexBall(1));
+    const ComplexBall l = piece.logarithm(Side::right), v = piece.distance(Side::right);
+    REQUIRE(arb_gt(abs(l.imag()).get(), pi<Ball>().get()));
+    const ComplexBall turn = l - analytic::log(v); // a multiple of 2 pi i
+    const ComplexBall expected = special_function(Op::bessel_k, Ball(0), v) - turn * special_function(Op::bessel_i, Ball(0), v);
+    CHECK(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), expected.get()));
+    CHECK_FALSE(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), special_function(Op::bessel_k, Ball(0), v).get()));
+    const ComplexBall k = special_function(Op::elliptic_k, ComplexBall(1) - v) - turn * special_function(Op::elliptic_k, v) / ComplexBall(pi<Ball>());
+    CHECK(acb_overlaps(function_of(Op::elliptic_k_of_complement, r).value().get(), k.get()));
 }
 
 TEST_CASE("odd difference: the identity attains it")

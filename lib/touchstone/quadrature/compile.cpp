@@ -139,6 +139,10 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     case Op::asin: // sin t = a: tan(t/2) = a/(1 + cos t)
         if (!reaches_one(a)) return std::nullopt;
         return product(two, of(Op::atan, quotient(a, sum(one, product(below(), above())))));
+    case Op::elliptic_k:
+    case Op::elliptic_e:
+        if (!reaches_one(a)) return std::nullopt;
+        return of(e.op == Op::elliptic_k ? Op::elliptic_k_of_complement : Op::elliptic_e_of_complement, difference(one, a));
     case Op::acosh:
         if (!reaches_one(a)) return std::nullopt;
         return product(two, of(Op::asinh, of(Op::sqrt, quotient(difference(a, one), two))));

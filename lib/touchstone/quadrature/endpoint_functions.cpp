@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/endpoint_functions.hpp"
 
 #include "touchstone/quadrature/lemmas.hpp"
+#include "touchstone/quadrature/logarithmic_ends.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #include <cmath>
@@ -217,11 +218,17 @@ EndpointNumber<V> general(Op op, const EndpointNumber<V>& x)
 
 } // namespace
 
-Real function_of(Op op, const Real& x) { return general(op, x); }
+Real function_of(Op op, const Real& x)
+{
+    if (op == Op::elliptic_k_of_complement || op == Op::elliptic_e_of_complement) return elliptic_of_complement(op, x);
+    return general(op, x);
+}
 
 Complex function_of(Op op, const Complex& x)
 {
     switch (op) {
+    case Op::elliptic_k_of_complement:
+    case Op::elliptic_e_of_complement: return elliptic_of_complement(op, x);
     case Op::exp: return exponential(x);
     case Op::log: return logarithm(x);
     case Op::airy_ai: return airy(x);
@@ -236,12 +243,14 @@ Complex function_of(Op op, const Complex& x)
 
 Real function_of(Op op, const Ball& order, const Real& x)
 {
+    if (auto about_zero = bessel_about_zero(op, order, x)) return *about_zero;
     return x.map([&](const Ball& v) { return special_function(op, order, v); });
 }
 
 Complex function_of(Op op, const Ball& order, const Complex& x)
 {
     if (const auto side = side_of_growth(x); side && op == Op::bessel_k) return bessel_k(order, x, *side);
+    if (auto about_zero = bessel_about_zero(op, order, x)) return *about_zero;
     return x.map([&](const ComplexBall& v) { return special_function(op, order, v); });
 }
 

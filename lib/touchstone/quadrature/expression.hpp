@@ -85,6 +85,8 @@ enum class Op {
     lambert_w,
     elliptic_k,
     elliptic_e,
+    elliptic_k_of_complement, ///< ellipk(1 - u), ellipe(1 - u): what they are replaced by where they reach 1
+    elliptic_e_of_complement,
     bessel_j,
     bessel_y,
     bessel_i,

@@ -40,6 +40,14 @@ inline Ball remainder(const Ball& bound, const Ball& q, long n)
     return bound * power / (Ball(1) - q);
 }
 
+/// Elliptic remainder: sum over k >= n of 2 a_k s_k q^k, a_k <= 1/4, s_k < log 2, n >= 1.
+inline Ball elliptic_remainder(const Ball& q, long n)
+{
+    Ball power;
+    arb_pow_ui(power.get(), q.get(), static_cast<ulong>(n), WorkingPrecision::bits());
+    return log(Ball(2)) / Ball(2) * power / (Ball(1) - q);
+}
+
 /// Slope: |T(s) - T(m)|, |T| <= bound for |s| <= R, at |s|, |m| <= R/4: |T'| <= (bound/R)/(1 - |s/R|^2) (Schwarz and Pick).
 inline Ball slope(const Ball& bound, const Ball& R, const Ball& distance) { return Ball(16) / Ball(15) * bound / R * distance; }
 

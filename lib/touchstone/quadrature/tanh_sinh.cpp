@@ -66,16 +66,23 @@ struct Sums {
     Ball absolute{0};
 };
 
-/// The sums over one panel, to within 2^log2_tolerance.
+/// Step and nodes for an error of 2^log2_tolerance.
+void plan(ProvedPanel& proved, double log2_tolerance)
+{
+    Panel& p = proved.panel;
+    const WorkingPrecision coarse(strip_bits);
+    const double log_ratio = std::max(1.0, (log2_upper(p.strip_integral) - log2_tolerance + 2) * M_LN2);
+    p.m = rounded_step(M_LN2 * log_ratio / (2 * M_PI * p.strip));
+    p.left_nodes = nodes_needed(proved.left, p.m, log2_tolerance - 3);
+    p.right_nodes = nodes_needed(proved.right, p.m, log2_tolerance - 3);
+}
+
+/// The sums over one panel as it was planned, to within 2^log2_tolerance.
 Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slong& precision)
 {
     Panel& p = proved.panel;
     {
         const WorkingPrecision coarse(strip_bits);
-        const double log_ratio = std::max(1.0, (log2_upper(p.strip_integral) - log2_tolerance + 2) * M_LN2);
-        p.m = rounded_step(M_LN2 * log_ratio / (2 * M_PI * p.strip));
-        p.left_nodes = nodes_needed(proved.left, p.m, log2_tolerance - 3);
-        p.right_nodes = nodes_needed(proved.right, p.m, log2_tolerance - 3);
         p.discretisation = discretisation_bound(p);
         p.truncation = upper_ball(truncation_bound(proved.left, p.left_nodes, p.m) + truncation_bound(proved.right, p.right_nodes, p.m));
     }
@@ -189,6 +196,8 @@ long digits_of(const Ball& x)
 
 /// Sums of more bits than this are not tried: the program's limit for every other value, 16 times what the digits take.
 constexpr double most_bits_per_bit = 16, most_spare_bits = 8192, most_patient_bits = 16384;
+/// Some 80 times the values that an integrand without a singularity beside the interval takes.
+constexpr double most_points_per_bit = 60, most_spare_points = 2000;
 
 /// log2 of the largest bound that errors are held against.
 double bits_against(const std::vector<ProvedPanel>& panels)
@@ -300,6 +309,18 @@ std::vector<Ball> summed(std::vector<ProvedPanel>& panels, std::size_t count, co
             if (attempt > 0) break;
             std::ostringstream why;
             why << "digits against the proven bound of |f| would take " << std::llround(bits) << " bits: f is huge next to the interval";
+            reason = why.str();
+            return {};
+        }
+        double points = 0;
+        for (ProvedPanel& p : panels) {
+            plan(p, log2_tolerance);
+            points += static_cast<double>(p.panel.left_nodes + p.panel.right_nodes + 1);
+        }
+        if (points > most_points_per_bit * wanted + most_spare_points) {
+            if (attempt > 0) break;
+            std::ostringstream why;
+            why << "the sum would take " << std::llround(points) << " values of f: it oscillates too fast, or is singular too near, for one rule";
             reason = why.str();
             return {};
         }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/logarithmic_ends.hpp"
+
+#include "touchstone/quadrature/lemmas.hpp"
+#include "touchstone/quadrature/special.hpp"
+#include "touchstone/quadrature/upper.hpp"
+#include "touchstone/quadrature/widen.hpp"
+
+#include <cmath>
+
+#if __has_include(<flint/acb_hypgeom.h>)
+#include <flint/acb_hypgeom.h>
+#else
+#include <acb_hypgeom.h>
+#endif
+
+namespace touchstone::quadrature {
+namespace {
+
+template <class V>
+using N = EndpointNumber<V>;
+
+/// As many terms of a power series in q that q^n is below the last bit at work, and a few.
+long terms_for(const Ball& q)
+{
+    constexpr long most = 20000;
+    const double bits = -log2_upper(q);
+    return bits > 0 ? std::min(most, static_cast<long>(static_cast<double>(WorkingPrecision::bits()) / bits) + 2) : most;
+}
+
+/// sum over n >= 1 of 2 a_n s_n u^n and sum over n >= 0 of b_n u^n, a_n = ((1/2)_n/n!)^2, b_n = (1/2)_n (3/2)_n/((2)_n n!),
+/// s_n = 1/(1 2) + 1/(3 4) + ... (n terms), for |u| < 1.
+template <class V>
+std::pair<V, V> elliptic_series(const V& u)
+{
+    const Ball q = upper_ball(u);
+    const long terms = terms_for(q);
+    V logarithmic(0), regular(0), power(1);
+    Ball a(1), b(1), s(0);
+    for (long n = 0; n < terms; ++n) {
+        if (n > 0) logarithmic += power * V(Ball(2) * a * s);
+        regular += power * V(b);
+        power = power * u;
+        s += Ball(1) / Ball((2 * n + 1) * (2 * n + 2));
+        a = a * Ball((2 * n + 1) * (2 * n + 1)) / Ball((2 * n + 2) * (2 * n + 2));
+        b = b * Ball((2 * n + 1) * (2 * n + 3)) / Ball((2 * n + 2) * (2 * n + 4));
+    }
+    widen(logarithmic, lemma::elliptic_remainder(q, terms));
+    widen(regular, lemma::remainder(Ball(1), q, terms)); // b_n <= 1
+    return {logarithmic, regular};
+}
+
+/// Whether the number is off the negative axis with its principal logarithm for the one that is continued.
+bool is_principal(const N<Ball>&) { return true; }
+bool is_principal(const N<ComplexBall>& u)
+{
+    const Ball angle = touchstone::abs(log(u).value().imag());
+    return arb_lt(angle.get(), pi<Ball>().get()) != 0;
+}
+
+template <class V>
+bool is_below(const V& v, const Rational& bound)
+{
+    return arb_lt(upper_ball(v).get(), Ball(bound).get()) != 0;
+}
+
+template <class V>
+N<V> elliptic(Op op, const N<V>& u)
+{
+    const Op plain = op == Op::elliptic_k_of_complement ? Op::elliptic_k : Op::elliptic_e;
+    const V v = u.value();
+    if (!vanishes_at_an_end(u) || !is_below(v, Rational(1, 2))) {
+        if (!u.is_plain() && !is_principal(u)) return N<V>(V::indeterminate());
+        return N<V>(special_function(plain, V(1) - v));
+    }
+    const auto [logarithmic, regular] = elliptic_series(v);
+    const V k = special_function(Op::elliptic_k, v);
+    const Ball log16 = log(Ball(16));
+    // DLMF 19.12.1
+    const N<V> K = N<V>(k / V(-pi<Ball>())) * (log(u) - N<V>(log16)) - N<V>(logarithmic);
+    if (plain == Op::elliptic_k) return K;
+    // Legendre's relation, with (K(u) - E(u))/u = (pi/4) sum of b_n u^n
+    const Ball quarter_pi = pi<Ball>() / Ball(4);
+    return (N<V>(V(Ball(2) * quarter_pi)) + u * N<V>(regular * V(quarter_pi)) * K) / N<V>(k);
+}
+
+/// sum over k of (psi(k + 1) + psi(n + k + 1)) w^k/(k! (n + k)!)
+template <class V>
+V digamma_series(long n, const V& w)
+{
+    const Ball q = upper_ball(w);
+    Ball euler, c, over(1);
+    arb_const_euler(euler.get(), WorkingPrecision::bits());
+    c = -euler - euler;
+    for (long j = 1; j <= n; ++j) {
+        c += Ball(1) / Ball(j);
+        over = over / Ball(j);
+    }
+    V sum(0), power(1);
+    Ball size(1);
+    // from k = 2 on the coefficients grow by less than a factor 2, so once (k + 1)(n + k + 1) >= 4 |w| the terms halve at least
+    for (long k = 0;; ++k) {
+        const Ball term = touchstone::abs(c) * over * size;
+        const bool halving = k >= 2 && arb_ge(Ball((k + 1) * (n + k + 1)).get(), (Ball(4) * q).get());
+        if (halving && log2_upper(term) < -static_cast<double>(WorkingPrecision::bits())) {
+            widen(sum, Ball(2) * upper_ball(term));
+            return sum;
+        }
+        sum += power * V(c * over);
+        power = power * w;
+        size = size * q;
+        c += Ball(1) / Ball(k + 1) + Ball(1) / Ball(n + k + 1);
+        over = over / Ball((k + 1) * (n + k + 1));
+    }
+}
+
+/// sum over k < n of (n - k - 1)!/k! (-w)^k
+template <class V>
+V finite_sum(long n, const V& w)
+{
+    V sum(0), power(1);
+    for (long k = 0; k < n; ++k) {
+        Ball c(1);
+        for (long j = 2; j < n - k; ++j) c = c * Ball(j);
+        for (long j = 2; j <= k; ++j) c = c / Ball(j);
+        sum += power * V(c);
+        power = power * -w;
+    }
+    return sum;
+}
+
+/// K_n and Y_n (DLMF 10.31.1, 10.8.1).
+template <class V>
+N<V> with_logarithm(Op op, long n, const N<V>& x)
+{
+    const bool modified = op == Op::bessel_k;
+    const V z = x.value(), square = z * z / V(4), w = modified ? square : -square;
+    const N<V> half = x / N<V>(2), power = to_power(half, Exponent(n));
+    const N<V> regular(special_function(modified ? Op::bessel_i : Op::bessel_j, Ball(n), z));
+    const long sign = n % 2 == 0 ? 1 : -1;
+    N<V> sum = N<V>(modified ? -sign : 2) * log(half) * regular;
+    if (n > 0) sum = sum + N<V>(finite_sum(n, w)) / power * N<V>(modified ? V(Ball(1) / Ball(2)) : V(-1));
+    sum = sum + power * N<V>(digamma_series(n, w)) * N<V>(modified ? V(Ball(sign) / Ball(2)) : V(-1));
+    return modified ? sum : sum / N<V>(V(pi<Ball>()));
+}
+
+/// J_nu and I_nu: (x/2)^nu times an entire function of x^2.
+template <class V>
+N<V> with_power(Op op, const Exponent& order, const N<V>& x)
+{
+    const V z = x.value(), square = z * z / V(4), w = op == Op::bessel_i ? square : -square;
+    ComplexBall f;
+    const ComplexBall a((order + Exponent(1)).ball()), argument(w);
+    acb_hypgeom_0f1(f.get(), a.get(), argument.get(), 1, WorkingPrecision::bits());
+    if constexpr (std::same_as<V, Ball>)
+        return to_power(N<V>(x / N<V>(2)), order) * N<V>(f.real());
+    else
+        return to_power(N<V>(x / N<V>(2)), order) * N<V>(f);
+}
+
+template <class V>
+std::optional<N<V>> bessel(Op op, const Ball& order, const N<V>& x)
+{
+    constexpr double largest = 8;
+    const double nu = arf_get_d(arb_midref(order.get()), ARF_RND_NEAR);
+    if (!vanishes_at_an_end(x) || !order.is_exact() || std::fabs(nu) > largest) return std::nullopt;
+    const bool integer = arb_is_int(order.get()) != 0, logarithmic = op == Op::bessel_k || op == Op::bessel_y;
+    const bool half_odd = !integer && arb_is_int((order * Ball(2)).get()) != 0;
+    if (!(integer && logarithmic && nu >= 0) && !(half_odd && (op == Op::bessel_j || op == Op::bessel_i))) return std::nullopt;
+    // farther away terms cancel: bits at a node, less than what a box loses otherwise on a piece
+    const Rational near(std::same_as<V, Ball> ? 2 : 8);
+    if (!is_below(x.value(), near)) {
+        if (!is_principal(x)) return N<V>(V::indeterminate());
+        return N<V>(special_function(op, order, x.value()));
+    }
+    return integer ? with_logarithm(op, static_cast<long>(nu), x) : with_power(op, Exponent(std::lround(2 * nu), 2), x);
+}
+
+} // namespace
+
+N<Ball> elliptic_of_complement(Op op, const N<Ball>& u) { return elliptic(op, u); }
+N<ComplexBall> elliptic_of_complement(Op op, const N<ComplexBall>& u) { return elliptic(op, u); }
+std::optional<N<Ball>> bessel_about_zero(Op op, const Ball& order, const N<Ball>& x) { return bessel(op, order, x); }
+std::optional<N<ComplexBall>> bessel_about_zero(Op op, const Ball& order, const N<ComplexBall>& x) { return bessel(op, order, x); }
+
+} // namespace touchstone::quadrature
