@@ -251,6 +251,12 @@ TEST_CASE("functions with a logarithm at an end are themselves on both sides of 
     CHECK_FALSE(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), special_function(Op::bessel_k, Ball(0), v).get()));
     const ComplexBall k = special_function(Op::elliptic_k, ComplexBall(1) - v) - turn * special_function(Op::elliptic_k, v) / ComplexBall(pi<Ball>());
     CHECK(acb_overlaps(function_of(Op::elliptic_k_of_complement, r).value().get(), k.get()));
+    // wound as far, but too large for the series: nothing rather than the principal value
+    const StripPiece beside = StripPiece::at(Side::right, 0.2, 0.2, 1.4, 1.4);
+    const Complex large(&beside, {}, {Exponent(1), {}}, ComplexBall(1));
+    REQUIRE(arb_gt(abs(beside.logarithm(Side::right).imag()).get(), pi<Ball>().get()));
+    CHECK_FALSE(function_of(Op::elliptic_k_of_complement, large).value().is_finite());
+    CHECK_FALSE(function_of(Op::bessel_k, Ball(0), large).value().is_finite());
 }
 
 TEST_CASE("odd difference: the identity attains it")
