@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+
 #include <string>
 
 using namespace touchstone;
@@ -267,6 +269,18 @@ TEST_CASE("changes of variable are exact")
         CHECK((evaluate_at(*far, Ball(t)) * Ball(t) * Ball(t)).overlaps(evaluate_at(*e, Ball(at))));
         const auto moved = shifted(e, ExactSum(1), -1);
         CHECK(evaluate_at(*moved, Ball(Rational(-1, 2))).overlaps(evaluate_at(*e, Ball(at))));
+    }
+}
+
+TEST_CASE("on an algebraic half-line 1 + distance is a power of the far distance: no proof of a strip is needed")
+{
+    for (const auto& [formula, from, to, value] : {std::array{"x^(9/10)/(1+x)^(41/2)", "0", "inf", "gamma(19/10)*gamma(93/5)/gamma(41/2)"},
+                                                   std::array{"1/(3-x)^(41/2)", "-inf", "2", "2/39"}, std::array{"1/(2*x-4)^(5/2)", "3", "inf", "2/3*2^(-5/2)"}}) {
+        CAPTURE(formula);
+        const Integral i = integrate(parse_expression(formula), parse_limit(from), parse_limit(to), with_digits(30));
+        CHECK_MESSAGE(i.status == Status::certified, i.reason);
+        CHECK(i.value.overlaps(parse_limit(value).ball()));
+        CHECK(i.parts.at(0).certificate.panels.at(0).pieces == 1);
     }
 }
 

@@ -78,7 +78,7 @@ NodePtr Compiler::node(Kind kind, const std::vector<ExpressionPtr>& args, Op op)
     return n;
 }
 
-/// p with its zeros at the ends taken out, exactly: (x - a)^m (b - x)^n q(x).
+/// p with its zeros at the ends taken out, exactly: (x - a)^m (b - x)^n q(x); n is negative where a half-line's distance divides it.
 NodePtr Compiler::factored(const Polynomial& p) const
 {
     auto n = std::make_unique<Node>();
@@ -93,7 +93,18 @@ NodePtr Compiler::factored(const Polynomial& p) const
             ++n->order[s == Side::left ? 0 : 1];
         }
     }
-    return n->order[0] + n->order[1] > 0 ? std::move(n) : nullptr;
+    // on an algebraic half-line the far distance is 1/(1 + x - a), or 1/(1 + b - x)
+    const auto take_out = [&](const ExactSum& root, std::size_t far, bool turned) {
+        while (n->rest.size() > 1 && value(n->rest, root).is_zero()) {
+            n->rest = without_root(n->rest, root);
+            if (turned)
+                for (ExactSum& c : n->rest) c = -c;
+            --n->order[far];
+        }
+    };
+    if (place_.range->map == Map::right_algebraic && end(Side::left)) take_out(*end(Side::left) - ExactSum(1), 1, false);
+    if (place_.range->map == Map::left_algebraic && end(Side::right)) take_out(*end(Side::right) + ExactSum(1), 0, true);
+    return n->order[0] != 0 || n->order[1] != 0 ? std::move(n) : nullptr;
 }
 
 /// Whether e is 1 or -1 at an end of the range.

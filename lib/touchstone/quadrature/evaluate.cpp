@@ -69,8 +69,8 @@ N<V> factored(const Node& node, const Point<V>& p, const Place& place)
     const auto coefficient = [&](std::size_t i) { return N<V>(kept<V>(node, i, node.rest[i], place)); };
     N<V> r = coefficient(node.rest.size() - 1);
     for (std::size_t i = node.rest.size() - 1; i-- > 0;) r = node.rest[i].is_zero() ? r * p.x : r * p.x + coefficient(i);
-    if (node.order[0] > 0) r = r * to_power(p.left, Exponent(node.order[0]));
-    if (node.order[1] > 0) r = r * to_power(p.right, Exponent(node.order[1]));
+    if (node.order[0] != 0) r = r * to_power(p.left, Exponent(node.order[0]));
+    if (node.order[1] != 0) r = r * to_power(p.right, Exponent(node.order[1]));
     return r;
 }
 
