@@ -96,10 +96,10 @@ class Integrate(unittest.TestCase):
         self.assertEqual(as_json("tan(x)", "0", "3", "--principal-value", "pi/2", "--digits", "10")[1]["value"], "0.01005791507")
 
     def test_bounds_beyond_binary64_are_text(self):
-        code, j = as_json("cos(1000*x)/sqrt(x)", "0", "inf", "--digits", "12")
-        self.assertEqual((code, j["value"]), (0, "0.0396332729761"))
+        code, j = as_json("x^300*exp(-x)", "0", "inf", "--digits", "12")
+        self.assertEqual((code, j["value"]), (0, "3.06057512216e+614"))
         bounds = [p["strip_integral"] for part in j["parts"] if "certificate" in part for p in part["certificate"]["panels"]]
-        self.assertTrue(any(isinstance(b, str) and "e8" in b for b in bounds), bounds)
+        self.assertTrue(any(isinstance(b, str) and len(b.split("e")[1]) > 2 for b in bounds), bounds)
 
     def test_complex_values_have_two_parts_to_one_place(self):
         code, j = as_json("1/x", "1", "1", "--path", "i,-1,-i", "--digits", "20")

@@ -42,18 +42,19 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long 
 {
     struct Call {
         const Integrand* f;
-        bool in_real_numbers;
+        bool in_real_numbers, with_kinks;
         long evaluations = 0;
-    } call{&f, !complex && !kinks};
+    } call{&f, !complex && !kinks, kinks};
     constexpr slong for_kinks = 16; // each kink adds an enclosure as wide as the tolerance
     const slong bits = bits_for_digits(digits) + (kinks ? for_kinks : 0);
     const WorkingPrecision precision(bits);
     const auto evaluate = [](acb_ptr out, const acb_t z, void* data, slong order, slong working) -> int {
         auto& c = *static_cast<Call*>(data);
         ++c.evaluations;
-        // a box across which f varies in its first digits needs few bits
+        // a box across which f varies in its first digits needs few bits (beside a step each bit tells on which side the box is)
         constexpr slong least = 64, spare = 40;
-        const WorkingPrecision here(std::min(working, std::max(least, acb_rel_accuracy_bits(z) + spare)));
+        const slong enough = std::max(least, acb_rel_accuracy_bits(z) + spare);
+        const WorkingPrecision here(c.with_kinks ? working : std::min(working, enough));
         if (order == 0 && c.in_real_numbers && arb_is_zero(acb_imagref(z)) != 0) {
             Ball x;
             arb_set(x.get(), acb_realref(z));
