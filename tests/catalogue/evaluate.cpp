@@ -343,6 +343,30 @@ TEST_CASE("fewer digits never cost more: nothing dear is computed for the sake o
         }
 }
 
+TEST_CASE("a second proof that is asked for fewer digits confirms those, and has to")
+{
+    const auto looks_again = [](const Rational& value, const Rational& radius) {
+        Proof p = proves(value, radius);
+        p.digits = 10;
+        return p;
+    };
+    const EvaluationOptions thirty{.digits = 30, .limit_bits = 800};
+    const Evaluation e = evaluate(known_by({.proofs = {proves(third), looks_again(third, power(Rational(10), -13))}}), inputs({}), thirty);
+    CHECK(e.status == Status::certified);
+    CHECK(e.digits == 30);
+    REQUIRE(e.second_look);
+    CHECK(e.second_look->digits == 10);
+    const Evaluation wide = evaluate(known_by({.proofs = {proves(third), looks_again(third, power(Rational(10), -8))}}), inputs({}), thirty);
+    CHECK(wide.status == Status::undecided); // not even ten digits
+    const Rational off = third + power(Rational(10), -12);
+    CHECK_THROWS_AS(evaluate(known_by({.proofs = {proves(third), looks_again(off, power(Rational(10), -13))}}), inputs({}), thirty), RoutesDisagree);
+    std::vector<long> asked;
+    Proof counts = proves(third, 0, &asked);
+    counts.digits = 10;
+    evaluate(known_by({.proofs = {proves(third), counts}}), inputs({}), thirty);
+    CHECK(asked == std::vector<long>{10});
+}
+
 TEST_CASE("what is shown undecided, and binary64, rest on every proof")
 {
     // the second proof knows 4 digits at any accuracy: no more are shown, and no double

@@ -123,11 +123,11 @@ Plan plan(Ask ask, Factor factor, const Inputs& in, Accuracy wanted)
     result.most_digits = choice.digits;
     result.refusal = choice.refusal;
     if (const recursion::Method* m = choice.method) {
-        const auto proof = [&](const std::string& name, const auto& enclose) {
-            result.proofs.push_back({name, [=](Accuracy a) { return times(working_bits(a), enclose(*p, a)); }});
+        const auto proof = [&](const std::string& name, const auto& enclose, Accuracy most) {
+            result.proofs.push_back({name, [=](Accuracy a) { return times(working_bits(a), enclose(*p, a)); }, most.digits});
         };
-        proof(m->name, m->enclose);
-        if (m->enclose_again) proof(m->second, m->enclose_again);
+        proof(m->name, m->enclose, {recursion::any_digits});
+        if (m->enclose_again) proof(m->second, m->enclose_again, recursion::looked_at_again({std::min(wanted.digits, choice.digits)}));
         result.shares = m->shares;
         result.dear = m->cost(*p, wanted) > dear_seconds;
     }

@@ -112,6 +112,9 @@ private:
     bool dear_;
 };
 
+/// As narrow as a ball that decides so many digits is, were the value not next to a tie.
+bool decides_but_for_ties(const Ball& b, long digits) { return arb_rel_accuracy_bits(b.get()) > (digits - 1) * 3322 / 1000 + 1; }
+
 /// What all attempts to prove one value share.
 class Search {
 public:
@@ -156,22 +159,28 @@ private:
         e.bits = working_bits(accuracy);
         std::vector<std::future<Ball>> others;
         for (std::size_t i = 1; i < plan_.proofs.size(); ++i)
-            others.push_back(start(own_threads_, [&proof = plan_.proofs[i], accuracy] { return proof.ball(accuracy); }));
+            others.push_back(start(own_threads_, [&proof = plan_.proofs[i], accuracy] { return proof.ball({std::min(accuracy.digits, proof.digits)}); }));
         const Ball first = plan_.proofs.front().ball(accuracy);
         point_ = exact_value(first); // radius zero: the value itself, which the other proofs must contain
         balls_ = {first};
         decided_ = point_ || round_to_digits(first, digits);
         if (!decided_ && !ladder.last()) return false;
+        looked_again_ = {};
+        bool confirmed = true;
         for (std::size_t i = 0; i < others.size(); ++i) {
-            balls_.push_back(others[i].get());
-            if (!balls_.back().overlaps(first))
-                throw RoutesDisagree(fmt::format("{}: proofs '{}' and '{}' give disjoint balls {} and {}", q_.name, plan_.proofs[0].name,
-                                                 plan_.proofs[i + 1].name, first.to_string(), balls_.back().to_string()));
+            const Proof& other = plan_.proofs[i + 1];
+            const Ball ball = others[i].get();
+            if (!ball.overlaps(first))
+                throw RoutesDisagree(
+                    fmt::format("{}: proofs '{}' and '{}' give disjoint balls {} and {}", q_.name, plan_.proofs[0].name, other.name, first.to_string(), ball.to_string()));
+            if (other.digits >= digits) balls_.push_back(ball);
+            else confirmed = confirmed && decides_but_for_ties(ball, other.digits);
+            looked_again_ = std::min(other.digits, digits);
         }
         if (point_) return true;
         if (exact_ && !exact_->ball().overlaps(first))
             throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q_.name, first.to_string()));
-        decided_ = common_digits(balls_, digits).has_value(); // each alone decides the digits
+        decided_ = confirmed && common_digits(balls_, digits).has_value(); // each alone decides what it is asked for
         return decided_ && (plan_.dear || common_double(balls_));
     }
 
@@ -200,14 +209,14 @@ private:
             e.note = fmt::format("{} digits are certified here, {} were asked for: {}", e.digits, options_.digits, reason_.empty() ? "no method proves more" : reason_);
         else if (plan_.most_digits < 10'000) e.note = "no more digits are certified here";
         else if (e.note.empty()) e.note = fmt::format("not decided at {} bits; a larger --max-precision may", e.bits);
-        if (plan_.proofs.size() > 1 && balls_.size() == 1 && e.digits > 0) e.note += fmt::format("; the digits shown rest on '{}' alone", plan_.proofs.front().name);
+        if (plan_.proofs.size() > 1 && !looked_again_ && e.digits > 0) e.note += fmt::format("; the digits shown rest on '{}' alone", plan_.proofs.front().name);
     }
 
     const Look* second_look() const { return plan_.own_witness ? &*plan_.own_witness : plan_.witnesses.empty() ? nullptr : &plan_.witnesses.front(); }
 
     void look_again(Evaluation& e)
     {
-        if (balls_.size() > 1) e.second_look = SecondLook{plan_.proofs[1].name, true, true, e.digits, plan_.shares};
+        if (looked_again_) e.second_look = SecondLook{plan_.proofs[1].name, true, true, std::min(e.digits, *looked_again_), plan_.shares};
         if (!witness_) return;
         const std::string& name = second_look()->name;
         const auto add = [&e](const std::string& text) { e.note += (e.note.empty() ? "" : "; ") + text; };
@@ -235,7 +244,8 @@ private:
     long witness_wants_; ///< digits
     bool own_threads_;
     std::optional<std::future<Witness>> witness_;
-    std::vector<Ball> balls_; ///< of the last accuracy; the first alone if it decided nothing
+    std::vector<Ball> balls_; ///< of the last accuracy, of the proofs that were asked for all digits; the first alone if it decided nothing
+    std::optional<long> looked_again_; ///< digits that the second proof was asked for
     std::optional<Rational> point_;
     bool decided_ = false;
     std::string reason_; ///< why fewer digits than asked for are tried

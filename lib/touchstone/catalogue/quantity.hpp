@@ -58,6 +58,7 @@ struct Route {
 struct Proof {
     std::string name; ///< as `routes` of a table and of `eval --json` give it
     std::function<Ball(Accuracy)> ball; ///< encloses the value. \throws BeyondReach
+    long digits = 10'000; ///< a second look at the value is asked for no more than these
 };
 
 /// A look at the value without proof.
@@ -71,7 +72,7 @@ constexpr double dear_seconds = 0.5;
 
 /// What serves certain inputs: the proofs, and what looks at the value beside them.
 struct Plan {
-    /// The first decides the digits. A second one has to decide the same digits alone; disjoint balls are a hard failure.
+    /// The first decides the digits. A second one has to decide as many of them as it is asked for, alone; disjoint balls are a hard failure.
     std::vector<Proof> proofs = {};
     /// Of one proof, the first of them is the second look; without a proof, two or more of them make an estimate.
     std::vector<Look> witnesses = {};

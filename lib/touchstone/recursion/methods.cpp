@@ -252,7 +252,7 @@ Method partial_area()
         .budget = [](const Problem& p, Accuracy a) {
             if (in_the_limit(p, a))
                 return Budget{"A_n = C(G) G^-n load (1 +- delta_n), docs/limit.md, theorem 2", {{limit::area_constant_certificate(Scheme::force_weighted, p.G.ball, a)}}};
-            return Budget{"", {{transfer::area_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::area_certificate(Scheme::area, p.n, arguments(p), a)}}};
+            return Budget{"", {{transfer::area_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::area_certificate(Scheme::area, p.n, arguments(p), looked_at_again(a))}}};
         },
         .second = "area-gauss-panels",
         .enclose_again = by(Scheme::area),
@@ -333,7 +333,7 @@ Method partial_distribution()
         .budget = [](const Problem& p, Accuracy a) {
             if (above_support(p)) return Budget{"above the support"};
             return Budget{"", {{transfer::distribution_certificate(Law::density, p.n, p.p.ball, arguments(p), a)},
-                               {transfer::distribution_certificate(Law::exceedance, p.n, p.p.ball, arguments(p), a)}}};
+                               {transfer::distribution_certificate(Law::exceedance, p.n, p.p.ball, arguments(p), looked_at_again(a))}}};
         },
         .second = "forward-exceedance",
         .enclose_again = by(Law::exceedance),
@@ -363,7 +363,7 @@ Method heavy_load()
         .cost = [](const Problem& p, Accuracy a) { return (0.5 + 6.5 * std::pow(1.2 / (about_G(p) - 2), 2)) * growth(a, 2.5); },
         .enclose = by(Scheme::force_weighted),
         .budget = [](const Problem& p, Accuracy a) {
-            return Budget{"", {{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p), a)}}};
+            return Budget{"", {{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p), looked_at_again(a))}}};
         },
         .second = "heavy-load-area",
         .enclose_again = by(Scheme::area),
@@ -529,6 +529,12 @@ const std::vector<Method>& methods()
     static const std::vector<Method> all{single_wave_area(),     single_wave_exceedance(), single_wave_density(), one_integral(),    second_area(), power_series(), partial_area(),
                                          partial_distribution(), heavy_load(),             proven_shares(),       third_wave_density(), proven_densities(), area_in_any_limit()};
     return all;
+}
+
+Accuracy looked_at_again(Accuracy wanted)
+{
+    constexpr long least = 10;
+    return {std::max(std::min(wanted.digits, least), (wanted.digits + 1) / 2)};
 }
 
 const std::vector<Observer>& observers()

@@ -47,6 +47,10 @@ std::string observers_reach(Asked);
 /// Why there is no estimate of this; empty: there is one.
 std::string observers_refusal(const Problem&);
 
+/// A second proof looks at the first half of the digits asked for, at ten at least: a mistake in a formula or in its program, which it is there to find,
+/// does not wait for the later digits, and what those rest on, precision and bounds, is the first proof's own matter.
+Accuracy looked_at_again(Accuracy wanted);
+
 /// What serves a problem.
 struct Choice {
     const Method* method = nullptr; ///< the cheapest that proves so many digits, or else the one that proves most; none: see refusal
