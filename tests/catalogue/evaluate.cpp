@@ -365,6 +365,10 @@ TEST_CASE("a second proof that is asked for fewer digits confirms those, and has
     counts.digits = 10;
     evaluate(known_by({.proofs = {proves(third), counts}}), inputs({}), thirty);
     CHECK(asked == std::vector<long>{10});
+    // asked for fewer itself, it is a proof like the first, binary64 and all
+    const Evaluation one = evaluate(known_by({.proofs = {proves(third), counts}}), inputs({}), {.digits = 1});
+    CHECK(asked.back() == 18);
+    CHECK(one.binary64 == 1. / 3);
 }
 
 TEST_CASE("what is shown undecided, and binary64, rest on every proof")

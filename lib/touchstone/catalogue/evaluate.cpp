@@ -159,7 +159,9 @@ private:
         e.bits = working_bits(accuracy);
         std::vector<std::future<Ball>> others;
         for (std::size_t i = 1; i < plan_.proofs.size(); ++i)
-            others.push_back(start(own_threads_, [&proof = plan_.proofs[i], accuracy] { return proof.ball({std::min(accuracy.digits, proof.digits)}); }));
+            others.push_back(start(own_threads_, [&proof = plan_.proofs[i], accuracy, digits] {
+                return proof.ball(proof.digits >= digits ? accuracy : Accuracy{std::min(accuracy.digits, proof.digits)});
+            }));
         const Ball first = plan_.proofs.front().ball(accuracy);
         point_ = exact_value(first); // radius zero: the value itself, which the other proofs must contain
         balls_ = {first};
