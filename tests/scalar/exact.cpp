@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "touchstone/scalar/exact.hpp"
+#include "touchstone/scalar/exact_text.hpp"
 
 #include <doctest/doctest.h>
+
+#include <limits>
 
 using namespace touchstone;
 
@@ -61,4 +63,22 @@ TEST_CASE("sizes that exactness is not worth are refused, not computed")
     CHECK_THROWS_AS(Exact(3).power(Rational(1, 1000003)), NotExact);
     CHECK_THROWS_AS(Exact(3).power(Rational(100000000)), NotExact);
     CHECK(Exact(1).power(Rational(1, 1000003)).rational() == 1);
+}
+
+TEST_CASE("a root is found by its least degree, in whatever form it is typed")
+{
+    const auto root = [](const char* text) { return as_root(*parse_exact(text)); };
+    const auto is = [&](const char* text, const Rational& base, unsigned long degree) {
+        const Root r = root(text);
+        return r.base == base && r.degree == degree;
+    };
+    CHECK(is("sqrt(10)", Rational(10), 2));
+    CHECK(is("8^(1/6)", Rational(2), 2));
+    CHECK(is("3/sqrt(2)", Rational(9, 2), 2));
+    CHECK(is("7^(2/14)", Rational(7), 7));
+    CHECK(is("2^(1/4093)", Rational(2), 4093)); // a prime
+    CHECK(is("3^.383", power(Rational(3), 383), 1000));
+    CHECK(is("3^.999", power(Rational(3), 999), 1000)); // 3^(999 k) is too long for most k below 1000
+    CHECK(is("sqrt(2)*2^(1/3)", Rational(32), 6));
+    CHECK_THROWS_AS(Exact(3).power(Rational(std::numeric_limits<long>::min())), NotExact);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/scalar/exact.hpp"
 
+#include <limits>
 #include <numeric>
 
 namespace touchstone {
@@ -25,7 +26,9 @@ Rational bounded_power(const Rational& r, long e)
 long small_integer(const Rational& x)
 {
     if (x.get_den() != 1 || !x.get_num().fits_slong_p()) throw NotExact();
-    return x.get_num().get_si();
+    const long n = x.get_num().get_si();
+    if (n == std::numeric_limits<long>::min()) throw NotExact(); // it has no negative
+    return n;
 }
 
 } // namespace
@@ -107,12 +110,14 @@ Exact Exact::power(const Rational& e) const
     if (e.get_den() == 1) {
         if (is_zero()) return e > 0 ? Exact(0) : (e == 0 ? Exact(1) : throw NotExact());
         const long n = small_integer(e);
+        // s^(n/m) in lowest terms: where p divides what is left of m it does not divide what is left of n, and s^n is a p-th power only if s is
+        const auto common = static_cast<long>(std::gcd(static_cast<unsigned long>(std::labs(n)), degree_));
         Exact r;
         r.factor_ = bounded_power(factor_, n);
-        r.radicand_ = bounded_power(radicand_, n);
-        r.degree_ = degree_;
+        r.radicand_ = bounded_power(radicand_, n / common);
+        r.degree_ = degree_ / static_cast<unsigned long>(common);
         r.pi_power_ = pi_power_ * e;
-        r.normalise();
+        if (r.degree_ == 1 || r.factor_ == 0) r.normalise();
         return r;
     }
     if (sign() < 0) throw NotExact();
