@@ -117,6 +117,9 @@ TEST_CASE("damaged tables are refused")
         damaged.replace(bound_begin, end - bound_begin + 1, bound);
         CHECK_THROWS(ref::load(written(damaged)));
     }
+    const auto row = text.rfind('\n', text.size() - 2) + 1, value = text.find(' ', row) + 1, after = text.find(' ', value);
+    for (const char* other : {"0.5E306952043666", "1e-99999", "0x1p-1", "1e", "1.5.0", "+-1", "inf", "e5", "1e+"}) // the first two had no end
+        CHECK_THROWS(ref::load(written(text.substr(0, value) + other + text.substr(after))));
     for (const char* forced : {"nan", "inf", "-2", "x"})
         CHECK_THROWS(ref::load(written(text.substr(0, text.rfind(' ') + 1) + forced + "\n")));
     std::remove((table_file() + ".damaged").c_str());

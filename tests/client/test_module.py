@@ -5,8 +5,10 @@
 usage: test_module.py --touchstone PROGRAM --client FOLDER [--fortran PROGRAM --read-table PROGRAM]
 """
 import argparse
+import hashlib
 import math
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -106,6 +108,18 @@ class Client(unittest.TestCase):
         for change in (text[:-1], "".join(rows[:-1]), text.replace("0.5 ", "0.6 ", 1), "", "# nothing\n"):
             damaged.write_text(change)
             with self.assertRaises(ref.CorruptTable):
+                ref.load(damaged)
+
+    def test_numbers_without_end_are_refused(self):
+        text = self.table.read_text()
+        row = text.splitlines(keepends=True)[-1]
+        given, value, *more = row.split()
+        for other in ("0.5E306952043666", "1e-99999", "0x1p-1", "1/3", "inf", "1_0"):
+            changed = text[: -len(row)] + " ".join((given, other, *more)) + "\n"
+            rows = "".join(line for line in changed.splitlines(keepends=True) if not line.startswith("#"))
+            damaged = pathlib.Path(self.folder.name) / "damaged.txt"
+            damaged.write_text(re.sub(r'"sha256":"[0-9a-f]+"', f'"sha256":"{hashlib.sha256(rows.encode()).hexdigest()}"', changed))
+            with self.assertRaisesRegex(ref.CorruptTable, "not decimal numbers"):
                 ref.load(damaged)
 
     def test_numpy_is_optional(self):

@@ -157,6 +157,20 @@ inline double ulps_between(double answer, const std::string& decimal)
     return (found.compare(common.value) < 0 ? common.value.minus(found) : found.minus(common.value)).over(unit);
 }
 
+/// Digits, a point or none, and an exponent of at most four digits: what a longer one stands for would be millions of digits.
+inline bool is_decimal(const std::string& text)
+{
+    const char* const digits = "0123456789";
+    const std::size_t mark = std::min(text.find_first_of("eE"), text.size()), first = text.find_first_not_of("+-");
+    if (first > 1 || first >= mark || text.find_first_of(digits) >= mark) return false;
+    const std::size_t point = text.find('.');
+    for (std::size_t i = first; i < mark; ++i)
+        if (i != point && (text[i] < '0' || text[i] > '9')) return false;
+    if (mark == text.size()) return true;
+    const std::size_t power = mark + 1 + (mark + 1 < text.size() && (text[mark + 1] == '-' || text[mark + 1] == '+') ? 1 : 0);
+    return power < text.size() && text.size() - power <= 4 && text.find_first_not_of(digits, power) == std::string::npos;
+}
+
 } // namespace detail
 
 /// The distance of doubles at x != 0.
@@ -313,6 +327,8 @@ inline Table load(const std::string& file)
         for (std::size_t i = 0; i < inputs; ++i) row.inputs.push_back(std::strtod(words[i].c_str(), nullptr));
         row.value = words[inputs];
         row.error = words[inputs + 1];
+        if (!detail::is_decimal(row.value) || !detail::is_decimal(row.error))
+            throw std::runtime_error(file + ": value and error are not decimal numbers: " + line);
         char* end = nullptr;
         if (with_forced) {
             row.forced = std::strtod(words.back().c_str(), &end);

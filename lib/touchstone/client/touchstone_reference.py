@@ -14,7 +14,12 @@ proven bound. If numpy is there, `table.columns()` gives arrays.
 import hashlib
 import json
 import math
+import re
 from fractions import Fraction
+
+
+# what an exact number is made of in a table; one with a longer exponent would be millions of digits
+DECIMAL = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,4})?")
 
 
 class CorruptTable(ValueError):
@@ -154,6 +159,8 @@ def load(file):
         words = line.split()
         if len(words) != columns:
             raise CorruptTable(f"{file}:{number}: {len(words)} columns where {columns} are right")
+        if not all(DECIMAL.fullmatch(w) for w in words[given : given + 2]):
+            raise CorruptTable(f"{file}:{number}: value and error are not decimal numbers: {line.strip()}")
         try:
             inputs = tuple(float(w) for w in words[:given])
             value, error = Fraction(words[given]), Fraction(words[given + 1])
