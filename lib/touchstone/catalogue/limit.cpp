@@ -218,6 +218,7 @@ void add_limit(std::vector<Quantity>& all)
                    .certified = {{"2.000001 <= G < 5000", "15", "", "", ""}}});
 
     add_limiting_distributions(all);
+    add_distance_from_limit(all);
 }
 
 } // namespace touchstone

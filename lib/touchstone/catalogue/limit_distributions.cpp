@@ -5,6 +5,7 @@
 #include "touchstone/limit/area_constant.hpp"
 #include "touchstone/limit/limit_law.hpp"
 #include "touchstone/limit/poisson.hpp"
+#include "touchstone/transfer/level_zero.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +20,7 @@ using limit::Question;
 const Rational lowest_G(102, 100);              ///< ratios up to 1/(G - 1) are met: the mesh grows with that
 const Rational nearest_G(2'000'001, 1'000'000); ///< from there on C(G) has two proofs of its own
 const Rational highest_G(1000);                 ///< the bound's G^3 leaves few digits beyond
+const Rational lowest_pressure_of_density(1, 512); ///< the mesh reaches down to p^4
 constexpr slong input_bits = 256;
 
 std::function<Ball()> G_of(const Inputs& in)
@@ -65,9 +67,12 @@ double share_over_x(Question::Of of, double P, double x)
 Witness look(const Question& q, const Inputs& in)
 {
     const Ball G = in.G_ball();
-    const double P = arf_get_d(arb_midref(q.pressure.get()), ARF_RND_NEAR);
-    const Ball low = certainly(less(q.pressure, Ball(2))) ? q.pressure * q.pressure / 4 : q.pressure - Ball(1);
-    const Witness w = limit::mean_in_the_limit(G, {low, q.pressure + Ball(1)}, [&](double x) { return share_over_x(q.of, P, x); });
+    const auto near = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
+    const double P = near(q.pressure), g = near(G);
+    const bool density = q.of == Question::Of::density;
+    const auto [low, high] = transfer::levels::ends_of_exceeding(q.pressure);
+    const Witness w = limit::mean_in_the_limit(G, density ? transfer::levels::singular_points_of_density(G, q.pressure) : std::vector<Ball>{low, high},
+                                               [&](double x) { return density ? g * limit::density_after_two_waves(g, P, x) / x : share_over_x(q.of, P, x); });
     if (q.of == Question::Of::force) return w;
     const Witness C = limit::area_constant_by_law(G);
     return {w.value / C.value, w.error / C.value + C.error * w.value / (C.value * C.value)};
@@ -79,6 +84,14 @@ Ball area_constant(const Inputs& in, Accuracy a)
     return limit::mean_by_poisson({}, G_of(in), a);
 }
 
+/// Why there is no proof; empty: there is one.
+std::string refused(Question::Of of, const Inputs& in)
+{
+    if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) return "the limiting distributions are certified for 1.02 <= G = gamma^(D-1) <= 1000 only";
+    if (of == Question::Of::density && in.real("p") < lowest_pressure_of_density) return "the density of the limit is certified for p >= 2^-9 only";
+    return "";
+}
+
 Plan plan(Question::Of of, const Pressure& pressure, const Inputs& in)
 {
     Plan result;
@@ -88,10 +101,8 @@ Plan plan(Question::Of of, const Pressure& pressure, const Inputs& in)
         result.own_witness = Look{"highest-pressure", [](Accuracy) { return Witness{Ball(0), Ball(0)}; }};
         return result;
     }
-    if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) {
-        result.refusal = "the limiting distributions are certified for 1.02 <= G = gamma^(D-1) <= 1000 only";
-        return result;
-    }
+    result.refusal = refused(of, in);
+    if (!result.refusal.empty()) return result;
     const auto question = [=] {
         const WorkingPrecision precision(input_bits);
         return Question{of, pressure(in)};
@@ -103,7 +114,8 @@ Plan plan(Question::Of of, const Pressure& pressure, const Inputs& in)
                                  const WorkingPrecision bits(input_bits);
                                  const Question q = question();
                                  const Ball mean = limit::mean_by_poisson(q, G_of(in), a);
-                                 return of == Question::Of::force ? mean : mean / area_constant(in, a);
+                                 if (of == Question::Of::force) return mean;
+                                 return (of == Question::Of::density ? in.G_ball() * mean : mean) / area_constant(in, a);
                              }});
     result.own_witness = Look{"limit-law", [=](Accuracy) {
                                   const WorkingPrecision bits(input_bits);
@@ -120,13 +132,21 @@ Quantity of_limit(Quantity q, Question::Of of, const Pressure& pressure)
         const WorkingPrecision precision(input_bits);
         const Question asked{of, pressure(in)};
         if (never_met(asked.pressure, in)) return std::string("no pressure as high is met in the limit, (5.10)\n");
-        if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) return std::string();
+        if (!refused(of, in).empty()) return std::string();
         return limit::mean_by_poisson_certificate(asked, G_of(in), {digits});
     };
     q.costly = true;
     q.certified = {{"1.02 <= G <= 1000", fmt::format("{}", limit::most_digits_by_poisson), "poisson", "witness limit-law", "the wave and its singular points"}};
     return q;
 }
+
+} // namespace
+
+Plan plan_of_limiting_exceedance(const Inputs& in) { return plan(Question::Of::pressure, given, in); }
+double exceedance_over_x(double P, double x) { return share_over_x(Question::Of::pressure, P, x); }
+double contact_over_x(double x) { return (x < 1 ? 2 / std::numbers::pi * std::asin(std::sqrt(x)) : 1) / x; }
+
+namespace {
 
 void check_pressure(const Inputs& in)
 {
@@ -162,6 +182,8 @@ void add_limiting_distributions(std::vector<Quantity>& all)
         check_pressure);
     add("limit.force", "6.1", "p", "p > 0, G > 1; certified for 1.02 <= G <= 1000", "share of the force that is carried where p_n > p, p in p*_n, as n tends to infinity", Question::Of::force,
         given, check_pressure);
+    add("limit.density", "6.1", "p", "p > 0, G > 1; certified for 1.02 <= G <= 1000, p >= 2^-9",
+        "density of p_n/p*_n in the contact area at p, as n tends to infinity: minus the slope of limit.exceedance", Question::Of::density, given, check_pressure);
     add("limit.segments", "9.2", "a", "0 < a <= 1/2, G > 1; certified for 1.02 <= G <= 1000",
         "share of the contact segments whose half-width is above a, a in lambda_n, as n tends to infinity; at a = 1/2, of full contacts", Question::Of::pressure, of_half_width,
         check_half_width);

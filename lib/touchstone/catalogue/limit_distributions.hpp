@@ -7,7 +7,15 @@
 
 namespace touchstone {
 
-/// limit.exceedance, limit.force and limit.segments
+/// limit.exceedance, limit.force, limit.density and limit.segments
 void add_limiting_distributions(std::vector<Quantity>&);
+/// limit.distance
+void add_distance_from_limit(std::vector<Quantity>&);
+
+/// Of limit.exceedance, at the p and the surface of these inputs.
+Plan plan_of_limiting_exceedance(const Inputs&);
+/// The share of one wave of mean x above P, over x, and the share in contact: in binary64.
+double exceedance_over_x(double P, double x);
+double contact_over_x(double x);
 
 } // namespace touchstone

@@ -64,29 +64,48 @@ std::optional<long> scale(const Ball& tolerance, long most, const Ball& G, const
     return std::nullopt;
 }
 
+namespace {
+
+Ball larger(const Ball& a, const Ball& b)
+{
+    Ball r;
+    arb_max(r.get(), a.get(), b.get(), WorkingPrecision::bits());
+    return r;
+}
+
+/// By what one step brings two chains nearer to one another in the mean, where no ratio is above `highest`.
+Ball rate(const Ball& highest)
+{
+    if (!certainly(less(Ball(1), highest))) {
+        // a ball that cannot tell whether it is above 1 is at most a little above: continuity is not needed, 0.8996 holds there too
+        if (certainly(less(highest, Ball(1)))) return contraction(Ball(0), highest);
+        return Ball(Rational(8996, 10'000));
+    }
+    return larger(Ball(Rational(8996, 10'000)), sqrt(1 - 1 / (highest * highest)));
+}
+
+/// At least every ratio that is met after one below `highest`.
+Ball next_highest(const Ball& highest, const Ball& G) { return certainly(less(highest, Ball(1))) ? 2 * sqrt(highest) / G : (highest + 1) / G; }
+
+} // namespace
+
 Ball distance_from_limit(long n, const Ball& G, const Ball& load)
 {
-    const auto larger = [](const Ball& a, const Ball& b) {
-        Ball r;
-        arb_max(r.get(), a.get(), b.get(), WorkingPrecision::bits());
-        return r;
-    };
     const Ball one(1), squared = G * G, in_the_limit = certainly(less(Ball(2), G)) ? 4 / squared : one / (G - 1);
     const Ball m = larger(one / load, squared);
-    Ball X = larger(one, larger(load, in_the_limit));
-    const Ball d = abs(log(load)) + log(X) + log(1 + squared);
+    Ball X = larger(load, in_the_limit);
+    const Ball d = abs(log(load)) + log(larger(one, X)) + log(1 + squared);
     Ball product(1);
     constexpr long settled = 500; // scales, after which X is not made smaller
     for (long k = 0; k < n; ++k) {
-        const Ball rate = larger(Ball(Rational(8996, 10'000)), sqrt(1 - one / (X * X)));
         if (k == settled) {
-            product = product * pow(rate, Ball(n - k));
+            product = product * pow(rate(X), Ball(n - k));
             break;
         }
-        product = product * rate;
-        X = larger(one, larger(in_the_limit, (X + 1) / G)); // no ratio above is met at the next scale
+        product = product * rate(X);
+        X = larger(in_the_limit, next_highest(X, G));
     }
-    return 3 * sqrt((m + squared) * d * product);
+    return 2 * sqrt((m + squared) * d * product);
 }
 
 } // namespace touchstone::limit

@@ -235,6 +235,49 @@ Witness mean_in_the_limit(const Ball& G, const std::vector<Ball>& further, const
     return {Ball::exactly(value), Ball::exactly(4 * std::fabs(value - coarse)) + Ball::exactly(1e-13 * std::fabs(value))};
 }
 
+Witness distance_in_the_mean(const Ball& G, double load, long n, const std::vector<Ball>& further, const std::function<double(double)>& f, const std::function<double(double)>& g)
+{
+    const double g_ = double(transfer::to_real(G)), highest = std::max(1.01 * load, g_ >= 2 ? 4 / (g_ * g_) : 1 / (g_ - 1));
+    const auto by = [&](double lowest, double tolerance, int order) {
+        const LimitLaw law(G, {std::min(lowest, load / 4), highest, tolerance, further}, order);
+        const auto over = [&](const std::function<double(double)>& of, double limit) { // the mean over x_n, less the limit
+            Vector v;
+            for (const double x : law.nodes()) v.push_back(of(x) - limit);
+            for (long k = 0; k < n; ++k) v = law.after(v);
+            return LimitLaw::Interpolant(law, v)(load);
+        };
+        const double of_f = law.mean(f), of_g = law.mean(g), off_f = over(f, of_f), off_g = over(g, of_g);
+        return (off_f - off_g * of_f / of_g) / (of_g + off_g);
+    };
+    const double value = by(1e-10, 1e-6, 10), coarse = by(1e-8, 1e-4, 6);
+    return {Ball::exactly(value), Ball::exactly(4 * std::fabs(value - coarse) + 1e-13)};
+}
+
+double density_after_two_waves(double G, double P, double x)
+{
+    constexpr int points = 240; // of the midpoint rule; inverse square roots at the ends of a part become smooth
+    const Wave wave{x, G};
+    const double lower = P < 2 ? P * P / 4 : P - 1, upper = P + 1;
+    std::vector<double> cuts{wave.last_angle()};
+    for (const double y : {lower, 1., upper})
+        if (y > std::max(lower, wave.lowest()) * (1 - 1e-15) && y < wave.highest()) cuts.push_back(wave.angle(y));
+    cuts.push_back(0);
+    std::sort(cuts.begin(), cuts.end());
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+        const double length = cuts[k + 1] - cuts[k];
+        for (int i = 0; i < points; ++i) {
+            const double phi = pi * (i + 0.5) / points, angle = cuts[k] + length * (1 - std::cos(phi)) / 2, y = wave.ratio(angle);
+            if (!(y > lower && y < upper)) continue;
+            const double R = std::hypot(1 - y, P);
+            const double density = y >= 1 ? 1 / (pi * std::sqrt((y - P + 1) * (upper - y))) : P / (2 * pi * R) * std::sqrt((1 + y + R) / ((1 - y + R) * (y - P * P / 4)));
+            const double share = wave.full() ? 1 / pi : 2 / pi * std::sqrt(x) * std::cos(angle) / std::sqrt(1 - x * std::sin(angle) * std::sin(angle)); // of length
+            sum += share * density * length / 2 * std::sin(phi) * pi / points;
+        }
+    }
+    return sum;
+}
+
 Witness area_constant_by_law(const Ball& G)
 {
     return mean_in_the_limit(G, {}, [](double x) { return x < 1 ? 2 / pi * std::asin(std::sqrt(x)) / x : 1 / x; });

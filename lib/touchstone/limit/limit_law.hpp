@@ -54,6 +54,10 @@ private:
 
 /// E_pi[f] on a mesh graded for G and those points, and what a coarser one changes. f has to be known to few digits less than it is wanted to.
 Witness mean_in_the_limit(const Ball& G, const std::vector<Ball>& further, const std::function<double(double x)>& f);
+/// E[f(x_n)]/E[g(x_n)] of the chain that begins at `load`, less E_pi[f]/E_pi[g]: both by the same grid, so that small differences keep their digits.
+Witness distance_in_the_mean(const Ball& G, double load, long n, const std::vector<Ball>& further, const std::function<double(double x)>& f, const std::function<double(double x)>& g);
+/// The density of p/p*_n = P after two waves, D_1(x), in binary64: by the angle of the first wave, between the angles where the second's density is not smooth.
+double density_after_two_waves(double G, double P, double x);
 /// C(G) by it.
 Witness area_constant_by_law(const Ball& G);
 

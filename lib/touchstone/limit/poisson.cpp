@@ -135,11 +135,11 @@ Found found_on(const Equation& e, const Solution& s)
     return found;
 }
 
-Found search(const Rules& rules, const First& first, const std::vector<Ball>& of_f, const Ball& G, double highest, double tolerance, const SpoiledPhi& spoiled)
+Found search(const Rules& rules, const First& first, const std::vector<Ball>& of_f, const Ball& G, double lowest, double highest, double tolerance, const SpoiledPhi& spoiled)
 {
     constexpr double coarse_lowest = 1e-10, coarse_tolerance = 1e-6;
     constexpr int coarse_order = 10;
-    const Equation e(rules, first, to_real(G), tolerance, graded_panels(G, {tolerance / 100, highest, tolerance, of_f}));
+    const Equation e(rules, first, to_real(G), tolerance, graded_panels(G, {lowest, highest, tolerance, of_f}));
     Solution s = solve(e, LimitLaw(G, {coarse_lowest, highest, coarse_tolerance, of_f}, coarse_order));
     for (std::size_t i = 0; spoiled && i < s.phi.size(); ++i) {
         const Panel& p = e.panels[i / rules.own.at.size()];
@@ -179,18 +179,28 @@ double polynomial_defect(const Found& f, std::size_t panel, const Check& check)
     return margin * (check.lebesgue * most + of_root);
 }
 
-std::unique_ptr<const First> first_of(const Question& q)
-{
-    if (q.of == Question::Of::contact) return in_contact();
-    return q.of == Question::Of::pressure ? exceeding(q.pressure) : force_above(q.pressure);
-}
+/// f, divided by `unit`, which is 1 but for densities of small pressures; where it is not smooth, apart from 1; and below which ratio the mesh need not reach.
+struct Function {
+    std::unique_ptr<const First> f;
+    double unit = 1;
+    std::vector<Ball> singular{};
+    double lowest;
+};
 
-/// Where f has square roots, apart from 1.
-std::vector<Ball> roots_of(const Question& q)
+Function function_of(const Question& q, const Ball& G, double tolerance)
 {
-    if (q.of == Question::Of::contact) return {};
+    const double negligible = tolerance / 100;
+    if (q.of == Question::Of::contact) return {.f = in_contact(), .lowest = negligible};
+    if (q.of == Question::Of::density) {
+        constexpr double least_unit = 0x1p-10; // meshes below take minutes
+        const double unit = std::min(1.0, std::exp2(std::floor(std::log2(double(to_real(q.pressure))))));
+        auto density = std::make_unique<Density>(G, q.pressure, unit, tolerance / 64);
+        const double lowest = std::min(negligible, density->waves.lowest() / 2); // it is 0 below
+        if (!(unit >= least_unit && lowest > lowest_of_densities)) throw BeyondReach("the pressure is too low for the density of the limit");
+        return {std::move(density), unit, singular_points_of_density(G, q.pressure), lowest};
+    }
     const auto [low, high] = ends_of_exceeding(q.pressure);
-    return {low, high};
+    return {q.of == Question::Of::pressure ? exceeding(q.pressure) : force_above(q.pressure), 1, {low, high}, negligible};
 }
 
 /// Up to where a mesh is needed: no ratio above x_P, at most 4/G^2 for G >= 2 and 1/(G - 1) else, is met from one below.
@@ -208,11 +218,12 @@ Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const 
     const double g = double(nearest), highest = 1.1 * highest_ratio(g);
     if (!(highest <= 60)) throw BeyondReach("G too near 1 for the constant of the limit");
     const Rules rules(tolerance);
-    const auto first = first_of(q);
-    const Found found = search(rules, *first, roots_of(q), G, highest, tolerance, spoiled);
+    const Function function = function_of(q, G, tolerance);
+    const First& first = *function.f;
+    const Found found = search(rules, first, function.singular, G, function.lowest, highest, tolerance, spoiled);
 
-    Defects of_zero(rules, *found.area, 1, tolerance, true), of_step(rules, *found.steps, 2, tolerance, false);
-    of_zero.prove_level_zero(*first);
+    Defects of_zero(rules, *found.area, 1, tolerance, first.is_share()), of_step(rules, *found.steps, 2, tolerance, false);
+    of_zero.prove_level_zero(first);
     of_zero.add_up();
     of_step.prove_steps();
     const Check check(rules.orders.terms + 28, 2.5); // the polynomials have `terms` terms; the rest is for the root
@@ -221,17 +232,19 @@ Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const 
 
     const double reach = highest_ratio(g);                       // the limit law has no ratio above
     const double below = double(found.steps->panels.front().y0); // Phi = P = 0 there
-    Poisson result{to_ball(found.c), 0, of_zero.effect(0, reach), of_step.second_effect(1, reach), *std::max_element(rest.begin(), rest.end()),
+    Poisson result{to_ball(found.c), 0, first.is_share() ? of_zero.effect(0, reach) : of_zero.second_effect(0, reach), of_step.second_effect(1, reach), *std::max_element(rest.begin(), rest.end()),
                    margin * (std::fabs(double(found.c)) * below + std::sqrt(below) * found.steps->largest[0]) * largest_share(g, below), rest.size()};
-    const double sup = result.level_zero + result.polynomial + result.below + g * result.step;
+    const double sup = (first.is_share() ? 1 : g) * result.level_zero + result.polynomial + result.below + g * result.step;
     result.error = sup <= infinite ? margin * g * g * g * sup : infinite;
+    result.c = result.c * Ball::exactly(function.unit);
+    for (double* part : {&result.error, &result.level_zero, &result.step, &result.polynomial, &result.below}) *part *= function.unit; // a power of two
     return result;
 }
 
 namespace {
 
-/// Digits that G^3 and the defects' sum take from the tolerance of the mesh.
-constexpr double spare_digits = 2;
+/// Digits that G^3, or G^4, and the defects' sum take from the tolerance of the mesh.
+double spare_digits(const Question& q) { return q.of == Question::Of::density ? 3 : 2; }
 
 /// The last ones found: both what is asked for and its explanation want them, and quotients of two.
 Poisson kept(const Question& q, const Ball& G, Accuracy wanted)
@@ -245,7 +258,7 @@ Poisson kept(const Question& q, const Ball& G, Accuracy wanted)
     static std::mutex mutex;
     static std::vector<Kept> all; // the latest last
     const std::lock_guard lock(mutex);
-    const double tolerance = std::pow(10.0, -static_cast<double>(std::max(6L, wanted.digits)) - spare_digits);
+    const double tolerance = std::pow(10.0, -static_cast<double>(std::max(6L, wanted.digits)) - spare_digits(q));
     const std::string which = fmt::format("{} {} {}", static_cast<int>(q.of), q.of == Question::Of::contact ? "" : q.pressure.dump(), G.dump());
     for (const Kept& k : all)
         if (k.of == which && k.tolerance <= tolerance) return k.found;
@@ -272,8 +285,8 @@ std::string mean_by_poisson_certificate(const Question& q, const std::function<B
     const WorkingPrecision precision(256);
     const Poisson p = kept(q, G(), wanted);
     return fmt::format("mean = c +- (G^3 sup T|R_1| + G^4 sup T^2|R_2|), R_1 + R_2 = f - c x - Phi + G T Phi (docs/limit.md, theorem 4), on {} panels\n"
-                       "  T of |f - its polynomial| <= {:.2e}, T^2 of the step's defect <= {:.2e}, of the rest on the mesh <= {:.2e}, below it <= {:.2e}; |mean - c| <= {:.2e}\n",
-                       p.panels, p.level_zero, p.step, p.polynomial, p.below, p.error);
+                       "  {} of |f - its polynomial| <= {:.2e}, T^2 of the step's defect <= {:.2e}, of the rest on the mesh <= {:.2e}, below it <= {:.2e}; |mean - c| <= {:.2e}\n",
+                       p.panels, q.of == Question::Of::density ? "T^2" : "T", p.level_zero, p.step, p.polynomial, p.below, p.error);
 }
 
 } // namespace touchstone::limit

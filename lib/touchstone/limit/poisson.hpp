@@ -16,14 +16,20 @@ namespace touchstone::limit {
 
 /// What is asked of the limit, as the mean E_pi[f/x] over the ratio x that a unit of force meets.
 struct Question {
-    enum class Of { contact, pressure, force } of = Of::contact; ///< f: B_0, the share of one wave in contact, above a pressure, or what force is carried above it
+    enum class Of {
+        contact,  ///< f: B_0, the share of one wave in contact,
+        pressure, ///< above a pressure,
+        force,    ///< what force is carried above it,
+        density   ///< or the density D_1 of that pressure after two waves, theorem 6: f may be infinite at a few points
+    } of = Of::contact;
     Ball pressure{}; ///< in p*_n, known to 101 bits
 };
 
 /// The most digits by this.
 constexpr long most_digits_by_poisson = 15;
 
-/// C(G) for contact; the limits of G^n/load times the share of lambda_0 where p_n is above that pressure; and of the share of the force that is carried there.
+/// C(G) for contact; the limits of G^n/load times the share of lambda_0 where p_n is above that pressure; of the share of the force that is carried there; and of
+/// G^(n-1)/load times the density of p_n/p*_n.
 /// \param G known to 101 bits, at least 1.02
 /// \throws BeyondReach where the mesh would be too large, or the residual is not small enough for the digits asked for
 Ball mean_by_poisson(const Question&, const std::function<Ball()>& G, Accuracy);
@@ -36,7 +42,7 @@ using SpoiledPhi = std::function<double(double y0, double y1)>;
 struct Poisson {
     Ball c;        ///< near the mean
     double error;  ///< at least |mean - c|
-    double level_zero, step, polynomial, below; ///< of R: sup T|f - P|, sup T^2|T V_0 - V_1|, the rest on the mesh, sup T of what is below it
+    double level_zero, step, polynomial, below; ///< of R: sup T|f - P| (of a density T^2), sup T^2|T V_0 - V_1|, the rest on the mesh, sup T of what is below it
     std::size_t panels;
 };
 Poisson solve_poisson(const Question&, const Ball& G, double tolerance, const SpoiledPhi& = {});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/level_zero.hpp"
 
+#include "touchstone/wave/wave.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -131,6 +133,17 @@ private:
 } // namespace
 
 std::pair<Ball, Ball> ends_of_exceeding(const Ball& P) { return {certainly(less(P, Ball(2))) ? P * P / 4 : P - Ball(1), P + Ball(1)}; }
+std::vector<Ball> singular_points_of_density(const Ball& G, const Ball& pressure)
+{
+    std::vector<Ball> all;
+    const auto [low, high] = ends_of_exceeding(pressure);
+    for (const Ball& s : {low, high}) {
+        const Ball down = wave::meets_upper_end_full(s, G); // a ball that cannot tell which side of 1 it is on: both forms give 1
+        all.push_back(wave::meets_lower_end(s, G));
+        all.push_back(certainly(less(down, Ball(1))) ? wave::meets_upper_end_partial(s, G) : down);
+    }
+    return all;
+}
 std::unique_ptr<const First> force_above(const Ball& pressure) { return std::make_unique<ForceAbove>(pressure); }
 std::unique_ptr<const First> in_contact() { return std::make_unique<InContact>(); }
 std::unique_ptr<const First> exceeding(const Ball& pressure) { return std::make_unique<Exceeding>(pressure); }

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace touchstone::transfer::levels {
 
@@ -37,6 +38,8 @@ std::unique_ptr<const First> exceeding(const Ball& pressure);
 std::unique_ptr<const First> force_above(const Ball& pressure);
 /// Where exceeding() and force_above() begin, and where they reach everything: they have square roots there.
 std::pair<Ball, Ball> ends_of_exceeding(const Ball& pressure);
+/// Where D_1 has logarithms or jumps, apart from the images of 1: at the images of those ends.
+std::vector<Ball> singular_points_of_density(const Ball& G, const Ball& pressure);
 
 /// D_1/unit: D_1 goes with P where P is small.
 struct Density : First {

@@ -86,7 +86,7 @@ Method area_in_any_limit()
         },
         .cost = [](const Problem&, Accuracy a) { return 2 + 10 * growth(a, 2.5); },
         .enclose = [](const Problem& p, Accuracy a) { return limit::area_in_any_limit(p.n, arguments(p), a); },
-        .budget = [](const Problem&, Accuracy) { return Budget{"A_n = G^-n load (C(G) +- 3 (m + G^2)^(1/2) (lambda^n d)^(1/2)), docs/limit.md, theorem 1"}; },
+        .budget = [](const Problem&, Accuracy) { return Budget{"A_n = G^-n load (C(G) +- 2 (m + G^2)^(1/2) (lambda^n d)^(1/2)), docs/limit.md, theorem 1"}; },
         .witness = Observer{"limit-law", [](const Problem& p, Accuracy) { return limit::area_by_limit_law(p.n, arguments(p)); }},
         .shares = "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others",
     };
