@@ -42,6 +42,18 @@ TEST_CASE("below 2 the estimate lies in the enclosure")
     CHECK(certainly(less(abs(w.value - p.c), Ball::exactly(p.error))));
 }
 
+TEST_CASE("the bound falls as the tolerance does: nothing is lost beyond the mesh")
+{
+    const WorkingPrecision precision(256);
+    CHECK(limit::solve_poisson({limit::Question::Of::pressure, Ball(*parse_rational("0.499"))}, Ball(3), 1e-15).error < 1e-13);
+}
+
+TEST_CASE("a search for digits ends")
+{
+    const WorkingPrecision precision(256);
+    CHECK_THROWS_AS(limit::mean_by_poisson({}, [] { return Ball(3); }, {20}), BeyondReach);
+}
+
 TEST_CASE("Phi may be anything: what it is made worse by is in the bound")
 {
     const WorkingPrecision precision(160);

@@ -17,6 +17,7 @@ using namespace transfer::levels;
 constexpr double same_point = 1e-4;   ///< relative
 constexpr double inside = 0.15;       ///< of a panel's width, from where on the distance to a singular point counts; 1/2 would be its edge
 constexpr double widest = 0.1;        ///< a panel that no generation has to be known for
+constexpr double beyond_highest = 1.04; ///< a narrow panel there
 constexpr std::size_t most_panels = 30'000;
 
 /// Of a singular point of this generation, measured on meshes that were halved until sixteen levels of areas were resolved, 1.08 < G < 1.5.
@@ -79,6 +80,10 @@ std::vector<Panel> graded_panels(const Ball& G, const Grading& g)
         const Real next = y * (1 + std::min(0.6, 0.35 / double(y)));
         waiting.push_back(panel(y * y, next * next, waiting.empty()));
         y = next;
+    }
+    for (int beyond = 0; beyond < 2; ++beyond) { // beyond the last one functions jump to 0, which counts wherever an end of a wave is within two panels of it
+        const Real last = waiting.back().z1;
+        waiting.push_back(panel(last, last * beyond_highest, false));
     }
     const Real lowest = waiting.front().z0;
     while (!waiting.empty()) {

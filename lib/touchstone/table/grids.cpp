@@ -443,6 +443,25 @@ Rows limit_exceedance_grid()
     return rows;
 }
 
+/// Pressures in p*_n up to next to the highest, 4/G, and with full contact.
+Rows limit_density_grid()
+{
+    Rows rows;
+    for (const double p : {0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 1., 1.2}) rows.push_back({p, figure_5_G});
+    for (const double p : {0.1, 0.4472135954999579, 1., 1.5}) rows.push_back({p, second_G});
+    for (const double p : {0.5, 1.5}) rows.push_back({p, 1.5});
+    return rows;
+}
+
+/// Scales up to 30 of figure 5's case, and with full contact.
+Rows limit_distance_grid()
+{
+    Rows rows;
+    for (const double n : {1., 2., 3., 5., 10., 20., 30.}) rows.push_back({n, 0.5, 0.1, figure_5_G});
+    for (const double n : {2., 5.}) rows.push_back({n, 1., 0.1, 1.5});
+    return rows;
+}
+
 /// Half-widths in wavelengths.
 Rows limit_segments_grid()
 {
@@ -505,6 +524,8 @@ static const std::vector<TableSpec>& grids()
         {"limit_ratio", "limit.area_ratio", 20, limit_ratio_grid, true},
         {"limit_exceedance", "limit.exceedance", 8, limit_exceedance_grid, true},
         {"limit_force", "limit.force", 8, limit_exceedance_grid, true},
+        {"limit_density", "limit.density", 6, limit_density_grid, true},
+        {"limit_distance", "limit.distance", 3, limit_distance_grid, true},
         {"limit_segments", "limit.segments", 8, limit_segments_grid, true},
         {"limit_scale", "limit.scale", 20, limit_scale_grid, true},
         {"limit_gap", "limit.gap", 10, limit_gap_grid, true},
