@@ -2,6 +2,7 @@
 #include "proofs/consequences.hpp"
 
 #include "proofs/enclosure/enclosure.hpp"
+#include "proofs/lemmas/limit_values.hpp"
 #include "proofs/lemmas/model_area.hpp"
 
 #include "touchstone/paper/archard.hpp"
@@ -105,7 +106,7 @@ std::string limit_of_area()
 {
     return "(8.3), (8.6) inherit the constant; the slopes and dimensions are right. A code that takes (7.21) for the limit of the model is "
            "low by " +
-           percent(1 - 1 / ratios_to_hertz(33, 33, 5)) + " at D = 1.5, gamma = 5 (text.extremely-good)";
+           percent(1 - 1 / limiting_ratio(5)) + " at D = 1.5, gamma = 5 and " + percent(1 - 1 / limiting_ratio(10)) + " at gamma = 10";
 }
 
 } // namespace

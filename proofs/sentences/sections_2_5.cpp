@@ -3,6 +3,7 @@
 #include "proofs/lemmas/area_bounds.hpp"
 #include "proofs/lemmas/fixed_point.hpp"
 #include "proofs/lemmas/k_limit.hpp"
+#include "proofs/lemmas/limit_values.hpp"
 #include "proofs/lemmas/model_area.hpp"
 #include "proofs/lemmas/non_hertzian.hpp"
 #include "proofs/sentences/sentences.hpp"
@@ -217,13 +218,16 @@ Finding hertzian_share(const Print& p)
 {
     Argument a("bounds on the force-weighted chain");
     a.add("for 1 < G < sqrt(20) the share of non-Hertzian contacts stays above a positive number", non_hertzian_share_stays());
-    const Ball share = hull(Ball(0), 1 - least_non_hertzian_share(root(5)));
-    a.add("the limiting share of contacts with p_{n-1}/p*_n < 0.2 at gamma = 5, D = 3/2 (figure 3c)", share_satisfies(share, p, "it"));
+    const Ball outside_at_5 = limiting_share_outside_hertz(5), outside_at_10 = limiting_share_outside_hertz(10);
+    a.add("the limiting share of contacts with p_{n-1}/p*_n < 0.2 at gamma = 5, D = 3/2 (figure 3c), certified",
+          share_satisfies(1 - outside_at_5, p, "it"));
+    a.add("which is above what the bounds leave", within(outside_at_5, hull(least_non_hertzian_share(root(5)), Ball(1))));
+    a.add("and at gamma = 10 (figure 3d)", share_satisfies(1 - outside_at_10, p, "it"));
     const auto outside = [](long gamma) { return share_outside_hertz(3, Rational(1, 10), gamma).to_string(4); };
     return a.conclude("at n = 4 and load 0.1 the share outside the Hertzian range is " + outside(5) + " at D = 1.5, gamma = 5 and " +
                       outside(10) +
-                      " at gamma = 10 (certified); a simulation, which proves nothing, puts it near 0.87 and 0.67 at large n, and near "
-                      "0.98 at D = 1.05. The load ratio of the contacting asperities has a limiting law that depends on G alone; its "
+                      " at gamma = 10, in the limit " + outside_at_5.to_string(4) + " and " + outside_at_10.to_string(4) +
+                      " (certified); a simulation, which proves nothing, puts it near 0.98 at D = 1.05. The load ratio of the contacting asperities has a limiting law that depends on G alone; its "
                       "largest value is x_P. Only for gamma^(D-1) > sqrt(20), where (5.11) holds, are all contacts Hertzian at large n");
 }
 
@@ -253,10 +257,12 @@ Finding full_share(const Print& p)
 {
     Argument a("bounds on the force-weighted chain");
     a.add("for 1 < G < 2 the share of full contacts among all contacts stays above a positive number", full_contact_share_stays());
-    const Ball least = least_full_share(G_of_figure_3a(), Ball(Rational(3, 5)));
-    a.add("the limiting share of full contacts at gamma = 5, D = 1.05 (figure 3a)", share_satisfies(hull(least, Ball(1)), p, "it"));
-    return a.conclude("the *area* in full contact does vanish, but so does the whole contact area, at the same rate; a simulation, which "
-                      "proves nothing, puts the share at 0.82 for gamma = 5, D = 1.05");
+    const Ball least = least_full_share(G_of_figure_3a(), Ball(Rational(3, 5))), share = limiting_full_share(5);
+    a.add("the limiting share of full contacts at gamma = 5, D = 1.05 (figure 3a), certified", share_satisfies(share, p, "it"));
+    a.add("which is above what the bounds leave", within(share, hull(least, Ball(1))));
+    return a.conclude("the *area* in full contact does vanish, but so does the whole contact area, at the same rate; the share of full "
+                      "contacts, by number, tends to " +
+                      share.to_string(4) + " for gamma = 5, D = 1.05 (certified)");
 }
 
 } // namespace

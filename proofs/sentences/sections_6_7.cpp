@@ -4,6 +4,7 @@
 #include "proofs/lemmas/area_bounds.hpp"
 #include "proofs/lemmas/fixed_point.hpp"
 #include "proofs/lemmas/k_limit.hpp"
+#include "proofs/lemmas/limit_values.hpp"
 #include "proofs/lemmas/model_area.hpp"
 #include "proofs/sentences/sentences.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -215,8 +216,9 @@ Finding defines_limit(const Print& p)
     a.add("for G > 2, load < 1: A_n G^n/(lambda_0 load) has one limit C(G) for all loads", one_limiting_law());
     a.add("the limit of A_n over (7.21) is at least 1 + pi/(24 G^2 K_inf)", hertz_from_below());
     a.add("and at most (2/pi) (8 G/pi^2 + (pi/2 - 1) 2/G)/(K_inf G)", area_from_above());
-    const Ball ratio = hull(least_excess(root(5)), most_excess(root(5)));
-    a.add("gamma = 5, D = 3/2: the limiting ratio of A_n to (7.21)", number_satisfies(ratio, p, "it"));
+    a.add("gamma = 5, D = 3/2: the limiting ratio of A_n to (7.21), certified", number_satisfies(limiting_ratio(5), p, "it"));
+    a.add("which those bounds contain", within(limiting_ratio(5), hull(least_excess(root(5)), most_excess(root(5)))));
+    a.add("gamma = 10, D = 3/2", number_satisfies(limiting_ratio(10), p, "it"));
     return a.conclude(
         "the slope of (7.21) is exact, its constant K_inf gamma^(D-1) is not: it is what the Hertzian limit G -> infinity leaves");
 }

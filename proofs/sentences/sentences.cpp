@@ -47,6 +47,11 @@ Check number_satisfies(const Ball& quantity, const Print& p, const std::string& 
     return {Verdict::undecided, says};
 }
 
+Check within(const Ball& quantity, const Ball& range)
+{
+    return exactly(arb_contains(range.get(), quantity.get()) != 0, quantity.to_string(5) + " in " + between(range));
+}
+
 Check share_satisfies(const Ball& share, const Print& p, const std::string& what)
 {
     const std::string& relation = p.text("relation");

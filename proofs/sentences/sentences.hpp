@@ -40,6 +40,9 @@ Check number_satisfies(const Ball& quantity, const Print&, const std::string& wh
 /// The same for a share, which is neither below zero nor above one.
 Check share_satisfies(const Ball& share, const Print&, const std::string& what);
 
+/// Certainly inside the range.
+Check within(const Ball& quantity, const Ball& range);
+
 /// bound <= largest for all G > 1: a claim for loads below a smaller bound is true with it.
 bool at_most_for_all_G(const ex& bound, const ex& largest);
 /// The bound is a formula with a positive value at the point given.
