@@ -106,6 +106,21 @@ TEST_CASE("the distance from the limit is a difference of certified shares, and 
     CHECK_THROWS_AS(eval("limit.distance", {{"n", 1}, {"p", 0}, {"load", 1}, {"G", 3}}, 4), DomainError);
 }
 
+TEST_CASE("the share of one wave above a pressure, over its ratio, changes by at most 2 x^(-1/2) |log x - log x'|^(1/2), theorem 1 step 3")
+{
+    const auto over_x = [](double P, double x) { // P = 0: in contact
+        const double c = x >= 1 ? P - x : std::sqrt((1 - x) * (1 - x) + P * P) - x;
+        return std::acos(std::fmin(1, std::fmax(-1, c))) / (3.141592653589793 * x);
+    };
+    double most = 0;
+    for (const double P : {0., 0.1, 0.5, 1., 1.9, 2.1, 4.})
+        for (double x = 1e-3; x < 20; x *= 1.03)
+            for (double ratio = 1.0005; ratio < 50; ratio *= 1.07)
+                most = std::fmax(most, std::fabs(over_x(P, x) - over_x(P, x * ratio)) * std::sqrt(x / std::log(ratio)));
+    CHECK(most <= 2);
+    CHECK(most > 0.5); // what is looked at is not all far below
+}
+
 TEST_CASE("the rate of approach for every load: in partial contact 1/2 a scale, and never above 1")
 {
     const WorkingPrecision precision(128);
