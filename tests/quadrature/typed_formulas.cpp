@@ -312,6 +312,8 @@ TEST_CASE("Cauchy's principal value: the poles named are folded, others still di
                  {"log(x)/(x-2)", "1", "3", {"2"}, "dilog(1/2)-dilog(-1/2)"},
                  {"exp(x)/((x-1)*(x-2))", "0", "3", {"1", "2"}, "e^2*(ei(1)-ei(-2))-e*(ei(2)-ei(-1))"},
                  {"cos(x)/sin(x-1)", "0", "2", {"1"}, "-2*sin(1)"},
+                 {"exp(x)/x", "-2", "1/2", {"0"}, "ei(1/2)-ei(-2)"},
+                 {"abs(x-1/4)/(x-1/2)", "0", "1", {"1/2"}, "1/2+log(2)/2"},
                  {"cos(x)/(x-1/2)", "-inf", "inf", {"1/2"}, "-pi*sin(1/2)"}};
     for (const auto& c : cases) {
         CAPTURE(c.formula);
@@ -321,6 +323,18 @@ TEST_CASE("Cauchy's principal value: the poles named are folded, others still di
         CHECK_MESSAGE(i.status == Status::certified, i.reason);
         CHECK(i.value.overlaps(value));
     }
+    // the fold is bounded, and no more than that is claimed of it
+    IntegralOptions by_tanh_sinh = with_digits(25);
+    by_tanh_sinh.principal_value = {parse_limit("1/2")};
+    by_tanh_sinh.gauss_legendre = false;
+    const auto half = integrate(parse_expression("cos(x)/(x-1/2)"), parse_limit("0"), parse_limit("1"), by_tanh_sinh);
+    REQUIRE(half.parts.size() == 1);
+    CHECK(half.parts[0].certificate.panels.at(0).alpha == Exponent(1));
+    CHECK_FALSE(at("cos(x)/(x-1/2)^2", "0", "1", {"1/2"}).value.is_finite());
+    // in another variable the odd difference is written out
+    const auto odd = make(Op::odd_difference, {parse_expression("exp(x)+x^2")});
+    const Ball t(Rational(2, 3)), two_sinh = exp(Ball(1) / t) - exp(-(Ball(1) / t));
+    CHECK((evaluate_at(*about_infinity(odd, ExactSum(0), 1), t) * t * t).overlaps(two_sinh));
     CHECK(at("1/(x*(x-1))", "-1", "3", {"0"}).divergent);
     CHECK(at("1/x^2", "-1", "2", {"0"}).divergent);
     CHECK_THROWS_AS(at("1/x", "-1", "2", {"3"}), DomainError);
