@@ -382,9 +382,9 @@ NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
     if (const auto better = rewritten(*e)) return compile(*better);
     NodePtr n = by_operation(e);
     const bool is_another = n.use_count() > 1; // its zeros are known
-    if (!is_another && has_range() && depends_on_x(*e) && (n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||
-                                             n->kind == Kind::real_part || n->kind == Kind::imaginary_part))
-        find_zeros(*n, e);
+    const bool may_vanish = n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||
+                            n->kind == Kind::real_part || n->kind == Kind::imaginary_part;
+    if (!is_another && may_vanish && has_range() && depends_on_x(*e)) find_zeros(*n, e);
     return n;
 }
 

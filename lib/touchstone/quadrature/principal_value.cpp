@@ -22,7 +22,9 @@ bool less(const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), 
 const ExactSum& exact_end(const Limit& end)
 {
     if (!end.exact)
-        throw DomainError("a principal value needs poles and ends that are sums of rational numbers, square roots and multiples of pi (or infinite ends): not " + end.text);
+        throw DomainError("a principal value needs poles and ends that are sums of rational numbers, square roots and multiples of pi "
+                          "(or infinite ends): not " +
+                          end.text);
     return *end.exact;
 }
 
@@ -49,7 +51,8 @@ ExactSum reach(const std::vector<Limit>& poles, std::size_t i, const Limit& from
 Piece folded_about(const ExpressionPtr& e, const Limit& pole, const ExactSum& reach)
 {
     const ExpressionPtr right = shifted(e, *pole.exact, 1), left = shifted(e, *pole.exact, -1), s = make_variable();
-    Piece p{make(Op::add, {right, left}), parse_limit("0"), limit_at(reach, reach.ball().to_string(10)), ", folded about " + pole.text, nullptr};
+    const Limit to = limit_at(reach, reach.ball().to_string(10));
+    Piece p{make(Op::add, {right, left}), parse_limit("0"), to, ", folded about " + pole.text, nullptr};
     if (expand(*p.formula, ExactSum(0), 1)) return p;
     p.otherwise = make(Op::divide, {make(Op::odd_difference, {make(Op::multiply, {s, right})}), s});
     std::swap(p.formula, p.otherwise);
@@ -71,7 +74,8 @@ std::vector<Piece> folded(const ExpressionPtr& e, const Limit& from, const Limit
         const ExactSum &c = *poles[i].exact, r = reach(poles, i, from, to);
         if (r.is_zero()) throw DomainError("the pole " + poles[i].text + " is named twice");
         const ExactSum below = c - r, above = c + r;
-        if (!cursor.exact || !(*cursor.exact == below)) pieces.push_back({e, cursor, limit_at(below, poles[i].text + " - reach"), "", nullptr});
+        if (!cursor.exact || !(*cursor.exact == below))
+            pieces.push_back({e, cursor, limit_at(below, poles[i].text + " - reach"), "", nullptr});
         pieces.push_back(folded_about(e, poles[i], r));
         cursor = limit_at(above, poles[i].text + " + reach");
     }

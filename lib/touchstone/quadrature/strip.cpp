@@ -126,9 +126,10 @@ bool may_meet(double low, double high, double at)
     return !(at + 2 * M_PI * k > high + spare * (1 + std::fabs(high)));
 }
 
-/// For E = exp(-w), w = x + iy, 0 <= re1 <= x <= re2, im1 <= y <= im2. With e = exp(-x), c = cos y, s = sin y and D = |1 + E|^2 = 1 + 2ec + e^2:
-/// 1/(1 + E) = (1 + ec + i es)/D = (1 + tanh(w/2))/2, E/(1 + E) = (e(c + e) - i es)/D, log(1 + E) = log(D)/2 - i atan2(es, 1 + ec).
-/// Their parts are monotone in x and in c (or s) but at the places named below, so corners and those places bound them (tanh_sinh.md, section 2).
+/// For E = exp(-w), w = x + iy, 0 <= re1 <= x <= re2, im1 <= y <= im2. With e = exp(-x), c = cos y, s = sin y,
+/// D = |1 + E|^2 = 1 + 2ec + e^2: 1/(1 + E) = (1 + ec + i es)/D = (1 + tanh(w/2))/2, E/(1 + E) = (e(c + e) - i es)/D,
+/// log(1 + E) = log(D)/2 - i atan2(es, 1 + ec). Their parts are monotone in x and in c (or s) but at the places named below, so corners and
+/// those places bound them (tanh_sinh.md, section 2).
 FarAndNear far_and_near(const Ball& re1, const Ball& re2, const Ball& im1, const Ball& im2)
 {
     const FarAndNear nothing{ComplexBall::indeterminate(), ComplexBall::indeterminate(), ComplexBall::indeterminate()};
@@ -182,7 +183,8 @@ FarAndNear far_and_near(const Ball& re1, const Ball& re2, const Ball& im1, const
                 imaginary.take(Span(sign) * e[i] / (one - e[i] * e[i]));
         }
     }
-    const Ball half_log = touchstone::hull(log(exactly(d.span().low)), log(exactly(d.span().high))) / Ball(2), across = imaginary.span().ball();
+    const Ball half_log = touchstone::hull(log(exactly(d.span().low)), log(exactly(d.span().high))) / Ball(2);
+    const Ball across = imaginary.span().ball();
     return {ComplexBall(far_real.span().ball(), across), ComplexBall(near_real.span().ball(), -across), ComplexBall(half_log, -*angle)};
 }
 

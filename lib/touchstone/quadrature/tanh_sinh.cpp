@@ -266,7 +266,7 @@ std::string not_as_declared(const Options& options, const std::vector<ProvedPane
 }
 
 /// About log2 of the integral that is smallest (of that of |f|, if its digits are enough), by a few nodes of 53 bits: what the first tolerance
-/// goes by. Nothing is claimed of it; at most 2^-6 of the integral of |f| is believed.
+/// goes by. Nothing is claimed of it; sizes below 2^-6 of the integral of |f| are not believed.
 double rough_log2_size(std::vector<ProvedPanel>& panels, std::size_t count, bool of_absolute)
 {
     constexpr long m = 2, nodes = 8;
@@ -300,7 +300,8 @@ std::vector<Ball> summed(std::vector<ProvedPanel>& panels, std::size_t count, co
 {
     constexpr int most_attempts = 4;
     const double rough = rough_log2_size(panels, count, options.of_absolute), proved = log2_upper(scale);
-    double log2_tolerance = (std::isfinite(rough) ? std::min(rough, proved) : proved) - wanted - 2 - std::log2(static_cast<double>(panels.size()));
+    const double size = std::isfinite(rough) ? std::min(rough, proved) : proved;
+    double log2_tolerance = size - wanted - 2 - std::log2(static_cast<double>(panels.size()));
     std::vector<Ball> totals;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
         const double bits =
@@ -320,7 +321,8 @@ std::vector<Ball> summed(std::vector<ProvedPanel>& panels, std::size_t count, co
         if (points > most_points_per_bit * wanted + most_spare_points) {
             if (attempt > 0) break;
             std::ostringstream why;
-            why << "the sum would take " << std::llround(points) << " values of f: it oscillates too fast, or is singular too near, for one rule";
+            why << "the sum would take " << std::llround(points)
+                << " values of f: it oscillates too fast, or is singular too near, for one rule";
             reason = why.str();
             return {};
         }
