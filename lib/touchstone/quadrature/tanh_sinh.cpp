@@ -196,8 +196,8 @@ long digits_of(const Ball& x)
 
 /// Sums of more bits than this are not tried: the program's limit for every other value, 16 times what the digits take.
 constexpr double most_bits_per_bit = 16, most_spare_bits = 8192, most_patient_bits = 16384;
-/// Some 200 times the values that an integrand without a singularity beside the interval takes.
-constexpr double most_points_per_bit = 200, most_spare_points = 20000;
+/// Some 1000 times the values that an integrand without a singularity beside the interval takes.
+constexpr double most_points_per_bit = 1000, most_spare_points = 50000;
 
 /// log2 of the largest bound that errors are held against.
 double bits_against(const std::vector<ProvedPanel>& panels)
