@@ -365,6 +365,15 @@ TEST_CASE("a second proof that is asked for fewer digits confirms those, and has
     counts.digits = 10;
     evaluate(known_by({.proofs = {proves(third), counts}}), inputs({}), thirty);
     CHECK(asked == std::vector<long>{10});
+    // one that stays a little wide is asked for more when the first is, and not for the same again and again
+    Proof wider = proves(third, power(Rational(10), -9), &asked);
+    wider.digits = 10;
+    const EvaluationOptions to_eighty{.digits = 30, .limit_bits = 300};
+    asked.clear();
+    CHECK(evaluate(known_by({.proofs = {proves(third), wider}}), inputs({}), to_eighty).status == Status::undecided);
+    REQUIRE(asked.size() > 1);
+    CHECK(asked[1] > asked[0]);
+    CHECK(std::is_sorted(asked.begin(), asked.end()));
     // asked for fewer itself, it is a proof like the first, binary64 and all
     const Evaluation one = evaluate(known_by({.proofs = {proves(third), counts}}), inputs({}), {.digits = 1});
     CHECK(asked.back() == 18);

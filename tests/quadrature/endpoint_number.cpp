@@ -100,6 +100,32 @@ TEST_CASE("wide pieces enclose the map on a grid of their points, and are not mu
     MESSAGE(seen << " pieces, at most " << widest << " times too wide");
 }
 
+TEST_CASE("pieces beside the pole +i pi/2 enclose the map where it is steepest")
+{
+    // |E| and arg E are within 1e-6 to 1e-10 of 1 and pi: stationary places of the parts are found by arccos of numbers next to 1
+    std::mt19937_64 random(1976);
+    const auto uniform = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    const WorkingPrecision precision(128);
+    int seen = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double off = std::pow(10, uniform(-5, -3)), x1 = off * uniform(0.1, 1), x2 = x1 * (1 + uniform(0, 1e-3));
+        const double y1 = M_PI / 2 - off, y2 = y1 + off * uniform(0, 0.3);
+        const StripPiece piece = StripPiece::at(Side::right, x1, x2, y1, y2);
+        const ComplexBall far = piece.distance(Side::left), log_far = piece.logarithm(Side::left);
+        if (!far.is_finite()) continue;
+        ++seen;
+        for (int k = 0; k <= 40; ++k) {
+            const double y = std::min(y2, y1 + (y2 - y1) * k / 40);
+            for (const double x : {x1, x2}) {
+                const ComplexBall t(Ball::exactly(x), Ball::exactly(y)), e = exp(ComplexBall(pi<Ball>()) * (exp(-t) - exp(t)) / 2);
+                CHECK(far.overlaps(1 / (1 + e)));
+                CHECK(log_far.overlaps(-log(1 + e)));
+            }
+        }
+    }
+    CHECK(seen > 1000);
+}
+
 TEST_CASE("a half-infinite piece encloses powers and logarithms at points however far out")
 {
     std::mt19937_64 random(5);

@@ -160,7 +160,8 @@ private:
         std::vector<std::future<Ball>> others;
         for (std::size_t i = 1; i < plan_.proofs.size(); ++i)
             others.push_back(start(own_threads_, [&proof = plan_.proofs[i], accuracy, digits] {
-                return proof.ball(proof.digits >= digits ? accuracy : Accuracy{std::min(accuracy.digits, proof.digits)});
+                // Raised like the first: else a proof that stays a little wide would be asked for the same again and again.
+                return proof.ball(proof.digits >= digits ? accuracy : Accuracy{std::max(1L, proof.digits + accuracy.digits - digits)});
             }));
         const Ball first = plan_.proofs.front().ball(accuracy);
         point_ = exact_value(first); // radius zero: the value itself, which the other proofs must contain
