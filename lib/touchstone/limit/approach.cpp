@@ -96,14 +96,16 @@ Ball distance_from_limit(long n, const Ball& G, const Ball& load)
     Ball X = larger(load, in_the_limit);
     const Ball d = abs(log(load)) + log(larger(one, X)) + log(1 + squared);
     Ball product(1);
-    constexpr long settled = 500; // scales, after which X is not made smaller
+    constexpr long most_ratios = 500;                 // scales, after which X is not made smaller
+    const Ball hardly(Rational(999'999, 1'000'000)); // nor where it falls by less than this: it only decreases, and n rates at 1e-6 are no digit
     for (long k = 0; k < n; ++k) {
-        if (k == settled) {
-            product = product * pow(rate(X), Ball(n - k));
+        const Ball lambda = rate(X), next = larger(in_the_limit, next_highest(X, G));
+        if (k == most_ratios || certainly(less(X * hardly, next))) {
+            product = product * pow(lambda, Ball(n - k));
             break;
         }
-        product = product * rate(X);
-        X = larger(in_the_limit, next_highest(X, G));
+        product = product * lambda;
+        X = next;
     }
     return 2 * sqrt((m + squared) * d * product);
 }
