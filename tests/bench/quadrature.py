@@ -32,9 +32,9 @@ PARI = {
 }
 PARI_RUN = """
 default(realprecision,DIGITS+5);BODY
-t=getwalltime();v=intnum(x=a,b,f(x));c=getwalltime()-t;
-tab=intnuminit(a,b);t=getwalltime();n=0;while(getwalltime()-t<400||n<1,intnum(x=a,b,f(x),tab);n++);w=1.0*(getwalltime()-t)/n;
-t=getwalltime();m=0;while(getwalltime()-t<400||m<1,intnum(x=a,b,f(x));m++);c=min(max(c,0.001),1.0*(getwalltime()-t)/m);
+t=getabstime();v=intnum(x=a,b,f(x));c=getabstime()-t;
+tab=intnuminit(a,b);t=getabstime();n=0;while(getabstime()-t<400||n<1,intnum(x=a,b,f(x),tab);n++);w=1.0*(getabstime()-t)/n;
+t=getabstime();m=0;while(getabstime()-t<400||m<1,intnum(x=a,b,f(x));m++);c=min(max(c,0.001),1.0*(getabstime()-t)/m);
 default(format,Str("f0.",DIGITS+5));
 print(strprintf("%.4f %.4f",c,w)," ",v);
 """
@@ -49,10 +49,10 @@ def area(t):
     return p/(pi*R)*sqrt((1+S+R)/((1-S+R)*t*(e+p)))*2/pi*asin(sqrt(p/4))
 f,i={"profile":(lambda x:(1-x*x)**(mpf(3)/8),[-1,1]),"pole":(lambda x:x**(-mpf(9)/10),[0,1]),
    "root":(lambda x:sqrt(1-x),[0,1]),"area":(area,[0,e])}["CASE"]
-t=time.time();v=quad(f,i);c=time.time()-t
-n=0;t=time.time()
-while n<1 or time.time()-t<0.4: quad(f,i);n+=1
-print("%.4f %.4f %s"%(c*1e3,(time.time()-t)/n*1e3,mp.nstr(v,DIGITS+5)))
+t=time.process_time();v=quad(f,i);c=time.process_time()-t
+n=0;t=time.process_time()
+while n<1 or time.process_time()-t<0.4: quad(f,i);n+=1
+print("%.4f %.4f %s"%(c*1e3,(time.process_time()-t)/n*1e3,mp.nstr(v,DIGITS+5)))
 """
 
 

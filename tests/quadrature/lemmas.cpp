@@ -41,6 +41,16 @@ Ball size_of(const Complex& f)
 
 } // namespace
 
+TEST_CASE("gauss_legendre: the Chebyshev polynomial T_4 and two nodes")
+{
+    const WorkingPrecision precision(128);
+    const Ball sigma(3), four = Ball(4) * sigma;
+    Ball largest; // of |T_4| on the ellipse
+    arb_cosh(largest.get(), four.get(), 128);
+    const Ball exact = -Ball(2) / Ball(15), by_rule = -Ball(14) / Ball(9); // T_4(1/sqrt(3)) = -7/9
+    attains(exact - by_rule, lemma::gauss_legendre(largest, sigma, 2), Rational(13, 20));
+}
+
 TEST_CASE("discretisation: exp(-t^2) attains N_d/(exp(2 pi d/h) - 1) at d = pi/h")
 {
     const WorkingPrecision precision(200);

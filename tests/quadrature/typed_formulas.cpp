@@ -187,11 +187,54 @@ TEST_CASE("both rules agree where both serve")
         IntegralOptions no_panels = with_digits(40);
         no_panels.gauss_legendre = false;
         const Integral other = integrate(parse_expression(formula), parse_limit("0"), parse_limit("1"), no_panels);
-        CHECK(one.parts.at(0).rule == "gauss-legendre");
+        CHECK(one.parts.at(0).rule.starts_with("gauss-legendre"));
         CHECK(other.parts.at(0).rule == "tanh-sinh");
         CHECK(other.status == Status::certified);
         CHECK(one.value.overlaps(other.value));
     }
+}
+
+TEST_CASE("half-integer powers at both ends: Gauss-Legendre in the angle, and tanh-sinh agrees")
+{
+    struct Row {
+        const char *formula, *from, *to, *value, *rule;
+    };
+    const char* const angle = "gauss-legendre in the angle";
+    for (const Row& row : {Row{"1/sqrt(x*(1-x))", "0", "1", "pi", angle}, Row{"sqrt((3-x)/(x+1))", "-1", "3", "2*pi", angle},
+                           Row{"acos(x)/sqrt(1-x)", "-1", "1", "sqrt(2)*(2*pi-4)", angle}, Row{"sqrt(x)*exp(x)", "0", "1", "e-sqrt(pi)/2*erfi(1)", angle},
+                           Row{"x^(5/2)/(1+x)^5", "0", "inf", "gamma(7/2)*gamma(3/2)/gamma(5)", angle},
+                           Row{"1/((1-x)*sqrt(-x))", "-inf", "0", "pi", angle}, Row{"sin(sqrt(x))", "0", "1", "2*sin(1)-2*cos(1)", angle},
+                           Row{"1/(x^2+1/10000)/sqrt(1-x^2)", "-1", "1", "pi*100/sqrt(1+1/10000)", "tanh-sinh"},
+                           Row{"x^(-1/3)", "0", "1", "3/2", "tanh-sinh"}, Row{"log(x)/sqrt(x)", "0", "1", "-4", "tanh-sinh"}}) {
+        CAPTURE(row.formula);
+        const auto at = [&](bool gauss_legendre) {
+            IntegralOptions o = with_digits(60);
+            o.gauss_legendre = gauss_legendre;
+            return integrate(parse_expression(row.formula), parse_limit(row.from), parse_limit(row.to), o);
+        };
+        const Integral one = at(true), other = at(false);
+        CHECK(one.parts.at(0).rule == row.rule);
+        CHECK_MESSAGE(one.status == Status::certified, one.reason);
+        CHECK(other.parts.at(0).rule == "tanh-sinh");
+        const WorkingPrecision precision(300);
+        const Ball value = parse_limit(row.value).ball();
+        CHECK(one.value.overlaps(value));
+        CHECK(one.value.relative_bits() >= 199);
+        CHECK(other.value.overlaps(value));
+    }
+}
+
+TEST_CASE("what cannot be told from 0 is given up soon, with its enclosure")
+{
+    IntegralOptions about_zero = with_digits(30);
+    about_zero.principal_value = {parse_limit("0")};
+    const Integral i = integrate(parse_expression("1/sin(x)"), parse_limit("-1"), parse_limit("1"), about_zero);
+    CHECK(i.status == Status::undecided);
+    CHECK(i.value.contains_zero());
+    CHECK(i.value.radius_bound() < 1e-60);
+    CHECK(i.value.radius_bound() > 0); // it would go on to 1e-1955
+    CHECK(mag_cmp_2exp_si(arb_radref(i.value.get()), -2000) > 0);
+    CHECK(i.reason.find("--tolerance") != std::string::npos);
 }
 
 TEST_CASE("a sum of waves is recognised, whatever else oscillates is not")
@@ -277,7 +320,9 @@ TEST_CASE("on an algebraic half-line 1 + distance is a power of the far distance
     for (const auto& [formula, from, to, value] : {std::array{"x^(9/10)/(1+x)^(41/2)", "0", "inf", "gamma(19/10)*gamma(93/5)/gamma(41/2)"},
                                                    std::array{"1/(3-x)^(41/2)", "-inf", "2", "2/39"}, std::array{"1/(2*x-4)^(5/2)", "3", "inf", "2/3*2^(-5/2)"}}) {
         CAPTURE(formula);
-        const Integral i = integrate(parse_expression(formula), parse_limit(from), parse_limit(to), with_digits(30));
+        IntegralOptions by_strip = with_digits(30);
+        by_strip.gauss_legendre = false;
+        const Integral i = integrate(parse_expression(formula), parse_limit(from), parse_limit(to), by_strip);
         CHECK_MESSAGE(i.status == Status::certified, i.reason);
         CHECK(i.value.overlaps(parse_limit(value).ball()));
         CHECK(i.parts.at(0).certificate.panels.at(0).pieces == 1);

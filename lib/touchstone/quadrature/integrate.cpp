@@ -90,6 +90,13 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
     for (const Map map : maps) {
         const auto f = std::make_shared<const Integrand>(e_, Range{from, to, map});
         const bool regular = f->is_regular_at_ends(), kinks = has_kinks(*e_);
+        const bool plain = options_.gauss_legendre && !complex_ && !kinks && !options_.quick && !f->has_inner_integral();
+        if (plain) {
+            const bool algebraic = map != Map::right_exponential && map != Map::left_exponential && map != Map::line_exponential;
+            auto a = regular ? by_one_ellipse(*f, digits, options_.of_absolute)
+                     : algebraic ? by_half_powers(f, digits, options_.of_absolute) : std::nullopt;
+            if (a && a->value.is_finite()) return *a;
+        }
         const auto gauss_legendre = [&] { return by_gauss_legendre(*f, complex_, digits, kinks, options_.quick); };
         if (options_.gauss_legendre && regular) {
             if (auto a = gauss_legendre()) return *a;
@@ -406,6 +413,8 @@ Integral with_enough_digits(const IntegralOptions& options, const std::function<
         const double shortfall = wanted - static_cast<double>(bits_of(out));
         if (shortfall <= 0 || is_within_tolerance(out, options) || options.of_absolute || options.quick) break;
         if (last_shortfall && shortfall > *last_shortfall - 1) break; // a parameter that is a ball: more digits don't help
+        constexpr int rounds_for_zero = 2; // what they do not tell from 0 may be 0
+        if (round + 1 >= rounds_for_zero && out.value.contains_zero() && out.imaginary.contains_zero()) break;
         last_shortfall = shortfall;
         digits += std::min<long>(static_cast<long>(shortfall / bits_per_digit) + 3, 2 * options.digits + 20);
     }

@@ -65,6 +65,12 @@ inline Ball bessel_remainder(const Ball& order, const Ball& least, const Ball& v
     return v * exp(v);
 }
 
+/// Gauss and Legendre: the n-point rule on [-1, 1], n >= 2, of F analytic with |F| <= M on the ellipse with rho = exp(sigma).
+inline Ball gauss_legendre(const Ball& M, const Ball& sigma, long n)
+{
+    return Ball(64) / Ball(15) * M * exp(-Ball(2 * n) * sigma) / (Ball(1) - exp(-Ball(2) * sigma));
+}
+
 /// Turned path: |integral of g exp(iwz)| from X + iS upwards, |g| <= supremum.
 inline Ball beyond(const Ball& supremum, const Ball& w, const Ball& S) { return supremum * exp(-w * S) / w; }
 

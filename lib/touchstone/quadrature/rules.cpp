@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/rules.hpp"
 
+#include "touchstone/quadrature/ellipse_rule.hpp"
+#include "touchstone/quadrature/half_powers.hpp"
+#include "touchstone/quadrature/strip.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace touchstone::quadrature {
 namespace {
+
+constexpr double bits_per_digit = 3.3219281;
 
 double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
@@ -87,6 +93,54 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long 
     if (complex) a.imaginary = value.imag();
     a.part.rule = "gauss-legendre";
     a.part.evaluations = call.evaluations;
+    return a;
+}
+
+std::optional<Attempt> by_one_ellipse(const Integrand& f, long digits, bool of_absolute)
+{
+    constexpr long most_nodes = 700; // the table of more costs too much
+    const Range& range = f.range();
+    struct Ends {
+        Ball middle, half;
+        slong bits = 0;
+    } ends;
+    const auto prepare = [&] {
+        if (ends.bits == WorkingPrecision::bits()) return;
+        const Ball from = range.from.ball(), to = range.to.ball();
+        ends = {(from + to) / Ball(2), (to - from) / Ball(2), WorkingPrecision::bits()};
+    };
+    EllipseFunction g;
+    g.in_plane = [&](const ComplexBall& z) {
+        prepare();
+        return f.in_plane(ComplexBall(ends.middle) + ComplexBall(ends.half) * z);
+    };
+    g.at_node = [&](const GaussNodes::Entry& e, bool mirrored) {
+        prepare();
+        return f.at_real(mirrored ? ends.middle - ends.half * e.z : ends.middle + ends.half * e.z);
+    };
+    const auto found = by_ellipse(g, static_cast<double>(digits) * bits_per_digit + 1, of_absolute, most_nodes);
+    if (!found) return std::nullopt;
+    const WorkingPrecision precision(bits_for_digits(digits) + 64);
+    prepare();
+    Attempt a;
+    a.value = found->value * ends.half;
+    a.part.rule = "gauss-legendre on one ellipse";
+    a.part.evaluations = found->nodes + found->pieces;
+    return a;
+}
+
+std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f, long digits, bool of_absolute)
+{
+    Options options;
+    options.digits = digits;
+    options.of_absolute = of_absolute;
+    const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
+    const auto interval = std::make_shared<Interval>(f->range().interval());
+    const auto e = detail::integrate_half_powers(detail::panel_integrand(at, interval, 0, 1), *interval, options);
+    if (!e) return std::nullopt;
+    Attempt a = attempt_of(*e, f->range());
+    a.part.rule = "gauss-legendre in the angle";
+    a.part.evaluations = e->evaluations;
     return a;
 }
 

@@ -23,6 +23,12 @@ struct Attempt {
 /// Across `kinks` panels are halved down to the tolerance, where an enclosure of the values is enough.
 std::optional<Attempt> by_gauss_legendre(const Integrand&, bool complex, long digits, bool kinks, bool quick);
 
+/// One panel with one ellipse (ellipse_rule.hpp), of a real formula without kinks that is analytic about both ends.
+std::optional<Attempt> by_one_ellipse(const Integrand&, long digits, bool of_absolute);
+
+/// half_powers.hpp, of a real formula without kinks on a finite range or an algebraic map.
+std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>&, long digits, bool of_absolute);
+
 /// tanh_sinh.hpp; of a complex formula both parts, by one proof.
 Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>&, bool complex, long digits, const IntegralOptions&);
 

@@ -338,6 +338,8 @@ std::vector<Ball> summed(std::vector<ProvedPanel>& panels, std::size_t count, co
         const double shortfall = largest_shortfall(totals, wanted);
         const bool finite = std::all_of(totals.begin(), totals.end(), [](const Ball& t) { return t.is_finite(); });
         if (shortfall <= 0 || options.of_absolute || !finite) break;
+        // what a tolerance of 2^(-3 wanted) does not tell from 0 may be 0
+        if (attempt > 0 && std::any_of(totals.begin(), totals.end(), [](const Ball& t) { return t.contains_zero(); })) break;
         // the integral is much smaller than what bounds that of |f|, because that is or because it cancels: ask for that much more
         const double excess = options.patient ? std::max(0.0, log2_upper(scale) - log2_upper(absolute)) : 0;
         log2_tolerance -= std::min(shortfall + 2, 2 * wanted + excess);

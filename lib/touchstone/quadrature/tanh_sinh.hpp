@@ -135,6 +135,24 @@ void panel_values(const F& f, const Interval& interval, const Frame<V>& frame, c
         take(scaled(N(values)));
 }
 
+/// The two instantiations of f on a panel.
+template <class F>
+PanelIntegrand panel_integrand(const F& f, const std::shared_ptr<Interval>& interval, const Rational& from, const Rational& to)
+{
+    PanelIntegrand g;
+    g.on_strip = [f, interval, from, to](const Frame<ComplexBall>& frame) {
+        std::vector<EndpointNumber<ComplexBall>> all;
+        panel_values<ComplexBall>(f, *interval, frame, from, to, [&](auto&& v) { all.push_back(v); });
+        return all.size() == 1 ? all.front() : majorant(all, frame);
+    };
+    g.at_node = [f, interval, from, to](const Frame<Ball>& frame, std::vector<EndpointNumber<Ball>>& out) {
+        out.clear();
+        panel_values<Ball>(f, *interval, frame, from, to, [&](auto&& v) { out.push_back(v); });
+    };
+    g.prepare = [interval] { interval->prepare(); };
+    return g;
+}
+
 } // namespace detail
 
 /// The integrals of `count` functions of the same singular structure: f returns a range of numbers in place of one. The strip is proved
@@ -144,20 +162,7 @@ template <class F>
 std::vector<Enclosure> tanh_sinh_of_several(F f, std::size_t count, Interval interval, const Options& options = {})
 {
     const auto shared = std::make_shared<Interval>(std::move(interval));
-    const detail::MakePanel make = [f, shared](const Rational& from, const Rational& to) {
-        detail::PanelIntegrand g;
-        g.on_strip = [f, shared, from, to](const Frame<ComplexBall>& frame) {
-            std::vector<EndpointNumber<ComplexBall>> all;
-            detail::panel_values<ComplexBall>(f, *shared, frame, from, to, [&](auto&& v) { all.push_back(v); });
-            return all.size() == 1 ? all.front() : detail::majorant(all, frame);
-        };
-        g.at_node = [f, shared, from, to](const Frame<Ball>& frame, std::vector<EndpointNumber<Ball>>& out) {
-            out.clear();
-            detail::panel_values<Ball>(f, *shared, frame, from, to, [&](auto&& v) { out.push_back(v); });
-        };
-        g.prepare = [shared] { shared->prepare(); };
-        return g;
-    };
+    const detail::MakePanel make = [f, shared](const Rational& from, const Rational& to) { return detail::panel_integrand(f, shared, from, to); };
     return detail::integrate(make, count, *shared, options);
 }
 

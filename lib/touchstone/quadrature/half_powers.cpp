@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/half_powers.hpp"
+
+#include "touchstone/quadrature/ellipse_rule.hpp"
+#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/upper.hpp"
+#include "touchstone/quadrature/widen.hpp"
+
+#include <array>
+
+namespace touchstone::quadrature::detail {
+namespace {
+
+/// A ball of angles a: u = sin^2 a, r = cos^2 a, u^(k/2) = sin^k a.
+template <class V>
+class Angle : public Frame<V> {
+public:
+    Angle(V sine, V cosine)
+        : root_{std::move(sine), std::move(cosine)}
+    {
+    }
+    V distance(Side s) const override { return analytic::integer_power(root(s), 2); }
+    V logarithm(Side s) const override { return V(2) * analytic::log(root(s)); }
+    const V& root(Side s) const { return root_[s == Side::left ? 0 : 1]; }
+
+private:
+    V power_by_log(Side s, const Exponent& e) const override
+    {
+        constexpr long most = 128;
+        if (e.den() == 2 && std::labs(e.num()) <= most) return analytic::integer_power(root(s), e.num());
+        return analytic::exp(V(e.ball()) * logarithm(s));
+    }
+    std::array<V, 2> root_;
+};
+
+Angle<ComplexBall> angle_of(const ComplexBall& a)
+{
+    ComplexBall sine, cosine;
+    acb_sin_cos(sine.get(), cosine.get(), a.get(), WorkingPrecision::bits());
+    return {std::move(sine), std::move(cosine)};
+}
+
+/// f (dx/du) 2 sin a cos a: non-finite where that is not proved analytic.
+template <class V>
+V times_slope(const EndpointNumber<V>& g, const Angle<V>& a)
+{
+    V y = g.factor();
+    for (const Side s : {Side::left, Side::right}) {
+        if (!g.order(s).logs.is_zero()) return V::indeterminate();
+        const Exponent power = g.order(s).power + g.order(s).power + Exponent(1); // of the sine or cosine
+        if (power.is_zero()) continue;
+        y *= power.is_integer() ? analytic::integer_power(a.root(s), power.num())
+                                : analytic::exp(V(power.ball()) * analytic::log(a.root(s)));
+    }
+    return y + y;
+}
+
+/// Whether the integrand is analytic in the angle about both ends.
+bool is_of_the_kind(const PanelIntegrand& f)
+{
+    for (const bool at_left : {true, false}) {
+        ComplexBall a(at_left ? Ball(0) : pi<Ball>() / Ball(2));
+        constexpr double beside = 1e-3;
+        widen(a, Ball::exactly(beside));
+        const Angle<ComplexBall> angle = angle_of(a);
+        if (!times_slope(f.on_strip(angle), angle).is_finite()) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const Interval& interval, const Options& options)
+{
+    constexpr long most_nodes = 200; // a table of more costs more than tanh-sinh
+    constexpr double bits_per_digit = 3.3219281;
+    Ball quarter;
+    {
+        const WorkingPrecision precision(strip_bits);
+        f.prepare();
+        if (!is_of_the_kind(f)) return std::nullopt;
+        quarter = pi<Ball>() / Ball(4);
+    }
+    EllipseFunction g;
+    g.in_plane = [&](const ComplexBall& z) {
+        const Angle<ComplexBall> a = angle_of(ComplexBall(quarter) * (ComplexBall(1) + z));
+        return times_slope(f.on_strip(a), a);
+    };
+    std::vector<EndpointNumber<Ball>> values;
+    slong prepared = 0;
+    g.at_node = [&](const GaussNodes::Entry& e, bool mirrored) {
+        if (prepared != WorkingPrecision::bits()) f.prepare();
+        prepared = WorkingPrecision::bits();
+        const Angle<Ball> a(mirrored ? e.cosine : e.sine, mirrored ? e.sine : e.cosine);
+        f.at_node(a, values);
+        return times_slope(values.front(), a);
+    };
+    const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
+    const auto found = by_ellipse(g, wanted, options.of_absolute, most_nodes);
+    if (!found) return std::nullopt;
+    HalfPowers e;
+    {
+        const WorkingPrecision precision(static_cast<slong>(wanted) + 64);
+        e.value = found->value * pi<Ball>() / Ball(4);
+    }
+    const double have = static_cast<double>(e.value.relative_bits());
+    if (have < wanted - 1 && !options.of_absolute) return std::nullopt;
+    e.digits = std::min(options.digits, static_cast<long>(have / bits_per_digit));
+    e.status = e.digits == options.digits ? Status::certified : Status::undecided;
+    e.certificate.interval = interval.to_string();
+    e.certificate.digits = options.digits;
+    e.evaluations = found->nodes + found->pieces;
+    return e;
+}
+
+} // namespace touchstone::quadrature::detail
