@@ -232,8 +232,7 @@ TEST_CASE("what cannot be told from 0 is given up soon, with its enclosure")
     CHECK(i.status == Status::undecided);
     CHECK(i.value.contains_zero());
     CHECK(i.value.radius_bound() < 1e-60);
-    CHECK(i.value.radius_bound() > 0); // it would go on to 1e-1955
-    CHECK(mag_cmp_2exp_si(arb_radref(i.value.get()), -2000) > 0);
+    CHECK(mag_cmp_2exp_si(arb_radref(i.value.get()), -1300) > 0); // 1e-354, where it went on to 1e-1955
     CHECK(i.reason.find("--tolerance") != std::string::npos);
 }
 
