@@ -36,6 +36,8 @@ struct PaperOptions {
     bool mutate = false;
     bool recompute = false, values = false, verdicts = false;
     bool own = false;
+    std::vector<std::string> with; ///< "FIELD=TEXT"
+    bool corrected = false;
     std::string errata; ///< md, tex, html
     std::string ledger; ///< a directory with a ledger of one's own
 };
@@ -295,6 +297,7 @@ int run_paper(const PaperOptions& options)
                 fmt::format("no entry '{}' in the ledger; an equation number such as 7.17, or an id that `touchstone paper --json` lists",
                             options.id));
         if (options.mutate) return print_mutation(options.id);
+        if (!options.with.empty() || options.corrected) return print_changed(*claim, options.with, options.corrected, options.json);
         const Entry e = run(*claim, prints().at(claim->id));
         if (!options.json) return explain(e);
         fmt::print("{}\n", json_of(e).dump());
@@ -355,6 +358,10 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("--errata", options->errata, "The erratum, from the proved corrections of the equations")
         ->check(CLI::IsMember({"md", "tex", "html"}));
     command->add_flag("--mutate", options->mutate, "What a typesetter could change in the print, and what no judge would see");
+    command->add_option("--with", options->with, "FIELD=TEXT: judge the entry as if a field of its print read so (repeatable); `rhs`, `relation`, `M.from`, ...")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_flag("--corrected", options->corrected, "Judge the corrected form of a refuted entry, with the changes of --with");
     command->add_option("--ledger", options->ledger, "A ledger of one's own: the directory with its ledger.json (docs/ledger.md)")
         ->check(not_empty());
     command->add_flag("--recompute", options->recompute,
@@ -366,6 +373,8 @@ void add_paper(CLI::App& app, Run& run)
     command->callback([&run, options, command] {
         if (command->count("entry") > 0 && options->id.empty())
             throw CLI::ValidationError("entry", "is empty; an equation number such as 7.17, or nothing for all");
+        if ((!options->with.empty() || options->corrected) && (options->id.empty() || !options->ledger.empty()))
+            throw CLI::ValidationError("--with, --corrected", "are for one entry of the paper, such as 7.18");
         run = [options] { return run_paper(*options); };
     });
 }

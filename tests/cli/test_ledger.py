@@ -45,6 +45,51 @@ class Example(unittest.TestCase):
         self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1))
 
 
+def with_changes(entry, *changes, corrected=False):
+    r = run(entry, "--json", *(["--corrected"] if corrected else []), *(w for c in changes for w in ("--with", c)))
+    return r.returncode, json.loads(r.stdout)["verdict"] if r.stdout else r.stderr
+
+
+class PaperChanged(unittest.TestCase):
+    """Misprints an editor would try, and prints that say the same in other words."""
+
+    def test_what_the_generator_does_not_make_is_refuted_too(self):
+        for entry, *changes in [
+            ("7.18", "M.from=1"), ("7.18", "M.to=n"), ("7.10", "J.from=0"),
+            ("2.13", "0.lhs=-lambda/(2*Pi)*acos((pbar-p)/pstar)", "1.rhs=lambda/(2*Pi)*acos((pbar-p)/pstar)"),  # letters changed places
+            ("2.17", "rhs=2/Pi*asin(1/2*sqrt((pbar/pstar+1)-sqrt((1-pbar/pstar)^2+(p/pstar)^2)))"),               # a factor out of a root
+            ("3.4", "rhs=g_0/1-gamma^(D-2)"),                                                                     # brackets lost
+            ("6.7", "rhs=2/Pi*(J1+J2)"),
+            ("7.12", "2.rhs=1/2*delta_n+1"),
+            ("7.13", "1.rhs=2^delta_n*K_n/sqrt(Pi)*tgamma(3/2+1/2*delta_n)/tgamma(1+1/2*delta_n)"),              # a fraction upside down
+            ("7.16", "0.lhs=beta_n", "1.lhs=delta_n"),                                                            # two lines changed places
+            ("8.2", "rhs=K_nm1*gamma^((2-D)*n+2*(D-1)*(1-2^(-n)))*ptilde^((1-2)^(-n))"),
+            ("9.3", "1.rhs=Pi*pstar_n/lambda_n*sin(2*Pi*lambda_n/a_n)*q_a"),
+            ("table1.n07", "rhs=0.392991"),                                                                       # two digits changed places
+            ("2.16", "condition=p < pbar-pstar"),                                                                 # half a condition
+            ("7.20", "1.digits=0.391387..."),
+        ]:
+            with self.subTest(entry=entry, changes=changes):
+                self.assertEqual(with_changes(entry, *changes, corrected=True), (1, "refuted"))
+
+    def test_what_says_the_same_is_not(self):
+        for entry, change in [("2.5", "rhs=lambda/Pi*acos((1-pbar/pstar)^(1/2))"), ("3.4", "rhs=g_0*gamma^2/(gamma^2-gamma^D)"),
+                              ("7.16", "0.rhs=1-1/2^(n+1)"), ("8.4", "1.rhs=1/gamma^n")]:
+            with self.subTest(entry=entry):
+                self.assertEqual(with_changes(entry, change), (0, "proved"))
+        self.assertEqual(with_changes("7.17", corrected=True), (0, "proved"))
+
+    def test_what_cannot_be_judged_is_one_line(self):
+        for entry, change, code, words in [("7.18", "foo=1", 65, "no field 'foo'"), ("7.18", "rhs", 64, "FIELD=TEXT"), ("7.18", "rhs=((", 65, "no formula"),
+                                           ("7.18", "relation=maybe", 65, "no relation"), ("text.beyond-20", "rhs=1", 65, "judged by a number")]:
+            with self.subTest(change=change):
+                got, line = with_changes(entry, change)
+                self.assertEqual(got, code)
+                self.assertIn(words, line)
+                self.assertEqual(line.count("\n"), 1)
+        self.assertEqual(run("--with", "rhs=1").returncode, 64)
+
+
 class Changed(unittest.TestCase):
     def judge(self, change, *more):
         ledger = copy.deepcopy(example())
