@@ -19,6 +19,7 @@ namespace touchstone::proofs {
 namespace {
 
 constexpr slong digits_kept = 12;
+constexpr slong bits_that_may_be_lost = 3; ///< by another version of Arb; whoever computes less than is stored has not confirmed it
 constexpr slong bits_kept = 192;
 
 struct State {
@@ -72,7 +73,11 @@ std::vector<std::pair<std::string, Ball>> read_values(std::string_view table)
     return all;
 }
 
-void recompute_values() { state().recompute = true; }
+void recompute_values(bool on)
+{
+    state().recompute = on;
+    if (!on) state().computed.clear();
+}
 
 Ball stored_value(const std::string& name, const std::function<Ball()>& compute)
 {
@@ -87,8 +92,9 @@ Ball stored_value(const std::string& name, const std::function<Ball()>& compute)
     const auto known = s.computed.find(name);
     if (known != s.computed.end()) return known->second;
     const Ball ball = compute();
-    return s.computed.emplace(name, *parsed(ball.to_string(digits_kept)))
-        .first->second; // as it will be read, so that the verdicts are the same
+    const auto as_read = parsed(ball.to_string(digits_kept)); // as it will be read, so that the verdicts are the same
+    if (!as_read || !as_read->is_finite()) throw std::runtime_error(name + ": computed " + ball.to_string(digits_kept) + ", which is no enclosure");
+    return s.computed.emplace(name, *as_read).first->second;
 }
 
 std::vector<std::string> values_used()
@@ -98,14 +104,20 @@ std::vector<std::string> values_used()
     return used;
 }
 
+std::string difference(const Ball& stored, const Ball& computed)
+{
+    const bool vague = computed.relative_bits() < stored.relative_bits() - bits_that_may_be_lost; // of an exact number the largest there is
+    if (!vague && stored.overlaps(computed)) return {};
+    return (vague ? "computed only to " : "computed ") + computed.to_string(digits_kept) + ", stored " + stored.to_string(digits_kept);
+}
+
 std::vector<std::string> values_that_differ()
 {
     std::vector<std::string> all;
     for (const auto& [name, ball] : state().computed) {
         const auto found = stored().find(name);
         if (found == stored().end()) all.push_back(name + ": computed, not stored");
-        else if (!found->second.overlaps(ball))
-            all.push_back(name + ": computed " + ball.to_string(digits_kept) + ", stored " + found->second.to_string(digits_kept));
+        else if (const std::string wrong = difference(found->second, ball); !wrong.empty()) all.push_back(name + ": " + wrong);
     }
     for (const auto& [name, ball] : stored())
         if (!state().computed.count(name)) all.push_back(name + ": stored, and no verdict asks for it");

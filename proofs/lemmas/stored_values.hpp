@@ -14,8 +14,8 @@
 
 namespace touchstone::proofs {
 
-/// From now on values are computed, not looked up.
-void recompute_values();
+/// From now on values are computed, not looked up; or looked up again, and what was computed is forgotten.
+void recompute_values(bool on = true);
 
 /// The enclosure of that name: the stored one, or the computed one under `recompute_values`.
 /// \throws std::runtime_error if the table's hash is wrong; std::out_of_range if no row has the name.
@@ -23,6 +23,9 @@ Ball stored_value(const std::string& name, const std::function<Ball()>& compute)
 
 /// What has been asked for since the last call: the rows a verdict rests on.
 std::vector<std::string> values_used();
+
+/// What is wrong with a stored value that was computed anew; empty if nothing is.
+std::string difference(const Ball& stored, const Ball& computed);
 
 /// After everything was judged under `recompute_values`: rows that are stored otherwise, not at all, or for nothing. One line each.
 std::vector<std::string> values_that_differ();

@@ -47,6 +47,16 @@ Check number_satisfies(const Ball& quantity, const Print& p, const std::string& 
     return {Verdict::undecided, says};
 }
 
+Check stated(const Print& p, const ex& exact, const Points& points)
+{
+    const std::string& relation = p.text("relation");
+    const ex said = p("rhs");
+    if (relation.empty() || (relation[0] != '<' && relation[0] != '>')) return identity(said, exact, points);
+    const ex room = GiNaC::normal((relation[0] == '<' ? said - exact : exact - said).expand());
+    if (room.is_zero()) return exactly(relation.size() == 2, "both are the same, printed " + relation);
+    return positive(room, points);
+}
+
 Check within(const Ball& quantity, const Ball& range)
 {
     return exactly(arb_contains(range.get(), quantity.get()) != 0, quantity.to_string(5) + " in " + between(range));

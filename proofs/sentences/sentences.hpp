@@ -40,6 +40,9 @@ Check number_satisfies(const Ball& quantity, const Print&, const std::string& wh
 /// The same for a share, which is neither below zero nor above one.
 Check share_satisfies(const Ball& share, const Print&, const std::string& what);
 
+/// "exact relation print": equality by normal form; where the print says < or >, a bound that is weaker than equality is true.
+Check stated(const Print&, const ex& exact, const Points&);
+
 /// Certainly inside the range.
 Check within(const Ball& quantity, const Ball& range);
 
