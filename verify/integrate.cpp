@@ -5,6 +5,7 @@
 #include "touchstone/scalar/rational_text.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -152,6 +153,7 @@ nlohmann::ordered_json as_json(const quadrature::Part& p)
     nlohmann::ordered_json j{
         {"from", p.from}, {"to", p.to}, {"rule", p.rule}, {"evaluations", p.evaluations}, {"enclosure", p.value.to_string(40)}};
     if (arb_is_zero(p.imaginary.get()) == 0) j["imaginary"] = p.imaginary.to_string(40);
+    if (!p.proof.empty()) j["proof"] = p.proof;
     if (has_certificate(p)) j["certificate"] = nlohmann::ordered_json::parse(p.certificate.to_json());
     return j;
 }
@@ -160,6 +162,10 @@ void explain(const quadrature::Part& p)
 {
     const std::string imaginary = arb_is_zero(p.imaginary.get()) != 0 ? "" : fmt::format(" + i {}", p.imaginary.to_string(20));
     fmt::print("  [{}, {}] {}, {} evaluations: {}{}\n", p.from, p.to, p.rule, p.evaluations, p.value.to_string(20), imaginary);
+    if (!p.proof.empty()) {
+        fmt::print("    {}\n", p.proof);
+        return;
+    }
     if (!has_certificate(p)) {
         fmt::print("    each panel is analytic on an ellipse that was enclosed (Arb's acb_calc_integrate)\n");
         return;
@@ -358,7 +364,10 @@ int integrate_and_print(IntegrateOptions o)
     const Problem problem = problem_of(o);
     const std::optional<Rational> tolerance = options.tolerance;
     if (tolerance) *options.tolerance /= 100; // so that a decimal within it exists
-    const std::vector<Answer> answers = computed(o, problem, options, tolerance);
+    const std::vector<Answer> answers = [&] {
+        const Progress progress("integrate");
+        return computed(o, problem, options, tolerance);
+    }();
     auto all = nlohmann::ordered_json::array();
     int code = holds;
     for (std::size_t k = 0; k < answers.size(); ++k)

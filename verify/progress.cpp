@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/progress.hpp"
 
+#include "touchstone/quadrature/progress.hpp"
 #include "touchstone/transfer/progress.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::string_view integration = "integrate";
 constexpr double quiet = 2;      ///< seconds before anything is shown: short work stays silent
 constexpr double redraw = 0.25;  ///< seconds between two pictures of the bar
 constexpr std::size_t bar_width = 24;
@@ -249,6 +251,13 @@ void show_steps_of_engines()
         Display& d = display();
         const std::scoped_lock lock(d.mutex);
         d.steps.see(what, done, total);
+        d.show();
+    });
+    quadrature::report_progress_to([](long done, long total) {
+        Display& d = display();
+        const std::scoped_lock lock(d.mutex);
+        if (d.work.empty() || !d.work.front().by_steps || d.work.front().what != integration) return; // integrals are but parts of other work
+        d.steps.see("values", done, total);
         d.show();
     });
 }

@@ -76,6 +76,11 @@ class Progress(unittest.TestCase):
         pictures, shares = self.check_bar(VALUE, 3)
         self.assertTrue(shares, pictures)
 
+    def test_an_integral(self):
+        pictures, shares = self.check_bar(["integrate", "log(1/x)/sqrt(x)/(1+x^2)", "0", "1", "--digits", "1500"], 2)
+        self.assertTrue(any(" values " in p or p.startswith("[") for p in pictures), pictures)
+        self.assertTrue(shares, pictures)
+
     @unittest.skipUnless(os.environ.get("TOUCHSTONE_SLOW"), "the whole ledger, half a minute: TOUCHSTONE_SLOW=1")
     def test_the_ledger(self):
         pictures, shares = self.check_bar(LEDGER, 20)

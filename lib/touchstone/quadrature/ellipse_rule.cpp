@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <list>
+#include <sstream>
 
 #if __has_include(<flint/arb_hypgeom.h>)
 #include <flint/arb_hypgeom.h>
@@ -222,6 +223,16 @@ Sum sum_of(const EllipseFunction& f, long n, slong bits)
 
 } // namespace
 
+std::string EllipseIntegral::proof(const Ball& scale) const
+{
+    const Ball size = touchstone::abs(scale), rounding = radius_of(value) * size;
+    std::ostringstream text;
+    text.precision(4);
+    text << "|f| <= " << bound_text(bound * size) << " on the ellipse with the ends for foci, rho = " << std::exp(sigma) << ", in at most " << pieces
+         << " boxes; |discretisation| <= " << bound_text(discretisation * size) << ", with rounding <= " << bound_text(rounding);
+    return text.str();
+}
+
 std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits, bool of_absolute, long most_nodes)
 {
     constexpr long rough = 8;          // nodes that show the size
@@ -247,8 +258,9 @@ std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits,
         const slong precision = std::max<slong>(strip_bits, static_cast<slong>(absolute - log2_tolerance) + guard);
         Sum sum = sum_of(f, n, precision);
         if (!sum.value.is_finite()) return std::nullopt;
-        widen(sum.value, lemma::gauss_legendre(ellipse->bound, Ball::exactly(ellipse->sigma), n));
-        out = {sum.value, out.nodes + n, proof.pieces, ellipse->sigma};
+        const Ball discretisation = upper_ball(lemma::gauss_legendre(ellipse->bound, Ball::exactly(ellipse->sigma), n));
+        widen(sum.value, discretisation);
+        out = {sum.value, out.nodes + n, proof.pieces, ellipse->sigma, ellipse->bound, discretisation};
         const double shortfall = bits - static_cast<double>(out.value.relative_bits());
         if (shortfall <= 0 || of_absolute) break;
         log2_tolerance -= std::min(shortfall + 2, bits);

@@ -3,7 +3,7 @@
 /// Gauss-Legendre quadrature on one panel with a bound from an ellipse (internal to quadrature/).
 ///
 /// F analytic on the Bernstein ellipse z = cosh(s + i phi), 0 <= s <= sigma, and |F| <= M on it: the n-point rule on [-1, 1] is off by at
-/// most lemma::gauss_legendre = (64/15) M exp(-2 n sigma)/(1 - exp(-2 sigma)), n >= 2 (tanh_sinh.md, section 14). The ellipse is covered by
+/// most lemma::gauss_legendre = (64/15) M exp(-2 n sigma)/(1 - exp(-2 sigma)), n >= 2 (tanh_sinh.md, section 19). The ellipse is covered by
 /// boxes in (s, phi), halved where F is not proved analytic; M is taken from the boxes of its boundary alone.
 ///
 /// Cost: some tens of values in 53-bit complex balls, then n values in real ones.
@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace touchstone::quadrature {
@@ -48,6 +49,10 @@ struct EllipseIntegral {
     Ball value;
     long nodes = 0, pieces = 0;
     double sigma = 0;
+    Ball bound, discretisation; ///< of |F| on the ellipse; of the error, on [-1, 1]
+
+    /// One line for a person; `scale`: what the integral over [-1, 1] is multiplied by.
+    std::string proof(const Ball& scale) const;
 };
 
 /// The integral over [-1, 1] to `bits` bits of its size (of that of |F|, if `of_absolute`); nothing if no ellipse is proved, or more than

@@ -102,6 +102,7 @@ std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const I
     {
         const WorkingPrecision precision(static_cast<slong>(wanted) + 64);
         e.value = found->value * pi<Ball>() / Ball(4);
+        e.proof = found->proof(pi<Ball>() / Ball(4));
     }
     const double have = static_cast<double>(e.value.relative_bits());
     if (have < wanted - 1 && !options.of_absolute) return std::nullopt;

@@ -8,7 +8,7 @@
 ///     f dx = f (dx/du) 2 sin(a) cos(a) da
 ///
 /// is analytic about both ends. So Gauss-Legendre quadrature in a, with its bounds on ellipses (Arb's acb_calc_integrate), takes a fifth of
-/// the values that tanh-sinh takes. Contract and arguments of f as in tanh_sinh.hpp; tanh_sinh.md, section 14.
+/// the values that tanh-sinh takes. Contract and arguments of f as in tanh_sinh.hpp; tanh_sinh.md, section 19.
 #pragma once
 
 #include "touchstone/quadrature/tanh_sinh.hpp"
@@ -21,6 +21,7 @@ namespace detail {
 /// Nothing if the integrand is not of that kind, or takes more evaluations than tanh-sinh would.
 struct HalfPowers : Enclosure {
     long evaluations = 0; ///< at nodes and for the proof
+    std::string proof;    ///< one line for a person
 };
 std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& whole, const Interval&, const Options&);
 } // namespace detail

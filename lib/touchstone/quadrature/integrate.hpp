@@ -8,10 +8,11 @@
 /// the proof stops at a point at which the formula has an exact expansion that is integrable from both sides. Each part is integrated by
 /// one of
 ///
-///   Gauss-Legendre   where the formula is analytic about both ends: Arb's acb_calc_integrate (Petras's algorithm), each panel with its
-///   ellipse; tanh-sinh        else, and on infinite ranges: tanh_sinh.hpp;
-///
-/// turned path       sums of waves with a decaying amplitude on half-lines: oscillation.hpp;
+///   Gauss-Legendre   where the formula is analytic about both ends: on one ellipse (ellipse_rule.hpp) if that serves, else by Arb's
+///                    acb_calc_integrate (Petras's algorithm), each panel with its ellipse;
+///   in the angle     where it behaves like half-integer powers at both ends: the same with u = sin^2 a (half_powers.hpp);
+///   tanh-sinh        else: tanh_sinh.hpp;
+///   turned path      sums of waves with a decaying amplitude on half-lines: oscillation.hpp;
 ///
 /// at an end with an essential singularity the variable 1/(distance to the end) takes over (substitution.hpp),
 /// a complex formula has both parts from one rule (the strip proved once), an integral inside it is proved with a ball of x
@@ -48,6 +49,7 @@ struct Part {
     Certificate certificate; ///< of tanh-sinh
     long evaluations = 0;    ///< of the formula, at nodes
     Ball imaginary;          ///< exactly 0 of a real formula
+    std::string proof = {};  ///< of a rule on one ellipse: the ellipse, the bound on it, the error
 };
 
 struct Integral {

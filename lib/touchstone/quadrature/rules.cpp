@@ -124,6 +124,7 @@ std::optional<Attempt> by_one_ellipse(const Integrand& f, long digits, bool of_a
     prepare();
     Attempt a;
     a.value = found->value * ends.half;
+    a.part.proof = found->proof(ends.half);
     a.part.rule = "gauss-legendre on one ellipse";
     a.part.evaluations = found->nodes + found->pieces;
     return a;
@@ -141,6 +142,7 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f,
     Attempt a = attempt_of(*e, f->range());
     a.part.rule = "gauss-legendre in the angle";
     a.part.evaluations = e->evaluations;
+    a.part.proof = e->proof;
     return a;
 }
 

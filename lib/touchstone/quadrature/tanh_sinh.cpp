@@ -3,6 +3,7 @@
 
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/nodes.hpp"
+#include "touchstone/quadrature/progress.hpp"
 #include "touchstone/quadrature/strip_proof.hpp"
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
@@ -78,7 +79,7 @@ void plan(ProvedPanel& proved, double log2_tolerance)
 }
 
 /// The sums over one panel as it was planned, to within 2^log2_tolerance.
-Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slong& precision)
+Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slong& precision, ValueCount& values)
 {
     Panel& p = proved.panel;
     {
@@ -100,6 +101,7 @@ Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slo
     std::vector<EndpointNumber<Ball>> g;
     const double alpha = p.alpha.to_double(), beta = p.beta.to_double();
     const auto add = [&](long k, Side side) {
+        values.one_more();
         const Node node(*table, k, side);
         const slong lost = static_cast<slong>((side == Side::left ? alpha : beta) * node.depth() / M_LN2);
         const WorkingPrecision here(std::max<slong>(40, std::min<slong>(bits, bits - lost + k / p.m + 4)));
@@ -327,10 +329,11 @@ std::vector<Ball> summed(std::vector<ProvedPanel>& panels, std::size_t count, co
             return {};
         }
         precision = 0;
+        ValueCount values(static_cast<long>(points));
         Ball absolute(0);
         totals.assign(count, Ball(0));
         for (ProvedPanel& p : panels) {
-            const Sums parts = evaluate(p, count, log2_tolerance, precision);
+            const Sums parts = evaluate(p, count, log2_tolerance, precision, values);
             const WorkingPrecision full(precision + 8);
             absolute += parts.absolute;
             for (std::size_t i = 0; i < count; ++i) totals[i] += parts.values[i];
