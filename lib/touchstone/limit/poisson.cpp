@@ -3,6 +3,7 @@
 #include "touchstone/limit/poisson.hpp"
 
 #include "touchstone/limit/limit_law.hpp"
+#include "touchstone/limit/rough_wave.hpp"
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/defects.hpp"
 #include "touchstone/transfer/parallel.hpp"
@@ -41,6 +42,14 @@ struct Equation {
             f.set(i, first.value(identity[i]).first);
         });
     }
+    std::size_t terms() const { return rules.own.at.size(); }
+    /// The largest, what is large on a narrow panel with the share that has of a wave.
+    double weighed(const Vector& at_nodes) const
+    {
+        double most = 0;
+        for (std::size_t i = 0; i < at_nodes.size(); ++i) most = std::max(most, std::fabs(at_nodes[i]) * largest_share(double(G), panels[i / terms()].width()));
+        return most;
+    }
     Wide residual(const Wide& phi, const Real& c) const
     {
         Layer one = layer_on(rules, G, tolerance, panels, 1);
@@ -58,17 +67,35 @@ struct Equation {
 /// A function of x from its values at the nodes of the mesh, in binary64.
 class FromNodes {
 public:
-    FromNodes(const Equation& e, const Wide& nodal) : on(layer_on(e.rules, e.G, e.tolerance, e.panels, 1)) { on.coefficients = series_of(e.rules, nodal); }
+    FromNodes(const Equation& e_, const Vector& nodal) : e(e_), series(nodal.size())
+    {
+        const std::size_t terms = e.terms();
+        in_parallel(e.panels.size(), [&](std::size_t j) {
+            for (std::size_t k = 0; k < terms; ++k) {
+                double sum = 0;
+                for (std::size_t i = 0; i < terms; ++i) sum += e.rules.own.T.high[k * terms + i] * nodal[j * terms + i];
+                series[j * terms + k] = sum * (k == 0 ? 1 : 2) / static_cast<double>(terms);
+            }
+        });
+    }
     double operator()(double x) const
     {
         const Real z = Real(x) * Real(x);
-        const std::size_t j = static_cast<std::size_t>(on.find(z));
-        const Panel& p = on.panels[j];
-        return double(on.value(j, 0, std::max(Real(-1), std::min(Real(1), (z - p.centre) / p.half))));
+        const auto above = std::upper_bound(e.panels.begin(), e.panels.end(), z, [](const Real& v, const Panel& p) { return v < p.z0; });
+        const std::size_t j = above == e.panels.begin() ? 0 : static_cast<std::size_t>(above - e.panels.begin()) - 1, terms = e.terms();
+        const double local = std::clamp(double((z - e.panels[j].centre) / e.panels[j].half), -1., 1.);
+        double before = 0, now = 0;
+        for (std::size_t k = terms - 1; k > 0; --k) {
+            const double next = 2 * local * now - before + series[j * terms + k];
+            before = now;
+            now = next;
+        }
+        return local * now - before + series[j * terms];
     }
 
 private:
-    Layer on;
+    const Equation& e;
+    Vector series;
 };
 
 struct Solution {
@@ -76,16 +103,36 @@ struct Solution {
     Real c = 0;
 };
 
-/// Corrections by Nystroem's method on two grids (Brakhage 1960): with r = R/x, and d of the coarse grid's d - M d = r - c', phi = Phi/x gets r - c' + M d. What is
-/// not smooth is in r, which is exact.
-Solution solve(const Equation& e, const LimitLaw& coarse)
-{
-    constexpr int most_corrections = 12;
-    Solution s{Wide(e.identity.size())};
-    Wide rest = e.f; // of nothing
-    double before = infinite;
-    for (int step = 0; step < most_corrections; ++step) {
-        progress("Poisson's equation, correction", step, most_corrections);
+/// What the equation asks of a change of Phi and c whose residual has to be `rest`, in binary64: by Nystroem's method on two grids (Brakhage 1960). With r = R/x and d of the
+/// coarse grid's d - M d = r - c', phi = Phi/x gets r - c' + M d. What is not smooth is in r.
+class Correction {
+public:
+    Correction(const Equation& e_, const LimitLaw& coarse_) : e(e_), coarse(coarse_), rough(e.rules, layer_on(e.rules, e.G, e.tolerance, e.panels, 1), e.identity) {}
+
+    /// Until the residual is that small, or falls no more. \returns what is left of it, as far as binary64 can tell
+    double find(const Vector& right, double wanted)
+    {
+        constexpr int most_steps = 12;
+        delta.assign(right.size(), 0);
+        c = 0;
+        Vector rest = right;
+        double before = infinite;
+        for (int step = 0; step < most_steps; ++step) {
+            improve(rest);
+            const Vector after = rough.at_nodes(delta);
+            for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = right[i] - c * e.identity.high[i] - delta[i] + double(e.G) * after[i];
+            const double now = e.weighed(rest);
+            if (!(now < before / 2) || now < wanted) return now;
+            before = now;
+        }
+        return before;
+    }
+    Vector delta;
+    double c = 0;
+
+private:
+    void improve(const Vector& rest)
+    {
         const FromNodes r(e, rest);
         Vector at_coarse;
         for (const double x : coarse.nodes()) at_coarse.push_back(r(x) / x);
@@ -93,13 +140,33 @@ Solution solve(const Equation& e, const LimitLaw& coarse)
         Vector smooth = coarse.solve(at_coarse); // M d = d - r + mean
         for (std::size_t i = 0; i < smooth.size(); ++i) smooth[i] += mean - at_coarse[i];
         const LimitLaw::Interpolant of_smooth(coarse, smooth);
-        s.c += mean;
-        for (std::size_t i = 0; i < s.phi.size(); ++i) s.phi.set(i, s.phi[i] + rest[i] - mean * e.identity[i] + of_smooth(double(e.identity[i])) * e.identity[i]);
-        rest = e.residual(s.phi, s.c);
-        double most = 0; // what is large on a narrow panel counts with the share that has of a wave
-        for (std::size_t i = 0; i < rest.size(); ++i) most = std::max(most, std::fabs(rest.high[i]) * largest_share(double(e.G), e.panels[i / e.rules.own.at.size()].width()));
-        if (!(most < before / 4) || most < e.tolerance / 4) break;
+        c += mean;
+        for (std::size_t i = 0; i < delta.size(); ++i) delta[i] += rest[i] + (of_smooth(e.identity.high[i]) - mean) * e.identity.high[i];
+    }
+    const Equation& e;
+    const LimitLaw& coarse;
+    RoughWave rough;
+};
+
+/// Corrections in binary64, residuals in 106 bits.
+Solution solve(const Equation& e, const LimitLaw& coarse)
+{
+    constexpr int most_corrections = 6;
+    constexpr double at_once = 1e-12; // what binary64 gains
+    Correction correction(e, coarse);
+    Solution s{Wide(e.identity.size())};
+    Wide rest = e.f; // of nothing
+    double before = infinite;
+    for (int step = 0; step < most_corrections; ++step) {
+        progress("Poisson's equation, correction", step, most_corrections);
+        const double most = e.weighed(rest.high), enough = e.tolerance / 4;
+        if (!(most < before / 4) || most < enough) break;
         before = most;
+        const double left = correction.find(rest.high, std::max(at_once * most, enough / 4));
+        s.c += correction.c;
+        for (std::size_t i = 0; i < s.phi.size(); ++i) s.phi.set(i, s.phi[i] + correction.delta[i]);
+        if (left < enough) break; // the proof will see whether that is so
+        rest = e.residual(s.phi, s.c);
     }
     return s;
 }
@@ -137,8 +204,8 @@ Found found_on(const Equation& e, const Solution& s)
 
 Found search(const Rules& rules, const First& first, const std::vector<Ball>& of_f, const Ball& G, double lowest, double highest, double tolerance, const SpoiledPhi& spoiled)
 {
-    constexpr double coarse_lowest = 1e-10, coarse_tolerance = 1e-6;
-    constexpr int coarse_order = 10;
+    constexpr double coarse_lowest = 1e-8, coarse_tolerance = 1e-4; // a finer grid gains more at a step, and takes longer than that saves
+    constexpr int coarse_order = 8;
     const Equation e(rules, first, to_real(G), tolerance, graded_panels(G, {lowest, highest, tolerance, of_f}));
     Solution s = solve(e, LimitLaw(G, {coarse_lowest, highest, coarse_tolerance, of_f}, coarse_order));
     for (std::size_t i = 0; spoiled && i < s.phi.size(); ++i) {
@@ -150,33 +217,24 @@ Found search(const Rules& rules, const First& first, const std::vector<Ball>& of
 
 // ---- the proof
 
-/// sup |V_1 - V_0/G + P - c x| on a panel, V_0 = G Phi, P the polynomial near B_0: polynomials of z, and c z^(1/2), at Chebyshev points of
-/// the panel; what these leave of z^(1/2), |z^(1/2)| <= (2 z1)^(1/2) on an ellipse that stays away from 0, is charged.
+/// sup |V_1 - V_0/G + P - c x| on a panel, V_0 = G Phi, P the polynomial near f: polynomials of z, and c z^(1/2), at Chebyshev points of the panel; what these
+/// leave of z^(1/2), |z^(1/2)| <= (2 z1)^(1/2) on an ellipse that stays away from 0, is charged.
 double polynomial_defect(const Found& f, std::size_t panel, const Check& check)
 {
-    const WorkingPrecision precision(160);
-    const Panel& p = f.steps->panels[panel];
-    const Ball centre = to_ball(p.centre), half = to_ball(p.half), low = to_ball(p.z0), high = to_ball(p.z1), c = to_ball(f.c), G = to_ball(f.steps->G);
-    const Ball middle = (low + high) / 2, radius = (high - low) / 2;
-    const Ball left = middle - radius * Ball::exactly(check.spread); // of the ellipse
-    if (!certainly(less(Ball(0), left))) return infinite;
-    const auto series = [&](const Layer& of, int m, const Ball& local) {
-        Ball before(0), now(0);
-        for (int k = of.orders.terms - 1; k > 0; --k) {
-            const Ball next = 2 * local * now - before + to_ball(of.coefficients[of.row(panel, k) + static_cast<std::size_t>(m)]);
-            before = now;
-            now = next;
-        }
-        return local * now - before + to_ball(of.coefficients[of.row(panel, 0) + static_cast<std::size_t>(m)]);
-    };
+    constexpr double of_sums = 64 * u; // six operations on numbers below what they are charged for
+    const Layer &steps = *f.steps, &area = *f.area;
+    const Panel& p = steps.panels[panel];
+    const Real middle = (p.z0 + p.z1) * 0.5, radius = (p.z1 - p.z0) * (0.5 + 0x1p-30) + 2 * u * middle;
+    if (!(double(middle - radius * check.spread) > 0)) return infinite; // of the ellipse
     double most = 0;
     for (std::size_t n = 0; n < check.points.at.size(); ++n) {
-        const Ball z = middle + radius * to_ball(check.points.at[n]), local = (z - centre) / half;
-        const Ball off = abs(series(*f.steps, 1, local) - series(*f.steps, 0, local) / G + series(*f.area, 0, local) - c * sqrt(z));
-        most = std::max(most, arf_get_d(arb_midref(off.get()), ARF_RND_UP) * margin + off.radius_bound());
+        const Real z = middle + radius * check.points.at[n], local = (z - p.centre) / p.half;
+        most = std::max(most, size_of(steps.value(panel, 1, local) - steps.value(panel, 0, local) / steps.G + area.value(panel, 0, local) - f.c * sqrt(z)));
     }
-    const double of_root = std::fabs(f.c.high) * std::sqrt(2 * p.z1.high) * check.tail;
-    return margin * (check.lebesgue * most + of_root);
+    const std::size_t first = steps.at(panel, 0), second = steps.at(panel, 1);
+    const double root = std::sqrt(2 * p.z1.high), sizes = steps.size[second] + steps.size[first] + area.size[panel] + std::fabs(f.c.high) * root;
+    most += steps.rounding[second] + steps.rounding[first] + area.rounding[panel] + of_sums * sizes;
+    return margin * (check.lebesgue * most + std::fabs(f.c.high) * root * check.tail);
 }
 
 /// f, divided by `unit`, which is 1 but for densities of small pressures; where it is not smooth, apart from 1; and below which ratio the mesh need not reach.
@@ -243,11 +301,11 @@ Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const 
 
 namespace {
 
-/// Digits that G^4 and the defects' sum take from the tolerance of the mesh: that counts some ten times (measured).
+/// Digits that G^4 and the defects' sum take from the tolerance of the mesh: that counts some fifteen times (measured), and a tenth of the last digit has to decide it.
 double spare_digits(const Question& q, const Ball& G)
 {
     const double lost = 4 * std::log10(double(to_real(G)));
-    return std::clamp(lost + 0.7, 2.0, 4.0) + (q.of == Question::Of::density ? 0.5 : 0);
+    return std::clamp(lost + 0.7, 2.3, 4.0) + (q.of == Question::Of::density ? 0.5 : 0);
 }
 
 /// The last ones found: both what is asked for and its explanation want them, and quotients of two.

@@ -32,7 +32,8 @@ Defects::Defects(const Rules& rules_, const Layer& V_, int levels_, double toler
     : rules(rules_), V(V_), levels(levels_), columns(V_.count), tolerance(tolerance_), monotone(monotone_), smallest_part(smallest_part_for(tolerance)),
       first_check(rules.orders.terms + (monotone ? 7 : 19), 4), defect(V.panels.size() * static_cast<std::size_t>(columns)), by_monotony(V.panels.size()), holes(static_cast<std::size_t>(levels))
 {
-    for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {1.0, 4.0}}) checks.emplace_back(static_cast<int>(rules.orders.terms * share) + 7, rho);
+    for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {0.7, 4.0}, {0.8, 4.0}, {0.9, 4.0}, {1.0, 4.0}})
+        if (!monotone || share <= 0.65 || share == 1) checks.emplace_back(static_cast<int>(rules.orders.terms * share) + 7, rho);
 }
 
 void Defects::add_hole(int m, const Real& low, const Real& high, double defect_, Known known)

@@ -151,13 +151,14 @@ StepOnPanel::Fit StepOnPanel::continuation(const Interval& J, double r, Continua
 bool StepOnPanel::bounded(const Interval& J, const Check& check, double r, const Continuation& f, std::vector<double>& between) const
 {
     const double own_rho = ellipse_of_distance((2 * double(J.x) * r + r * r) / half_z);
+    const double negligible = d.monotone ? 0 : d.tolerance / 1024 / largest_second_share(G, width);
     const bool as_it_is = d.monotone && J.h <= 100 * smallest(J) && &check == &d.checks.back(); // monotony would bound it no better
     for (int m = 1; m < d.levels; ++m) {
         double bound = V.growth_at(i, m, own_rho) + f.middle * V.largest[m - 1];
         for (const End& e : f.ends)
             if (e.panel >= 0) bound += e.factor * V.growth_at(e.panel, m - 1, ellipse_of_distance(e.distance));
         between[m] = margin * bound * check.tail;
-        if (!(between[m] <= d.tolerance_of(m) / 4 || (as_it_is && between[m] < infinite))) return false;
+        if (!(between[m] <= max(d.tolerance_of(m) / 4, negligible) || (as_it_is && between[m] < infinite))) return false;
     }
     return true;
 }
