@@ -185,6 +185,31 @@ class Shards(unittest.TestCase):
         self.assertNotIn("there already", second.stdout)  # --resume-failed did not even start the others
         self.assertEqual((self.shares / "archard_alpha.txt").read_bytes(), (STORED / "archard_alpha.txt").read_bytes())
 
+    @unittest.skipUnless(shutil.which("snakemake"), "no snakemake")
+    def test_snakemake(self):
+        """The example, on the real engine: a worker dies, the same command again makes what is missing; nothing is left to do then."""
+        bin = self.folder / "bin"
+        bin.mkdir()
+        dies_once, called = self.folder / "died", self.folder / "called"
+        (bin / "touchstone").write_text(f"#!/bin/sh\necho \"$*\" >> '{called}'\ncase \"$*\" in *\"--shard 3/5\"*) if [ ! -e '{dies_once}' ]; then : > '{dies_once}'; kill -9 $$; fi;; esac\n"
+                                        f"exec '{PROGRAM}' \"$@\"\n")
+        (bin / "touchstone").chmod(0o755)
+        env = dict(os.environ, PATH=f"{bin}:{os.environ['PATH']}", HOME=str(self.folder), XDG_CACHE_HOME=str(self.folder / "cache"))
+        command = ["snakemake", "--snakefile", SOURCE / "examples/hpc/Snakefile", "--directory", self.folder, "--cores", "2", "--keep-going", "--nocolor",
+                   "--config", "table=archard_alpha", "shares=5", f"folder={self.shares}"]
+        make = lambda: subprocess.run(command, env=env, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=900)
+        first = make()
+        self.assertNotEqual(first.returncode, 0, first.stderr)
+        self.assertTrue(dies_once.exists(), first.stderr)
+        self.assertEqual(run("merge", self.shares).stdout, "--array=3\n")
+        already = len(called.read_text().splitlines())
+        second = make()
+        self.assertEqual(second.returncode, 0, second.stderr)
+        self.assertEqual(len(called.read_text().splitlines()) - already, 2, called.read_text())  # the share that died, and merge
+        self.assertEqual((self.shares / "archard_alpha.txt").read_bytes(), (STORED / "archard_alpha.txt").read_bytes())
+        make()
+        self.assertEqual(len(called.read_text().splitlines()) - already, 2)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=1)
