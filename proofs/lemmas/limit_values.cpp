@@ -41,12 +41,30 @@ Ball limiting_share_outside_hertz(long gamma)
     });
 }
 
+namespace {
+
+/// The share of the contacts with p_{n-1}/p*_n above a number at D = 1.05, where G < 2: E_pi[f/x] over E_pi[1/x], both by Poisson's equation.
+Ball share_above_at_low_D(const Ball& load_ratio, long gamma)
+{
+    const auto G = [gamma] { return pow(Ball(gamma), Ball(Rational(1, 20))); };
+    return limit::mean_by_poisson({Question::Of::pressure, G() * load_ratio}, G, five_digits) / limit::mean_by_poisson({}, G, five_digits);
+}
+
+} // namespace
+
+Ball limiting_share_outside_hertz_low_D(long gamma)
+{
+    return stored_value("limit.exceedance p=G/5 D=21/20 gamma=" + std::to_string(gamma), [&] {
+        const WorkingPrecision precision(bits_of_inputs);
+        return share_above_at_low_D(Ball(1) / 5, gamma);
+    });
+}
+
 Ball limiting_full_share(long gamma)
 {
     return stored_value("limit.exceedance p=G D=21/20 gamma=" + std::to_string(gamma), [&] {
         const WorkingPrecision precision(bits_of_inputs);
-        const auto G = [gamma] { return pow(Ball(gamma), Ball(Rational(1, 20))); };
-        return Ball(limit::mean_by_poisson({Question::Of::pressure, G()}, G, five_digits) / limit::mean_by_poisson({}, G, five_digits));
+        return share_above_at_low_D(Ball(1), gamma);
     });
 }
 

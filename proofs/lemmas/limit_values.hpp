@@ -11,6 +11,8 @@ namespace touchstone::proofs {
 Ball limiting_ratio(long gamma);
 /// The share, by number, of the contacts with p_{n-1}/p*_n >= 0.2 at D = 1.5.
 Ball limiting_share_outside_hertz(long gamma);
+/// The same at D = 1.05.
+Ball limiting_share_outside_hertz_low_D(long gamma);
 /// The share, by number, of the contacts that are full at D = 1.05.
 Ball limiting_full_share(long gamma);
 /// The curve that those of figure 5a tend to: q_n p_n^max/A_n at p = share p_n^max, 0 < share < 1, D = 1.5, gamma = 10.

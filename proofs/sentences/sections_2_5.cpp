@@ -232,11 +232,15 @@ Finding hertzian_share(const Print& p)
           share_satisfies(1 - outside_at_5, p, "it"));
     a.add("which is above what the bounds leave", within(outside_at_5, hull(least_non_hertzian_share(root(5)), Ball(1))));
     a.add("and at gamma = 10 (figure 3d)", share_satisfies(1 - outside_at_10, p, "it"));
+    const Ball low_at_5 = limiting_share_outside_hertz_low_D(5), low_at_10 = limiting_share_outside_hertz_low_D(10);
+    a.add("at D = 1.05 and gamma = 5 (figure 3a), certified", share_satisfies(1 - low_at_5, p, "it"));
+    a.add("and at gamma = 10 (figure 3b)", share_satisfies(1 - low_at_10, p, "it"));
     const auto outside = [](long gamma) { return share_outside_hertz(3, Rational(1, 10), gamma).to_string(4); };
     return a.conclude("at n = 4 and load 0.1 the share outside the Hertzian range is " + outside(5) + " at D = 1.5, gamma = 5 and " +
                       outside(10) +
                       " at gamma = 10, in the limit " + outside_at_5.to_string(4) + " and " + outside_at_10.to_string(4) +
-                      " (certified); a simulation, which proves nothing, puts it near 0.98 at D = 1.05. The load ratio of the contacting asperities has a limiting law that depends on G alone; its "
+                      "; at D = 1.05 in the limit " + low_at_5.to_string(4) + " and " + low_at_10.to_string(4) +
+                      " (all certified). The load ratio of the contacting asperities has a limiting law that depends on G alone; its "
                       "largest value is x_P. Only for gamma^(D-1) > sqrt(20), where (5.11) holds, are all contacts Hertzian at large n");
 }
 

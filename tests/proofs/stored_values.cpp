@@ -53,6 +53,7 @@ TEST_CASE("values of the limit, computed anew, are the stored ones" * doctest::s
     recompute_values();
     limiting_ratio(5);
     limiting_share_outside_hertz(10);
+    limiting_share_outside_hertz_low_D(10);
     limiting_full_share(5);
     limiting_normalised_density(Rational(1, 2));
     for (const std::string& line : values_that_differ()) {
