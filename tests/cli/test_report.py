@@ -21,7 +21,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
-FIGURES = ["figure1", "figure2", "figure3", "figure4", "figure5", "hertz-error", "apparent-dimension", "print-errors", "hertzian-share", "edge-error", "certified-digits"]
+FIGURES = ["figure1", "figure2", "figure3", "figure4", "figure5", "hertz-error", "apparent-dimension", "print-errors", "hertzian-share", "area-laws", "edge-error", "certified-digits"]
 ENTRIES = ["2.14", "2.5", "7.17", "9.4", "table1.n07", "text.lopez-pages"]  # a ledger in small: judging all of it has a test of its own
 
 
@@ -135,6 +135,18 @@ class Report(unittest.TestCase):
             path = self.out / "figures" / ("figure3.svg" if check is check_drawing else "figure3.csv")
             with self.assertRaises((AssertionError, ElementTree.ParseError)):
                 check(change(path.read_text()), "figure3")
+
+    def test_area_laws(self):
+        """Certified errors of the four-term law are below what is proven of it, and far below those of (7.21)."""
+        errors = {}
+        for row in csv.DictReader(io.StringIO((self.out / "figures" / "area-laws.csv").read_text())):
+            errors.setdefault(row["curve"], {})[float(row["x"])] = float(row["value"])
+        proven, improved, printed = (errors[name] for name in ("proven of four terms", "four terms", "(7.21)"))
+        self.assertGreaterEqual(len(proven), 40)
+        self.assertGreater(max(improved[G] / proven[G] for G in proven), 0.3)  # not all far below
+        for G in proven:
+            self.assertLess(improved[G], proven[G], G)
+            self.assertLess(improved[G], printed[G] / 1000, G)
 
     def test_judged_codes(self):
         rows = re.findall(r'<tr><th scope="row">([^<]*)</th><td>([^<]*)</td><td><span class="badge \w+">(\w+)</span>', self.text)

@@ -31,6 +31,7 @@ const std::vector<Recipe>& recipes()
         {"apparent-dimension", "Apparent fractal dimension against scale and load", false, apparent_dimension},
         {"print-errors", "Where printed equations fail", false, print_errors},
         {"hertzian-share", "Share of Hertzian contacts", false, hertzian_share},
+        {"area-laws", "How wrong the area laws are at large n", false, area_laws},
         {"edge-error", "Error of two codes beside the edge of the contact", false, edge_error},
         {"certified-digits", "Digits certified over load and G, by method", false, certified_digits},
     };

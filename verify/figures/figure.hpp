@@ -113,6 +113,7 @@ Figure hertz_error();
 Figure apparent_dimension();
 Figure print_errors();
 Figure hertzian_share();
+Figure area_laws();
 Figure edge_error();
 Figure certified_digits();
 

@@ -13,6 +13,8 @@ std::string_view contact_area_text();
 std::string_view contact_area_full_text();
 std::string_view contact_area_heavy_text();
 std::string_view contact_density_text();
+std::string_view limit_constant_text();
+std::string_view limit_constant_full_text();
 std::string_view segments_density_text();
 std::string_view figure5_density_text();
 std::string_view figure5_segments_text();
@@ -86,6 +88,8 @@ std::string_view text_of(const std::string& table)
                                                                      {"contact_area_full", data::contact_area_full_text},
                                                                      {"contact_area_heavy", data::contact_area_heavy_text},
                                                                      {"contact_density", data::contact_density_text},
+                                                                     {"limit_constant", data::limit_constant_text},
+                                                                     {"limit_constant_full", data::limit_constant_full_text},
                                                                      {"segments_density", data::segments_density_text},
                                                                      {"figure5_density", data::figure5_density_text},
                                                                      {"figure5_segments", data::figure5_segments_text},
