@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a typed formula is made of: parser, exact constants, exact expansions, cuts; and that each says no where it must.
+#include "touchstone/quadrature/half_powers.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/substitution.hpp"
@@ -222,6 +223,21 @@ TEST_CASE("half-integer powers at both ends: Gauss-Legendre in the angle, and ta
         CHECK(one.value.relative_bits() >= 199);
         CHECK(other.value.overlaps(value));
     }
+}
+
+TEST_CASE("a callable with half-integer powers at both ends, others by tanh-sinh")
+{
+    const auto root = [](auto, auto l, auto r) { return sqrt(l * r); };
+    const auto cube_root = [](auto, auto l, auto) { return to_power(l, Rational(1, 3)); };
+    Options forty;
+    forty.digits = 40;
+    const Enclosure half = proven_integral(root, Interval::finite(0, 1), forty), third = proven_integral(cube_root, Interval::finite(0, 1));
+    const WorkingPrecision precision(200);
+    CHECK(half.status == Status::certified);
+    CHECK(half.certificate.panels.empty());
+    CHECK(half.value.overlaps(pi<Ball>() / Ball(8)));
+    CHECK(third.certificate.panels.size() == 1);
+    CHECK(third.value.overlaps(Ball(3) / Ball(4)));
 }
 
 TEST_CASE("what cannot be told from 0 is given up soon, with its enclosure")
