@@ -2,76 +2,60 @@
 #include "touchstone/paper/gap.hpp"
 
 #include "touchstone/catalogue/formula.hpp"
+#include "touchstone/quadrature/half_powers.hpp"
+#include "touchstone/scalar/accuracy.hpp"
 
-#include "touchstone/scalar/flint_headers.hpp"
+#include <algorithm>
 
 namespace touchstone {
 namespace {
 
-/// An integrand for complex arguments; `analytic` asks for a ball that is not finite where it is not analytic.
-using Integrand = std::function<ComplexBall(const ComplexBall&, bool analytic)>;
+/// Of what the working precision holds, so much is asked of an integral: its parameters are balls of that precision.
+long digits_of_integrals() { return std::max(2L, accuracy_of(WorkingPrecision::bits()).digits + 8); }
 
-/// int_a^b of a function that is bounded there (Arb's requirement), by Arb's adaptive Gauss-Legendre
-/// quadrature with rigorous bounds (Johansson 2018), to about the working precision for integrals of order 1.
-Ball integral(const Integrand& f, const Ball& a, const Ball& b)
+/// int_0^1 f by tanh-sinh, or by one ellipse where that is less work; not finite where nothing is proved.
+template <class F>
+Ball integral(F f)
 {
-    const auto callback = [](acb_ptr out, const acb_t z, void* f_, slong order, slong bits) -> int {
-        const WorkingPrecision precision(bits);
-        ComplexBall argument;
-        acb_set(argument.get(), z);
-        acb_set(out, (*static_cast<const Integrand*>(f_))(argument, order != 0).get());
-        return 0;
-    };
-    ComplexBall result;
-    mag_t tolerance;
-    mag_init(tolerance);
-    mag_set_ui_2exp_si(tolerance, 1, -WorkingPrecision::bits());
-    acb_calc_integrate(result.get(), callback, const_cast<Integrand*>(&f), ComplexBall(a).get(), ComplexBall(b).get(), WorkingPrecision::bits(),
-                       tolerance, nullptr, WorkingPrecision::bits());
-    mag_clear(tolerance);
-    return result.real();
+    quadrature::Options options;
+    options.digits = digits_of_integrals();
+    const quadrature::Enclosure e = quadrature::proven_integral(std::move(f), quadrature::Interval::finite(0, 1), options);
+    return e.status == quadrature::Status::indeterminate ? Ball::indeterminate() : e.value;
 }
 
-ComplexBall analytic_sqrt(const ComplexBall& z, bool analytic)
-{
-    ComplexBall r;
-    acb_sqrt_analytic(r.get(), z.get(), analytic, WorkingPrecision::bits());
-    return r;
-}
-
-/// 4 int_0^w t^2/sqrt(S + t^2) dt: the slope's integral over t = sqrt(v^2 - S), with w^2 = `square`.
-/// Written as 4 w^3/sqrt(S + w^2) times an integral over [0, 1] between 1/3 and 1/2.
+/// 4 int_{sqrt S}^v (t^2 - S)^(1/2) dt, the slope's integral, with v^2 - S = `square`; t = sqrt S + (v - sqrt S) u
+/// makes it 4 (v - sqrt S)^2 int_0^1 (u (e + u))^(1/2) du, e = 2 sqrt S/(v - sqrt S). Where the two singular points nearly are one,
+/// t = sqrt S cosh(b u), v = sqrt S cosh b, makes it 4 S b int_0^1 sinh(b u)^2 du.
 Ball integrated_slope(const Ball& square, const Ball& load)
 {
     if (!certainly(less(Ball(0), square))) return certainly(less(square, Ball(0))) ? Ball(0) : Ball::indeterminate();
-    const ComplexBall c(load / square), c1(1 + load / square);
-    const Ball shape = integral([&](const ComplexBall& t, bool analytic) { return t * t * analytic_sqrt(c1, analytic) / analytic_sqrt(c + t * t, analytic); },
-                                Ball(0), Ball(1));
-    return 4 * square * sqrt(square) / sqrt(load + square) * shape;
+    const Ball w = sqrt(square), v = sqrt(square + load), edge = sqrt(load), length = square / (v + edge), e = 2 * edge / length;
+    constexpr long nearly_one = -64;
+    if (certainly(less(e, power_of_two<Ball>(nearly_one)))) {
+        const Ball b = log((v + w) / edge);
+        return load * b * integral([b](auto u, auto, auto) {
+                   const auto twice_sinh = exp(b * u) - exp(-(b * u));
+                   return twice_sinh * twice_sinh;
+               });
+    }
+    return 4 * length * length * sqrt(1 + e) * integral([e](auto, auto left, auto) { return sqrt(left) * sqrt((left + e) / (1 + e)); });
 }
 
 /// 1 - u(0), the peak's height over the displacement there: u(0) = -2 int p log|2 sin(pi x)| dx, the pressure (2.4)
-/// against the half-plane's kernel. With sin(pi x) = sqrt(S) sin(phi) as below, and cos^2 phi log sin phi
-/// integrated by parts, only int_0^{pi/2} phi cot(phi) + cos^2 phi is left.
+/// against the half-plane's kernel, in t = sin(pi x)/sqrt(S): singular at both ends, like log t and (1 - t)^(1/2).
 Ball undisplaced_peak(const Ball& load)
 {
-    const Ball parts = integral(
-        [](const ComplexBall& phi, bool) {
-            ComplexBall sinc;
-            acb_sinc(sinc.get(), phi.get(), WorkingPrecision::bits());
-            return cos(phi) / sinc + cos(phi) * cos(phi);
-        },
-        Ball(0), pi<Ball>() / 2);
-    return 1 + load * (log(4 * load) - 4 * parts / pi<Ball>());
+    const Ball part = integral([](auto t, auto left, auto right) { return sqrt(right) * sqrt(1 + t) * log(left); });
+    return 1 + load * (log(4 * load) + 8 * part / pi<Ball>());
 }
 
-/// 1/2 <p u>: in partial contact u = cos(2 pi x) - C, and with sin(pi x) = sqrt(S) sin(phi) the
-/// load on dphi is (2 S/pi) cos^2 phi dphi; 1 - C = S - S log S.
+/// 1/2 <p u>: in partial contact u = cos(2 pi x) - C, and with t = sin(pi x)/sqrt(S) the load on dt is
+/// (2 S/pi) (1 - t^2)^(1/2) dt; 1 - C = S - S log S.
 Ball work_of_pressure(const Ball& load)
 {
-    const ComplexBall rise(1 - log(load));
-    return load * load / pi<Ball>()
-           * integral([&](const ComplexBall& phi, bool) { return cos(phi) * cos(phi) * (rise - 2 * sin(phi) * sin(phi)); }, -pi<Ball>() / 2, pi<Ball>() / 2);
+    const Ball rise = 1 - log(load);
+    return 2 * load * load / pi<Ball>()
+           * integral([rise](auto t, auto, auto right) { return sqrt(right) * sqrt(1 + t) * (rise - 2 * t * t); });
 }
 
 /// The gap where it is exactly 0: in full contact, and inside or at the edge of a contact whose edge has an exact sine.

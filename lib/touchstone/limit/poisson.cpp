@@ -229,7 +229,9 @@ double polynomial_defect(const Found& f, std::size_t panel, const Check& check)
     double most = 0;
     for (std::size_t n = 0; n < check.points.at.size(); ++n) {
         const Real z = middle + radius * check.points.at[n], local = (z - p.centre) / p.half;
-        most = std::max(most, size_of(steps.value(panel, 1, local) - steps.value(panel, 0, local) / steps.G + area.value(panel, 0, local) - f.c * sqrt(z)));
+        const double off = size_of(steps.value(panel, 1, local) - steps.value(panel, 0, local) / steps.G + area.value(panel, 0, local) - f.c * sqrt(z));
+        if (!(off < infinite)) return infinite; // not a number either
+        most = std::max(most, off);
     }
     const std::size_t first = steps.at(panel, 0), second = steps.at(panel, 1);
     const double root = std::sqrt(2 * p.z1.high), sizes = steps.size[second] + steps.size[first] + area.size[panel] + std::fabs(f.c.high) * root;
