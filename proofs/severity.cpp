@@ -29,9 +29,12 @@ std::string caveat(const std::string& id)
 {
     if (id.starts_with("figure")) return "judged from the caption and the text; the curves are not in the source text and were not seen";
     static const std::map<std::string, std::string> all{
-        {"7.21", "the limiting form of the Hertzian area (7.18), not of the model's (6.7), whose constant is larger for G > 2 (text.defines-limit)"},
-        {"8.3", "the limiting form of the Hertzian number (8.2), not of the model's, whose constant is larger for G > 2 (text.defines-limit)"},
-        {"8.6", "the limiting form of the Hertzian number (8.2), not of the model's, whose constant is larger for G > 2 (text.defines-limit)"}};
+        {"7.21", "the limiting form of the Hertzian area (7.18), not of the model's (6.7), whose "
+         "constant is larger for G > 2 (text.defines-limit)"},
+        {"8.3", "the limiting form of the Hertzian number (8.2), not of the model's, whose "
+         "constant is larger for G > 2 (text.defines-limit)"},
+        {"8.6", "the limiting form of the Hertzian number (8.2), not of the model's, whose "
+         "constant is larger for G > 2 (text.defines-limit)"}};
     const auto found = all.find(id);
     return found == all.end() ? "" : found->second;
 }
