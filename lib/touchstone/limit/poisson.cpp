@@ -217,26 +217,34 @@ Found search(const Rules& rules, const First& first, const std::vector<Ball>& of
 
 // ---- the proof
 
-/// sup |V_1 - V_0/G + P - c x| on a panel, V_0 = G Phi, P the polynomial near f: polynomials of z, and c z^(1/2), at Chebyshev points of the panel; what these
-/// leave of z^(1/2), |z^(1/2)| <= (2 z1)^(1/2) on an ellipse that stays away from 0, is charged.
+/// sup |V_1 - V_0/G + P - c x| on a panel, V_0 = G Phi, P the polynomial near f: polynomials of z, and c z^(1/2), at Chebyshev points of
+/// the panel; what these leave of z^(1/2), |z^(1/2)| <= (2 z1)^(1/2) on an ellipse that stays away from 0, is charged.
 double polynomial_defect(const Found& f, std::size_t panel, const Check& check)
 {
-    constexpr double of_sums = 64 * u; // six operations on numbers below what they are charged for
-    const Layer &steps = *f.steps, &area = *f.area;
-    const Panel& p = steps.panels[panel];
-    const Real middle = (p.z0 + p.z1) * 0.5, radius = (p.z1 - p.z0) * (0.5 + 0x1p-30) + 2 * u * middle;
-    if (!(double(middle - radius * check.spread) > 0)) return infinite; // of the ellipse
+    const WorkingPrecision precision(160);
+    const Panel& p = f.steps->panels[panel];
+    const Ball centre = to_ball(p.centre), half = to_ball(p.half), low = to_ball(p.z0), high = to_ball(p.z1), c = to_ball(f.c), G = to_ball(f.steps->G);
+    const Ball middle = (low + high) / 2, radius = (high - low) / 2;
+    const Ball left = middle - radius * Ball::exactly(check.spread); // of the ellipse
+    if (!certainly(less(Ball(0), left))) return infinite;
+    const auto series = [&](const Layer& of, int m, const Ball& local) {
+        Ball before(0), now(0);
+        for (int k = of.orders.terms - 1; k > 0; --k) {
+            const Ball next = 2 * local * now - before + to_ball(of.coefficients[of.row(panel, k) + static_cast<std::size_t>(m)]);
+            before = now;
+            now = next;
+        }
+        return local * now - before + to_ball(of.coefficients[of.row(panel, 0) + static_cast<std::size_t>(m)]);
+    };
     double most = 0;
     for (std::size_t n = 0; n < check.points.at.size(); ++n) {
-        const Real z = middle + radius * check.points.at[n], local = (z - p.centre) / p.half;
-        const double off = size_of(steps.value(panel, 1, local) - steps.value(panel, 0, local) / steps.G + area.value(panel, 0, local) - f.c * sqrt(z));
-        if (!(off < infinite)) return infinite; // not a number either
-        most = std::max(most, off);
+        const Ball z = middle + radius * to_ball(check.points.at[n]), local = (z - centre) / half;
+        const Ball off = abs(series(*f.steps, 1, local) - series(*f.steps, 0, local) / G + series(*f.area, 0, local) - c * sqrt(z));
+        if (!off.is_finite()) return infinite;
+        most = std::max(most, arf_get_d(arb_midref(off.get()), ARF_RND_UP) * margin + off.radius_bound());
     }
-    const std::size_t first = steps.at(panel, 0), second = steps.at(panel, 1);
-    const double root = std::sqrt(2 * p.z1.high), sizes = steps.size[second] + steps.size[first] + area.size[panel] + std::fabs(f.c.high) * root;
-    most += steps.rounding[second] + steps.rounding[first] + area.rounding[panel] + of_sums * sizes;
-    return margin * (check.lebesgue * most + std::fabs(f.c.high) * root * check.tail);
+    const double of_root = std::fabs(f.c.high) * std::sqrt(2 * p.z1.high) * check.tail;
+    return margin * (check.lebesgue * most + of_root);
 }
 
 /// f, divided by `unit`, which is 1 but for densities of small pressures; where it is not smooth, apart from 1; and below which ratio the mesh need not reach.
