@@ -2,6 +2,7 @@
 // Compiled with -ffp-contract=off, as transfer/double_double.hpp asks.
 #include "touchstone/limit/limit_law.hpp"
 
+#include "touchstone/limit/chebyshev.hpp"
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/wave/wave.hpp"
 
@@ -218,13 +219,7 @@ double LimitLaw::Interpolant::operator()(double x) const
     const auto above = static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), x) - edges.begin());
     const std::size_t j = std::min(last, above == 0 ? 0 : above - 1);
     const double t = std::clamp((2 * x - edges[j] - edges[j + 1]) / (edges[j + 1] - edges[j]), -1., 1.);
-    double b1 = 0, b2 = 0;
-    for (std::size_t k = order - 1; k > 0; --k) {
-        const double b = 2 * t * b1 - b2 + coefficients[j * order + k];
-        b2 = b1;
-        b1 = b;
-    }
-    return t * b1 - b2 + coefficients[j * order];
+    return chebyshev_sum(&coefficients[j * order], order, t);
 }
 
 Witness mean_in_the_limit(const Ball& G, const std::vector<Ball>& further, const std::function<double(double)>& f)

@@ -2,6 +2,7 @@
 // Compiled with -ffp-contract=off, as transfer/double_double.hpp asks.
 #include "touchstone/limit/poisson.hpp"
 
+#include "touchstone/limit/chebyshev.hpp"
 #include "touchstone/limit/limit_law.hpp"
 #include "touchstone/limit/rough_wave.hpp"
 #include "touchstone/scalar/refusal.hpp"
@@ -84,13 +85,7 @@ public:
         const auto above = std::upper_bound(e.panels.begin(), e.panels.end(), z, [](const Real& v, const Panel& p) { return v < p.z0; });
         const std::size_t j = above == e.panels.begin() ? 0 : static_cast<std::size_t>(above - e.panels.begin()) - 1, terms = e.terms();
         const double local = std::clamp(double((z - e.panels[j].centre) / e.panels[j].half), -1., 1.);
-        double before = 0, now = 0;
-        for (std::size_t k = terms - 1; k > 0; --k) {
-            const double next = 2 * local * now - before + series[j * terms + k];
-            before = now;
-            now = next;
-        }
-        return local * now - before + series[j * terms];
+        return chebyshev_sum(&series[j * terms], terms, local);
     }
 
 private:
