@@ -12,13 +12,14 @@ import sys
 from fractions import Fraction
 from math import gcd
 
+import full_contact
 import intervals as iv
 import transfer
 from intervals import Interval
 from transfer import Refused
 
-LONGEST_FILE, LONGEST_WORD, MOST_PANELS = 1 << 28, 4096, 64
-MOST = {"claims": 20000, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14}
+LONGEST_FILE, LONGEST_WORD, MOST_PANELS, MOST_PANELS_OF_A_MESH = 1 << 28, 4096, 64, 4096
+MOST = {"claims": 20000, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100}
 
 
 class Malformed(Exception):
@@ -68,8 +69,11 @@ def span(text):
 
 
 READERS = {"G": surface, "load": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error"), dyadic),
-           **dict.fromkeys(("n", "m", "bits", "points", "terms"), integer)}
-FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim"}
+           **dict.fromkeys(("n", "m", "bits", "points", "terms", "kept", "accuracy", "panel", "middle", "half"), integer)}
+FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
+         "mesh": "G bits kept accuracy", "polynomials": "panel middle half terms", "share": "claim"}
+WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials"), ("value", "limit", "share")
+CLAIMS = {"contact.area": "n load G value error", "limit.area_constant": "G value error"}
 
 
 def fields(words, names, what):
@@ -96,7 +100,8 @@ class Certificate:
         lines = body.split("\n")
         need(lines.pop() == "" and len(lines) > 3, "lines are missing")
         need(lines[0] == "TOUCHSTONE-CERT 1", f"'{lines[0][:40]}' is not TOUCHSTONE-CERT 1")
-        need(lines[1] == "quantity contact.area", f"'{lines[1][:40]}': only contact.area is known")
+        self.quantity = lines[1][len("quantity "):]
+        need(lines[1][:9] == "quantity " and self.quantity in CLAIMS, f"'{lines[1][:40]}': only {' and '.join(CLAIMS)} are known")
         words = lines[2].split(" ")
         claims, sections, self.count = fields(words[1:], "claims sections lines", "counts")
         head = 3 + claims + sections
@@ -105,11 +110,12 @@ class Certificate:
         for line in lines[3:head]:
             kind, which, *rest = line.split(" ") if line.count(" ") > 1 else ("", "", "")
             if kind == "claim":
-                n, load, G, value, error = fields(rest, "n load G value error", "claim")
-                self.claims[decimal(which)] = n, load, G, value, error
-                need(list(self.claims)[-1] == len(self.claims) and n > 0 and load <= 1 and value > 0 and error >= 0, f"claim {which[:9]}: is none")
+                *inputs, G, value, error = fields(rest, CLAIMS[self.quantity], "claim")
+                n, load = inputs or (1, 1)
+                self.claims[decimal(which)] = *inputs, G, value, error
+                need(list(self.claims)[-1] == len(self.claims) and n > 0 and value > 0 and error >= 0, f"claim {which[:9]}: is none")
                 continue
-            (first, last), *counted = fields(rest, "span grids panels levels values", "section")
+            (first, last), *counted = fields(rest, "span grids panels levels values limits meshes polynomials shares", "section")
             found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
             number += 1
             need(kind == "section" and decimal(which) == number and first == next_line <= last, "sections: do not follow one another")
@@ -143,13 +149,13 @@ class Replay:
         names = FORMS[reason]
         data = fields(words[4:4 + len(names.split())], names, f"line {self.number}")
         more = words[4 + len(names.split()):]
-        need(not more or reason == "level", f"line {self.number}: says more than it may")
+        need(not more or reason in WITH_INTEGERS, f"line {self.number}: says more than it may")
         try:
-            self.known[self.number] = getattr(self, reason)([self.known[r] for r in numbers], *data, *([[integer(c) for c in more]] if reason == "level" else []))
+            self.known[self.number] = getattr(self, reason)([self.known[r] for r in numbers], *data, *([[integer(c) for c in more]] if reason in WITH_INTEGERS else []))
         except (Refused, ValueError, ZeroDivisionError) as why:
             raise Refused(f"line {self.number}: {why}") from None
         self.until[self.number] = decimal(words[3])
-        need(self.number <= self.until[self.number] and (reason == "value") == (self.until[self.number] == self.number), f"line {self.number}: forgotten too early")
+        need(self.number <= self.until[self.number] and (reason in PROVES_A_CLAIM) == (self.until[self.number] == self.number), f"line {self.number}: forgotten too early")
         for r in numbers + [self.number]:
             if self.until[r] == self.number:
                 del self.known[r]
@@ -215,12 +221,10 @@ class Replay:
         return "level", self.number, grid, place, m, (panel, coefficients, exponent, error, rounding)
 
     def value(self, below, claim):
-        need(claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
-        n, load, G, value, error = self.certificate.claims[claim]
-        need(below and below[0][0] == "grid" and below[0][2][0] == G, "a value rests on a grid of its G", Refused)
-        grid = below[0]
+        grid, (n, load), value, error = self.claimed("contact.area", below, claim)
+        need(grid[0] == "grid", "a value rests on a grid", Refused)
+        need(load <= 1, "load > 1", Refused)
         panels, levels, places = self.whole(grid, below[1:], n - 1)
-        self.proved.add(claim)
         if self.proving():
             (base, degree), bits, step, points = grid[2]
             if 1 - load <= Fraction(1, 2**16):
@@ -233,6 +237,60 @@ class Replay:
             need(value - error <= low * (h - off) and high * (h + off) <= value + error and off < h, "the claim is not proved", Refused)
         return "value", self.number
 
+    def claimed(self, quantity, below, claim):
+        """the grid, inputs, value and error of a claim that is proved here"""
+        need(self.certificate.quantity == quantity and claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
+        *inputs, G, value, error = self.certificate.claims[claim]
+        need(below and below[0][0] in ("grid", "mesh") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
+        self.proved.add(claim)
+        return below[0], inputs, value, error
+
+    def mesh(self, below, G, bits, kept, accuracy, edges):
+        need(not below and bits >= 64 and kept > 0 and accuracy > 0 and len(edges) <= MOST_PANELS_OF_A_MESH, "not a mesh", Refused)
+        need(101 ** G[1] < G[0] * 100 ** G[1] and G[0] < 2 ** (40 * G[1]), "G is not between 1.01 and 2^40", Refused)
+        return "mesh", self.number, (G, bits, kept, accuracy, edges)
+
+    def polynomials(self, below, panel, middle, half, terms, coefficients):
+        need([b[0] for b in below] == ["mesh"] and half > 0 and 1 < terms <= 64 and coefficients and len(coefficients) % terms == 0, "not the polynomials of a panel", Refused)
+        return "polynomials", self.number, panel, (middle, half), [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
+
+    def share(self, below, claim):
+        mesh, (n, load), value, error = self.claimed("contact.area", below, claim)
+        (base, degree), bits, kept, accuracy, edges = mesh[2]
+        below = below[1:]
+        need(mesh[0] == "mesh" and all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
+        need([b[2] for b in below] == list(range(len(edges) - 1)) and len({(len(b[4]), len(b[4][0])) for b in below}) == 1, "polynomials are missing", Refused)
+        need(n <= len(below[0][4]) and load * 2**bits <= edges[-1], "the mesh does not reach so far", Refused)
+        if self.proving():
+            if (mesh[1], 0) not in self.rules:
+                made = full_contact.Mesh(root_of(base, degree), bits, edges, [b[3] for b in below], [b[4] for b in below], kept, accuracy)
+                self.rules = {(mesh[1], 0): (made, made.effects())}  # of one mesh at a time
+            made, effects = self.rules[mesh[1], 0]
+            low, high = made.value(n, load, effects)
+            need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
+        return "share", self.number
+
+    def limit(self, below, claim, m, exponent, weights):
+        """(F): C(G) is near the value because sum w_j h_(m+j) is, on each panel"""
+        grid, _, value, error = self.claimed("limit.area_constant", below, claim)
+        need(m >= 0 and weights and sum(weights) * Fraction(2) ** exponent == 1, "the weights do not add up to 1", Refused)
+        weights = [w * Fraction(2) ** exponent for w in weights]
+        each = [self.whole(grid, [b for b in below[1:] if b[4] == m + j], m + j) for j in range(len(weights))]
+        need(sum(len(panels) for panels, *_ in each) == len(below) - 1 and len({places for *_, places in each}) == 1, "levels of other panels", Refused)
+        if self.proving():
+            rule, panels = self.rule(grid, grid[2][1]), each[0][0]
+            G, twice_L = rule.G.ends()[1], 2 * rule.L.ends()[0]
+            off = (sum(map(abs, weights)) * G + abs(value)) * G**2 * transfer.falling((1 - Fraction(1, 2 ** (m + 1))) * panels[-1].high)
+            for p, panel in enumerate(panels):
+                if panel.high < twice_L:  # no ratio in the limit is above 4/G^2
+                    continue
+                here = [levels[p] for _, levels, _ in each]
+                terms = [sum(w * c * Fraction(2) ** e for w, (_, coefficients, e, *_) in zip(weights, here) for c in coefficients[i:i + 1]) for i in range(panel.terms)]
+                spread = abs(terms[0] - value) + sum(map(abs, terms[1:])) + sum(abs(w) * level[3] for w, level in zip(weights, here))
+                off += min(1, G**2 * transfer.falling(panel.low)) * spread
+            need(off <= error, "the claim is not proved", Refused)
+        return "limit", self.number
+
 
 def root_of(base, degree):
     return iv.power(base, Fraction(1, degree)) if degree > 1 else Interval.of(base)
@@ -242,11 +300,12 @@ def power_of(base, degree, n):
     return iv.exp(iv.log(base) * Fraction(n, degree)) if degree > 1 else Interval.of(base**n)
 
 
-def shown(claim):
-    n, load, (base, degree), value, error = claim
+def shown(quantity, claim):
+    *inputs, (base, degree), value, error = claim
     digits = max(1, len(str(int(value / error)))) if error else 40
     e = len(str(int(value))) - 1 if value >= 1 else -len(str(int(1 / value)))
-    return f"contact.area n={n} load={load} G={base}{f'^1/{degree}' if degree > 1 else ''}: {int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"
+    what = "".join(f"{name}={x} " for name, x in zip(("n", "load"), inputs))
+    return f"{quantity} {what}G={base}{f'^1/{degree}' if degree > 1 else ''}: {int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"
 
 
 def main():
@@ -269,7 +328,7 @@ def main():
         print(f"lines {first}-{last} of {certificate.count} hold if those before them do; sha256 {certificate.digest}")
         return 0
     for claim in certificate.claims.values():
-        print(shown(claim))
+        print(shown(certificate.quantity, claim))
     print(f"yes: {certificate.count} lines hold, {len(certificate.claims)} claims are proved")
     return 0
 

@@ -3,8 +3,8 @@
 """check.py [--limit N] [--certificate FILE]... TABLE...: recomputes every row of closed form in canonical tables and says how many it confirms.
 
 A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and
-an error of 0 only if the value is found to be exactly what is printed. Areas and counts of segments are confirmed by certificates too, which are proved
-first (certificate.py). `digits` are confirmed in every row that is right or has a certificate. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
+an error of 0 only if the value is found to be exactly what is printed. Areas, counts of segments and C(G) are confirmed by certificates too, which are
+proved first (certificate.py). `digits` are confirmed in every row that is right or has a certificate. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
 """
 import argparse
 import hashlib
@@ -57,11 +57,12 @@ def read(path):
 
 def with_certificates(forms, paths):
     """the forms, and what the claims of certificates say of rows without one: A_n, and with it (8.1) the number gamma^n A_(n-1) of segments"""
-    areas = {}
+    areas, limits = {}, {}
     for path in paths:
         read = certificate.Certificate(path)
         certificate.Replay(read, 1, read.count)
-        areas.update({(n, load, G): claimed for n, load, G, *claimed in read.claims.values()})
+        for *inputs, value, error in read.claims.values():
+            (areas if read.quantity == "contact.area" else limits)[tuple(inputs)] = value, error
 
     def area(n, load, base, degree=1):
         value, error = areas[n, load, (base, degree)] if (n, load, (base, degree)) in areas else (None, None)
@@ -72,9 +73,17 @@ def with_certificates(forms, paths):
         below = area(n - 1, load, G) if G is not None else area(n - 1, load, gamma ** (D - 1).numerator, (D - 1).denominator)
         return None if below is None else below * gamma ** int(n)
 
+    def constant(base, degree=1):
+        value, error = limits.get(((base, degree),), (None, None))
+        return None if value is None else Interval.of(value) + iv.error_term(Interval.of(error))
+
+    def ratio(G):
+        return None if constant(G) is None else constant(G) / (closed_forms.K_inf() * G)
+
     def both(closed, certified):
         return lambda *inputs: certified(*inputs) if closed(*inputs) is None else closed(*inputs)
-    return {**forms, "contact.area": both(forms["contact.area"], area), "segments.count": both(forms["segments.count"], segments)}
+    return {**forms, "contact.area": both(forms["contact.area"], area), "segments.count": both(forms["segments.count"], segments),
+            "limit.area_constant": constant, "limit.area_ratio": ratio}
 
 
 def verdict(form, row, names, binary64):

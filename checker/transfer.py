@@ -23,10 +23,9 @@ def power_above(t):
     return -(-Fraction(t) * 1443 // 1000)
 
 
-def above(x, bits):
-    """an integer of units 2^-bits above an interval or fraction"""
-    high = x.ends()[1] if isinstance(x, Interval) else Fraction(x)
-    return -(-high * 2**bits // 1)
+def falling(t):
+    """a power of two above exp(-t), t >= 0 a fraction: 1/log 2 > 1.4426"""
+    return Fraction(1, 2 ** (Fraction(t) * 14426 // 10000))
 
 
 def fixed(x, bits):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone certificate`: why a value is what it is, for a checker that shares nothing with this program.
-#include "touchstone/certificate/partial_area.hpp"
+#include "touchstone/certificate/limit_constant.hpp"
+#include "touchstone/certificate/areas.hpp"
 #include "touchstone/table/table.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
@@ -23,59 +24,77 @@ struct CertificateOptions {
     std::optional<long> digits;
 };
 
-/// The area a value rests on: segments are counted by A_(n-1), (8.1).
-certificate::Area area_of(const Quantity& q, const Inputs& in)
+Root root_of(const Inputs& in)
 {
-    q.check(in);
-    const long n = in.integer("n") - (q.name == "segments.count" ? 1 : 0);
     try {
-        return {n, in.real("load"), as_root(in.G_exact())};
+        return as_root(in.G_exact());
     }
     catch (const NotExact&) {
         throw Failure(bad_input, "G = gamma^(D-1) is no root of a rational number: there is no certificate");
     }
 }
 
-std::vector<certificate::Area> areas_of_table(const TableSpec& spec)
+/// What is claimed and has a certificate, and why the first that has none has none.
+struct Claimed {
+    std::vector<certificate::Area> areas;
+    std::vector<Root> limits;
+    std::string refused;
+
+    void add(const Quantity& q, const Inputs& in)
+    {
+        q.check(in);
+        const bool limit = q.name == "limit.area_constant" || q.name == "limit.area_ratio";
+        certificate::Area a{1, Rational(1), root_of(in)};
+        if (!limit) a.load = in.real("load"), a.n = in.integer("n");
+        if (q.name == "segments.count") --a.n; // (8.1): they are counted by A_(n-1)
+        const std::string why = limit ? certificate::refusal_of_limit(a.G) : certificate::refusal(a);
+        if (!why.empty())
+            refused = refused.empty() ? why : refused;
+        else if (limit)
+            limits.push_back(a.G);
+        else
+            areas.push_back(a);
+    }
+};
+
+Claimed claims_of_table(const TableSpec& spec)
 {
     const Quantity& q = quantity_named(spec.quantity);
-    std::vector<certificate::Area> areas;
-    std::string why;
+    Claimed all;
     for (const auto& row : spec.grid()) {
         std::map<std::string, Rational> values;
         for (std::size_t k = 0; k < row.size(); ++k) values[q.inputs[k]] = exact_rational(row[k]);
-        const certificate::Area a = area_of(q, Inputs(values));
-        const std::string refused = certificate::refusal(a);
-        if (refused.empty()) areas.push_back(a);
-        else if (why.empty()) why = refused;
+        all.add(q, Inputs(values));
     }
-    if (areas.empty()) throw Failure(undecided, fmt::format("no row of '{}' has a certificate: {}", spec.name, why));
-    return areas;
+    return all;
 }
 
 int write_certificate(const CertificateOptions& o)
 {
     const TableSpec* spec = o.assignments.empty() ? find_table(o.subject) : nullptr;
-    const std::string quantity = spec != nullptr ? spec->quantity : o.subject;
-    if (spec == nullptr) quantity_named(o.subject);
-    if (quantity != "contact.area" && quantity != "segments.count")
-        throw Failure(undecided, fmt::format("there are certificates of contact.area and segments.count only, not of '{}'; rows of closed "
-                                             "form need none (checker/check.py)",
-                                             quantity));
-    std::vector<certificate::Area> areas;
-    if (spec != nullptr) areas = areas_of_table(*spec);
-    else {
-        const Quantity& q = quantity_named(o.subject);
-        areas.push_back(area_of(q, read_inputs(q, key_values(q, o.assignments))));
-        if (const std::string why = certificate::refusal(areas.front()); !why.empty()) throw Failure(undecided, why);
-    }
-    const long digits = o.digits.value_or(spec != nullptr ? spec->digits + spare_digits : digits_of_a_value);
+    const Quantity& q = quantity_named(spec != nullptr ? spec->quantity : o.subject);
+    if (q.name != "contact.area" && q.name != "segments.count" && q.name != "limit.area_constant" && q.name != "limit.area_ratio")
+        throw Failure(undecided, fmt::format("there are certificates of contact.area, segments.count, limit.area_constant and "
+                                             "limit.area_ratio, not of '{}'; rows of closed form need none (checker/check.py)",
+                                             q.name));
+    Claimed claimed;
+    if (spec != nullptr)
+        claimed = claims_of_table(*spec);
+    else
+        claimed.add(q, read_inputs(q, key_values(q, o.assignments)));
+    if (claimed.areas.empty() && claimed.limits.empty())
+        throw Failure(undecided, (spec == nullptr ? "" : fmt::format("no row of '{}' has a certificate: ", spec->name)) + claimed.refused);
+    const long most = claimed.limits.empty() ? certificate::most_digits : certificate::most_digits_of_a_limit;
+    const long digits = std::min(most, o.digits.value_or(spec != nullptr ? spec->digits + spare_digits : digits_of_a_value));
     const std::string text = [&] {
         const Progress progress("certificate");
-        return certificate::partial_area(areas, {digits});
+        if (claimed.limits.empty()) return certificate::areas(claimed.areas, {digits});
+        return certificate::limit_constants(claimed.limits, {digits});
     }();
-    if (o.out.empty()) fmt::print("{}", text);
-    else write_file(o.out, text);
+    if (o.out.empty())
+        fmt::print("{}", text);
+    else
+        write_file(o.out, text);
     return holds;
 }
 
@@ -86,7 +105,9 @@ void add_certificate(CLI::App& app, Run& run)
     auto* command = app.add_subcommand(
         "certificate", "What checker/certificate.py replays: touchstone certificate contact.area n=3 G=3 load=1/10 --out FILE");
     auto o = std::make_shared<CertificateOptions>();
-    command->add_option("subject", o->subject, "contact.area or segments.count with inputs, or a table of them")->required();
+    command
+        ->add_option("subject", o->subject, "contact.area, segments.count, limit.area_constant or limit.area_ratio with inputs, or a table")
+        ->required();
     command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval");
     command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")
         ->check(CLI::Range(1L, certificate::most_digits));

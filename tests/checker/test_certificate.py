@@ -56,13 +56,27 @@ def area(n, load, G, digits=30):
     return Fraction(json.loads(said.stdout)["value"])
 
 
+@functools.lru_cache(None)
+def limit(G, digits=30):
+    """C(G) by the program"""
+    return Fraction(json.loads(program("eval", "limit.area_constant", f"G={G}", "--digits", digits, "--json").stdout)["value"])
+
+
+# What is changed in many ways, and how often: partial contact, full contact without and with a wave between, the limit.
+CHANGED = {("contact.area", "n=2", "load=1/10", "G=16", "--digits", 6): 9, ("contact.area", "n=1", "load=3/2", "G=3/2", "--digits", 2): 7,
+           ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("limit.area_constant", "G=16", "--digits", 3): 3}
+
+
 class Certificates(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.path = pathlib.Path(cls.folder.name) / "certificate.txt"
-        cls.make("n=2", "load=1/10", "G=16", "--digits", 6)
-        cls.text = cls.path.read_text()
+        cls.texts = {}
+        for what in CHANGED:
+            cls.make(*what)
+            cls.texts[what] = cls.path.read_text()
+        cls.text = next(iter(cls.texts.values()))
         transfer.Rule = kept_rule
 
     @classmethod
@@ -72,7 +86,7 @@ class Certificates(unittest.TestCase):
 
     @classmethod
     def make(cls, *arguments):
-        made = program("certificate", "contact.area", *arguments, "--out", cls.path)
+        made = program("certificate", *arguments, "--out", cls.path)
         assert made.returncode == 0, made.stderr
 
     def said_of(self, text):
@@ -87,9 +101,10 @@ class Certificates(unittest.TestCase):
         return "proved", read
 
     def test_proves_what_the_program_says(self):
-        for inputs, digits in ((("1", "1", "41/20"), 7), (("3", "1/10", "3"), 20), (("2", "999999999999/1000000000000", "5^1/2"), 9), (("20", "1/1000000", "10000"), 4)):
+        for inputs, digits in ((("1", "1", "41/20"), 7), (("3", "1/10", "3"), 20), (("2", "999999999999/1000000000000", "5^1/2"), 9), (("20", "1/1000000", "10000"), 4),
+                               (("1", "1000", "3/2"), 8), (("1", "1/3", "51/50"), 4), (("2", "9/7", "7^1/2"), 2)):
             n, load, G = inputs
-            self.make(f"n={n}", f"load={load}", f"G={G.replace('^1/2', '^0.5')}", "--digits", digits)
+            self.make("contact.area", f"n={n}", f"load={load}", f"G={G.replace('^1/2', '^0.5')}", "--digits", digits)
             said = check(self.path)
             with self.subTest(inputs=inputs):
                 self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
@@ -98,8 +113,33 @@ class Certificates(unittest.TestCase):
                 self.assertLessEqual(abs(value - area(n, load, G.replace("^1/2", "^0.5"))), error)
                 self.assertLess(error / value, Fraction(1, 10**digits))
 
+    def test_proves_limits(self):
+        for G, digits in (("41/20", 3), ("5/2", 7), ("1000000", 4)):
+            self.make("limit.area_constant", f"G={G}", "--digits", digits)
+            said = check(self.path)
+            with self.subTest(G=G):
+                self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+                ((_, value, error),) = certificate.Certificate(self.path).claims.values()
+                self.assertLessEqual(abs(value - limit(G)), error)
+                self.assertLess(error / value, Fraction(1, 10**digits))
+
+    def test_wrong_values_are_refused(self):
+        """What is claimed beside the truth, by little more than the error, in each kind of certificate."""
+        for what, text in self.texts.items():
+            self.path.write_text(text)
+            (claim,) = certificate.Certificate(self.path).claims.values()
+            value, error = claim[-2:]
+            old = text.split("value=")[1].split(" ")[0]
+            for off in (-3 * error, 3 * error):
+                wrong = value + off
+                e = wrong.denominator.bit_length() - 1
+                self.path.write_text(signed(text.replace(f"value={old}", f"value={wrong.numerator:x}:{-e}", 1)))
+                with self.subTest(what=what, off=float(off)):
+                    said = check(self.path)
+                    self.assertEqual((said.returncode, "the claim is not proved" in said.stdout), (1, True), said.stdout)
+
     def test_rows_of_tables_are_confirmed(self):
-        self.make("n=3", "load=1", "G=4", "--digits", 10)
+        self.make("contact.area", "n=3", "load=1", "G=4", "--digits", 10)
         table = (known.checker.parent / "data/reference/contact_area.txt").read_text()
         head, rows = ([line for line in table.splitlines() if line.startswith("#") == which] for which in (True, False))
         place = next(i for i, row in enumerate(rows) if row.split()[:3] == ["3", "1", "4"])
@@ -164,7 +204,8 @@ class Certificates(unittest.TestCase):
 
     def mutant(self, chosen):
         """a digit, sign, bound, index or line of one line changed, and what"""
-        lines = self.text.splitlines()
+        original = self.texts[chosen.choices(list(CHANGED), list(CHANGED.values()))[0]]
+        lines = original.splitlines()
         kinds = {}
         for i, line in enumerate(lines[:-1]):
             words = line.split(" ")
@@ -197,15 +238,16 @@ class Certificates(unittest.TestCase):
         else:
             words = words[:w]
         lines[i] = " ".join(words)
-        return signed("\n".join(lines) + "\n"), f"{kind}, {how}: {lines[i][:120]}"
+        return signed("\n".join(lines) + "\n"), f"{kind}, {how}: {lines[i][:120]}", original
 
     def true_of(self, read):
         """Whether all that an accepted mutant says is true, by the program: its claims, and its polynomials at some points."""
-        for n, load, (base, degree), value, error in read.claims.values():
-            if abs(value - area(n, load, f"({base})^(1/{degree})")) > error:
+        for *inputs, (base, degree), value, error in read.claims.values():
+            G = f"({base})^(1/{degree})"
+            if abs(value - (area(*inputs, G) if inputs else limit(G))) > error:
                 return False
         for words in read.lines:
-            if words[1] != "level":
+            if words[1] != "level":  # the polynomials of a mesh may be anything
                 continue
             m, error, exponent = certificate.fields(words[4:7], "m error exponent", "")
             panel = [k for part in words[2].split(",") for k in range(certificate.span(part)[0], certificate.span(part)[1] + 1)][1]
@@ -230,8 +272,8 @@ class Certificates(unittest.TestCase):
         accepted = []
         seen = 0
         while seen < known.mutants:
-            text, what = self.mutant(chosen)
-            if text == self.text:
+            text, what, original = self.mutant(chosen)
+            if text == original:
                 continue
             seen += 1
             said, read = self.said_of(text)

@@ -108,7 +108,8 @@ Grid grid_for(const Root& root, long n, double digits, const Rational& least_loa
     return g;
 }
 
-DiscreteOperator::DiscreteOperator(const Grid& grid) : grid_(grid)
+DiscreteOperator::DiscreteOperator(const Grid& grid)
+    : grid_(grid)
 {
     // one precision serves loads next to 1 too, where 1 - x u^2 becomes as small as the last q
     const double v = grid.step.get_d() * static_cast<double>(grid.points);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// T in partial contact as a matrix: the trapezoid rule over v, u = tanh v, of polynomials in s = -log x on panels. Internal to certificate/.
+/// T in partial contact as a matrix: the trapezoid rule over v, u = tanh v, of polynomials in s = -log x on panels. Internal to
+/// certificate/.
 ///
-/// The rule, the panels and every bound are those of docs/certificate.md, which proves them; here bounds are found in binary64, for the checker to
-/// find again. h_m(x) = G^m A_m(x)/(x lambda_0).
+/// The rule, the panels and every bound are those of docs/certificate.md, which proves them; here bounds are found in binary64, for the
+/// checker to find again. h_m(x) = G^m A_m(x)/(x lambda_0).
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
@@ -21,11 +22,11 @@ inline Rational ellipse() { return Rational(93, 16); }
 /// The choices of one section.
 struct Grid {
     Root root;
-    long bits = 0;      ///< of fixed point
-    long kept_bits = 0; ///< coefficients are kept to 2^-kept_bits
-    Rational step;      ///< of the trapezoid rule, dyadic
-    long points = 0;    ///< v = 0, step ... points * step
-    long terms = 0;     ///< of a polynomial
+    long bits = 0;               ///< of fixed point
+    long kept_bits = 0;          ///< coefficients are kept to 2^-kept_bits
+    Rational step;               ///< of the trapezoid rule, dyadic
+    long points = 0;             ///< v = 0, step ... points * step
+    long terms = 0;              ///< of a polynomial
     std::vector<Rational> edges; ///< of the panels, dyadic, each twice the one before
 
     Ball G() const; ///< at the working precision
@@ -75,8 +76,8 @@ private:
 
     const Grid& grid_;
     std::vector<Node> nodes_;
-    std::vector<mpz_class> points_;               ///< Chebyshev's on [-1, 1], in units of 2^-bits
-    std::vector<std::vector<mpz_class>> powers_;  ///< T_i at them
+    std::vector<mpz_class> points_;              ///< Chebyshev's on [-1, 1], in units of 2^-bits
+    std::vector<std::vector<mpz_class>> powers_; ///< T_i at them
     double log_half_G_ = 0, G_ = 0, quadrature_ = 0;
 };
 

@@ -1,0 +1,482 @@
+# SPDX-License-Identifier: MIT
+"""The recursion (6.1)-(6.7) at any load and any G > 1, full contact included, in integers; lemmas G-L are those of docs/certificate.md.
+
+B_m(x) = A_m at load x, B_(m+1) = T B_m, (T f)(x) = (1/pi) int f(y) dtheta over 0 < theta < pi, c = cos theta,
+    y^2 = z(c) = ((x + c)/G)^2 where x >= 1,   z(c) = (1 + c)(2 x - 1 + c)/G^2 where x < 1, and f counts as 0 where that is negative.
+V_m are polynomials of z = y^2 on panels of y, any; what is proved, on intervals J of x that this program chooses, is D_m >= |V_m - T V_(m-1)|, D_0 >= |V_0 - B_0|.
+As T is positive, |B_n - T V_(n-1)| <= sum T^(n-m) D_m (G).
+
+Fixed point: an integer stands for that many units 2^-bits. Bounds are fractions or integers rounded up.
+"""
+from bisect import bisect_right
+from fractions import Fraction
+from functools import lru_cache
+from math import isqrt
+
+import intervals as iv
+from intervals import Interval
+from transfer import Refused, fixed
+
+RHO = 4                     # the ellipses on which the defects are bounded: their half axis is REACH half widths
+REACH = Fraction(17, 8)     # (RHO + 1/RHO)/2
+MOST_POINTS = 48            # on one interval J
+MOST_INTERVALS = 2000       # of one panel
+WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
+
+
+QUARTERS = [isqrt(isqrt(1 << 128 + j)) for j in range(25)]  # 2^(j/4), below, in units 2^-32
+
+
+class Far(Exception):
+    """A polynomial is needed too far from its panel."""
+
+
+class Trigonometry:
+    """cos, sin and the angle, within some ten units 2^-bits."""
+
+    def __init__(self, bits):
+        self.bits, self.one = bits, 1 << bits
+        Interval.bits = bits + 64
+        self.pi = fixed(iv.pi(), bits)
+        self.arctan = [fixed(iv.arctan(Interval.of(Fraction(i, 64))), bits) for i in range(65)]
+        self.of_pieces = [(fixed(cosine(Fraction(i, 32)), bits), fixed(sine(Fraction(i, 32)), bits)) for i in range(102)]
+        self.rules = {}
+
+    def small(self, a):
+        """cos a, sin a, |a| <= 1/4"""
+        bits, square = self.bits, a * a >> self.bits
+        term, c, k = self.one, self.one, 0
+        while term:
+            k += 2
+            term = -(term * square >> bits) // (k * (k - 1))
+            c += term
+            if -1 <= term <= 1:
+                break
+        term, s, k = a, a, 1
+        while term:
+            k += 2
+            term = -(term * square >> bits) // (k * (k - 1))
+            s += term
+            if -1 <= term <= 1:
+                break
+        return c, s
+
+    def cos_sin(self, a):
+        """0 <= a <= pi"""
+        bits = self.bits
+        i = a >> (bits - 5)
+        C, S = self.of_pieces[i]
+        c, s = self.small(a - (i << (bits - 5)))
+        return (C * c - S * s) >> bits, (S * c + C * s) >> bits
+
+    def angle(self, y, x):
+        """of the point (x, y), x >= 0, y >= 0, not both 0"""
+        bits = self.bits
+        if y > x:
+            return (self.pi >> 1) - self.angle(x, y)
+        i = (y << 6) // x
+        u = ((64 * y - i * x) << bits) // (64 * x + i * y)  # tan(a - b), tan b = i/64
+        square, term, total, k = u * u >> bits, u, u, 1
+        while term:
+            term = -(term * square >> bits)
+            k += 2
+            if -k < term < k:
+                break
+            total += term // k
+        return self.arctan[i] + total
+
+    def of_cosine(self, less, more):
+        """arccos c from 1 - c and 1 + c in units; 0 <= c <= pi whatever they are"""
+        if less <= 0:
+            return 0
+        if more <= 0:
+            return self.pi
+        return 2 * self.angle(isqrt(less << self.bits), isqrt(more << self.bits))
+
+    def gauss(self, K):
+        """(I): points 0 < t < 1 and weights, symmetric, that integrate polynomials of degree < 2K; found by Newton's method, and tried on Chebyshev's polynomials"""
+        if K not in self.rules:
+            bits, pairs = self.bits, []
+            for j in range(K // 2):
+                t = self.cos_sin(self.pi * (4 * j + 3) // (4 * K + 2))[0]
+                for _ in range(8):
+                    p, q = self.one, t
+                    for k in range(2, K + 1):
+                        p, q = q, ((2 * k - 1) * (t * q >> bits) - (k - 1) * p) // k
+                    slope = (K * (p - (t * q >> bits)) << bits) // (self.one - (t * t >> bits))
+                    t -= (q << bits) // slope
+                w = (2 << 3 * bits) // ((self.one - (t * t >> bits)) * slope * slope >> bits)
+                pairs.append((t, w))
+            for i in range(0, 2 * K, 2):
+                total = 0
+                for t, w in pairs:
+                    T, before = self.one, t
+                    for _ in range(i):
+                        T, before = (2 * t * T >> bits) - before, T
+                    total += 2 * w * T >> bits
+                if abs(total * (1 - i * i) - (2 << bits)) > (1 << 40) * K * i + (1 << 20):
+                    raise Refused("a rule of Gauss does not integrate what it should")
+            self.rules[K] = pairs
+        return self.rules[K]
+
+
+def sine(x):
+    """x a fraction from 0 to 4"""
+    q = x / 16
+    s = iv._sine(Interval.of(q))
+    c = iv.sqrt(1 - s.square())
+    for _ in range(4):
+        s, c = (s * c).scaled(1), 1 - s.square().scaled(1)
+    return s
+
+
+def cosine(x):
+    return 1 - sine(x / 2).square().scaled(1)
+
+
+def quarters(A):
+    """a number of quarters of log2, rho <= 2^(quarters/4), for rho + 1/rho = 2 A, A in units 2^-32: Chebyshev's T_k is at most rho^k on that ellipse"""
+    rho, j = A + isqrt(max(0, A * A - (1 << 64))) + 2, 0
+    while QUARTERS[j] < rho:
+        j += 1
+        if j == len(QUARTERS):
+            raise Far
+    return j
+
+
+def axis(t, d):
+    """half the sum of the distances from -1 and 1, for points so far (d) from a real one of modulus t, in units 2^-32"""
+    return min(max(1 << 32, t) + d, isqrt((1 << 64) + (t + d) ** 2) + 1)
+
+
+@lru_cache(maxsize=None)
+def lebesgue(count):
+    """of Chebyshev's points, a hundredth more for that they are rounded"""
+    return Fraction(101, 100) * (1 + Fraction(9, 20) * count.bit_length())
+
+
+class Mesh:
+    """V_0 ... V_(levels-1) on panels edges[p] <= y <= edges[p+1], sum c_k T_k((y^2 - middle)/half), the c_k in units 2^-kept. `accuracy`: what is aimed at, 2^-accuracy."""
+
+    def __init__(self, G, bits, edges, places, series, kept, accuracy):
+        self.trig = Trigonometry(bits)
+        self.bits, self.one, self.edges, self.places, self.series, self.kept, self.accuracy = bits, 1 << bits, edges, places, series, kept, accuracy
+        self.levels, self.terms, self.points = len(series[0]), len(series[0][0]), {}
+        Interval.bits = bits + 64
+        self.G, self.inverse = fixed(G, bits), fixed(1 / G.square(), bits)
+        if not (0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:])) and edges[-1] >= self.one and all(half > 0 for _, half in places)):
+            raise Refused("not a mesh")
+        if (edges[-1] + self.one) << bits > (self.G - 1) * edges[-1]:
+            raise Refused("ratios leave the mesh")
+        self.lg = [[self.log_growth(p, j) for j in range(len(QUARTERS))] for p in range(len(series))]
+        self.largest = max(lg[0] for lg in self.lg)
+        self.round = self.rounding()
+        self.quadrature = 3 * Fraction(1, 2 ** (accuracy + 4))
+
+    def log_growth(self, p, j):
+        """log2, above, of sum |c_k| 2^(k j/4), the largest of all levels"""
+        powers = [((QUARTERS[j] + 1) ** k >> 32 * k) + 1 for k in range(self.terms)]
+        return max(sum(map(int.__mul__, map(abs, c), powers)) for c in self.series[p]).bit_length() - self.kept
+
+    def rounding(self):
+        """(L): of V where it is evaluated, in one row, and of the ends of pieces"""
+        slope, wide = 0, (self.edges[-1] >> self.bits) + 2
+        for c_of_level, (_, half) in zip(self.series, self.places):
+            steepest = max(sum(k * k * abs(c) for k, c in enumerate(cs)) for cs in c_of_level)
+            slope = max(slope, steepest * (1 + (64 * wide * wide << self.bits) // half))
+        ends = Fraction(len(self.series) + 2, 2 ** (self.bits // 2 - 8)) * 2**max(0, self.largest)
+        return Fraction(slope, 2 ** (self.kept + self.bits - 2)) + ends
+
+    def panel(self, y):
+        """the panel of y, -1 below the first"""
+        return min(bisect_right(self.edges, y), len(self.edges) - 1) - 1
+
+    def local(self, p, z):
+        middle, half = self.places[p]
+        return ((z - middle) << self.bits) // half
+
+    def powers(self, t):
+        """T_k(t)"""
+        u = [self.one, t]
+        for _ in range(2, self.terms):
+            u.append((2 * t * u[-1] >> self.bits) - u[-2])
+        return u[:self.terms]
+
+    def values(self, p, z):
+        """V_m there, all m, in units 2^-(bits + kept)"""
+        T = self.powers(self.local(p, z))
+        return [sum(map(int.__mul__, c, T)) for c in self.series[p]] if p >= 0 else [0] * self.levels
+
+    # ---- T V at a point
+
+    def theta(self, x, y):
+        """where the wave of mean x has the ratio y"""
+        Gy = self.G * y >> self.bits
+        c = Gy - x if x >= self.one else isqrt(Gy * Gy + (self.one - x) ** 2) - x
+        return self.trig.of_cosine(self.one - c, self.one + c)
+
+    def least(self, x):
+        return ((x - self.one) << self.bits) // self.G if x > self.one else 0
+
+    def most(self, x):
+        return ((x + self.one) << self.bits) // self.G if x >= self.one else (2 * isqrt(x << self.bits) << self.bits) // self.G
+
+    def row(self, x, low, high):
+        """T V_m at x, all m, fractions, with the polynomials of the panels low and high continued to the ends of the wave; low = -1: 0 there"""
+        a = self.trig.pi if x >= self.one and low >= 0 else self.theta(x, self.edges[max(low, 0)])
+        totals = [0] * self.levels
+        for p in range(max(low, 0), high + 1):
+            b = self.theta(x, self.edges[p + 1]) if p < high else 0
+            if b < a:
+                sums = [0] * self.terms
+                self.piece(x, p, b, a, sums)
+                for m, c in enumerate(self.series[p]):
+                    totals[m] += sum(map(int.__mul__, c, sums))
+                a = b
+        return [(t << self.bits) // self.trig.pi for t in totals]
+
+    def exact_row(self, x):
+        low = self.panel(self.least(x)) if x > self.one else -1
+        return self.row(x, low, self.panel(self.most(x)))
+
+    def piece(self, x, p, a, b, sums):
+        """adds the integrals of T_k over a <= theta <= b"""
+        bits, one, trig, (middle, half) = self.bits, self.one, self.trig, self.places[p]
+        eta, at = (b - a) >> 1, (a + b) >> 1
+        K = 99
+        if eta * WIDEST <= one:
+            cosine_at, sine_at = trig.cos_sin(at)
+            K = self.order(x, p, eta, cosine_at, sine_at)
+        if K > 32:
+            if eta < one >> 40:
+                raise Refused("a panel's polynomial grows too fast")
+            self.piece(x, p, a, at, sums)
+            self.piece(x, p, at, b, sums)
+            return
+        full, inverse, terms = x >= one, self.inverse, self.terms
+        for t, w in trig.gauss(K):
+            ct, st = trig.small(eta * t >> bits)
+            wide = eta * w >> bits
+            even, odd = cosine_at * ct, sine_at * st
+            for c in ((even - odd) >> bits, (even + odd) >> bits):
+                square = (x + c) ** 2 if full else (one + c) * (2 * x - one + c)
+                local = (((square >> bits) * inverse >> bits) - middle << bits) // half
+                u, before, t2 = wide, wide * local >> bits, 2 * local
+                sums[0] += u
+                sums[1] += before
+                u, before = before, u
+                for i in range(2, terms):
+                    u, before = (t2 * u >> bits) - before, u
+                    sums[i] += u
+
+    def order(self, x, p, eta, cosine_at, sine_at):
+        """(I): the least number of points with which Gauss's rule is good enough, an even one; by |cos(t + d) - cos t| <= |cos t| (cosh |d| - 1) + sin t sinh |d|"""
+        one, middle, half = self.one, *self.places[p]
+        square = (x + cosine_at) ** 2 if x >= one else (one + cosine_at) * (2 * x - one + cosine_at)
+        z = (square >> self.bits) * self.inverse >> self.bits
+        slope = 2 * abs(x + cosine_at) * self.inverse >> self.bits
+        least = 99
+        for power in (4, 3, 2):
+            d = (eta * ((1 << 2 * power) + 1) >> power + 1) + 1
+            square = d * d >> self.bits
+            if square > one:
+                continue
+            k = abs(cosine_at) * square // (2 * one - square // 6) + sine_at * d // (one - square // 6) + 2
+            off = (slope * k >> self.bits) + (k * (k * self.inverse >> self.bits) >> self.bits) + 2
+            try:
+                j = quarters(axis((abs(z - middle) << 32) // half + 1, (off << 32) // half + 1))
+            except Far:
+                continue
+            K = -(-(self.lg[p][j] + self.accuracy + 4) // (2 * power))
+            least = min(least, max(2, K + (K & 1)))
+        return least
+
+    # ---- the defects
+
+    def chebyshev_points(self, a, b, count):
+        """of a <= x <= b"""
+        cosines = self.cosines(count)
+        return [(a + b >> 1) + ((b - a) * t >> self.bits + 1) for t in cosines]
+
+    def cosines(self, count):
+        if count not in self.points:
+            self.points[count] = [self.trig.cos_sin(self.trig.pi * (2 * j + 1) // (2 * count))[0] for j in range(count)]
+        return self.points[count]
+
+    def share(self, width):
+        """(H): above what a wave has of an interval of ratios of that width (units), a fraction"""
+        return min(Fraction(1), Fraction(isqrt((self.G * width >> 1) + 1) + 1, self.one))
+
+    def largest_on(self, p, q, a, b):
+        """|V_m - W_m| on a <= y <= b, V of the panel p, W of q, all m: units 2^-(bits + kept)"""
+        points = self.chebyshev_points(a * a >> self.bits, b * b >> self.bits, self.terms)
+        worst = [0] * self.levels
+        for z in points:
+            for m, (v, w) in enumerate(zip(self.values(p, z), self.values(q, z))):
+                worst[m] = max(worst[m], abs(v - w))
+        return [lebesgue(self.terms) * (w + 2 * self.round * (1 << self.bits + self.kept)) for w in worst]
+
+    def mismatch(self, low, high, x1, x2):
+        """(J): what T V and its continuation differ by on J, at most"""
+        off = [Fraction(0)] * self.levels
+        pieces = []
+        top = self.most(x2)
+        for q in range(high + 1, self.panel(top) + 1):
+            pieces.append((high, q, self.edges[q], min(top, self.edges[q + 1])))
+        if x1 >= self.one:
+            bottom = self.least(x1)
+            for q in range(self.panel(bottom), low):
+                pieces.append((low, q, max(bottom, self.edges[q] if q >= 0 else 0), self.edges[q + 1]))
+        if len(pieces) > 8:
+            raise Far
+        for p, q, a, b in pieces:
+            if a < b:
+                share = self.share(b - a)
+                for m, d in enumerate(self.largest_on(p, q, a, b)):
+                    off[m] += d * share
+        return off
+
+    def continued(self, p, y1, y2, moved):
+        """log2 of the bound of the polynomials of p near y1 <= y <= y2, z moved by so much"""
+        if p < 0:
+            return -self.kept
+        t = max(abs(self.local(p, y * y >> self.bits)) for y in (y1, y2))
+        return self.lg[p][quarters(axis((t >> self.bits - 32) + 1, (moved << 32) // self.places[p][1] + 1))]
+
+    def disc(self, p, x1, x2):
+        """(J), (K): the panels low, high that are continued, log2 of the bound on the disc"""
+        one, bits, G = self.one, self.bits, self.G
+        at, h = x1 + x2 >> 1, (x2 - x1 >> 1) + 1
+        r = h * REACH.numerator // REACH.denominator + 1
+        if x1 >= one:
+            g = r * 100 // 78 + 1
+            if g > one:
+                raise Far
+            y_high, y_low = ((one + at - g) << bits) // G, ((at - one + g) << bits) // G + 1
+            moved = 2 * self.most(at) * r // G + (r * r << bits) // (G * G) + 4
+            low = self.panel(y_low)
+            size = [self.continued(low, self.least(at), y_low, 2 * y_low * r // G + (r * r << bits) // (G * G) + 4)]
+        else:
+            g = 3 * r + 1  # 2.36/0.79 < 3
+            if g > one or r * 100 > 24 * (one - at) or g >= 2 * at:
+                raise Far
+            z = ((2 * one - g) * (2 * at - g) >> bits) * self.inverse >> bits
+            y_high = isqrt(z << bits)
+            if y_high < self.edges[0]:
+                raise Far
+            moved = ((9 * r + (3 * r * (2 * at + 5 * r) >> bits)) * self.inverse >> bits) + 4
+            low, size = -1, [-self.kept]
+        high = self.panel(y_high)
+        size.append(self.continued(high, y_high, self.most(at), moved))
+        size.append(self.continued(p, at, at, (2 * at * r + r * r >> bits) + 1))
+        return low, high, max([self.largest, *size]) + 4  # 5 sup|V| + 2 A + 2 A + A <= 10 times the largest
+
+    def on_interval(self, p, x1, x2, wanted):
+        """(K): |V_m - T V_(m-1)| on J = [x1, x2] in the panel p, m = 1 ... levels: fractions. wanted: log2"""
+        low, high, log_size = self.disc(p, x1, x2)
+        count = max(3, -(-(log_size - wanted + 3) // 2) + 1)
+        if count > MOST_POINTS:
+            raise Far
+        off = self.mismatch(low, high, x1, x2)
+        unit = 1 << self.bits + self.kept
+        if any(o > unit * Fraction(2) ** wanted for o in off):
+            raise Far
+        worst = [0] * self.levels
+        for x in self.chebyshev_points(x1, x2, count):
+            after, here = self.row(x, low, high), self.values(p, x * x >> self.bits)
+            for m in range(self.levels - 1):
+                worst[m] = max(worst[m], abs(after[m] - here[m + 1]))
+        L = lebesgue(count)
+        beyond = (1 + L) * 2 * Fraction(2) ** (log_size - 2 * (count - 1)) / 3
+        return [L * (Fraction(w, unit) + 3 * self.round + self.quadrature) + beyond + o / unit for w, o in zip(worst, off)]
+
+    def between(self, p, x1, x2):
+        """|V_m - v| for any v between T V_(m-1)(x1) and T V_(m-1)(x2), m = 1 ... levels: with (G) and monotony a bound of |V_m - B_m|"""
+        unit = 1 << self.bits + self.kept
+        ends, worst = list(zip(self.exact_row(x1), self.exact_row(x2))), [0] * self.levels
+        for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, self.terms):
+            here = self.values(p, z)
+            for m in range(self.levels - 1):
+                worst[m] = max(worst[m], *(abs(v - here[m + 1]) for v in ends[m]))
+        return [lebesgue(self.terms) * (Fraction(w, unit) + self.round) + self.quadrature + self.round for w in worst]
+
+    def cover(self, p, bound, hole):
+        """bound(x1, x2) on intervals that cover the panel, cut at 1; hole(x1, x2) where one is too narrow for that. Returns the largest, all m, and the holes with their widths."""
+        a, b = self.edges[p], self.edges[p + 1]
+        stack, largest, holes = [(a, self.one), (self.one, b)] if a < self.one < b else [(a, b)], [], []
+        for _ in range(MOST_INTERVALS):
+            if not stack:
+                return largest, holes
+            a, b = stack.pop()
+            try:
+                here = bound(a, b)
+                largest = list(map(max, largest, here)) if largest else here
+            except Far:
+                if b - a <= self.one >> self.accuracy:
+                    holes.append((b - a, hole(a, b)))
+                else:
+                    stack += [(a, a + b >> 1), (a + b >> 1, b)]
+        raise Refused("the polynomials of a panel are no approximations")
+
+    def first_wave(self, x):
+        """B_0 in units"""
+        return (2 * self.trig.angle(isqrt(x << self.bits), isqrt((self.one - x) << self.bits)) << self.bits) // self.trig.pi if x < self.one else self.one
+
+    def first_on(self, p, x1, x2, wanted):
+        """(M): |V_0 - B_0| on [x1, x2]"""
+        at, h = x1 + x2 >> 1, (x2 - x1 >> 1) + 1
+        r, count, beyond = h * REACH.numerator // REACH.denominator + 1, self.terms, Fraction(0)
+        if x1 < self.one:
+            if 100 * r > 99 * min(at, self.one - at):
+                raise Far
+            log_size = max(0, self.continued(p, at, at, (2 * at * r + r * r >> self.bits) + 1)) + 1
+            count = max(3, -(-(log_size - wanted + 3) // 2) + 1)
+            if count > MOST_POINTS:
+                raise Far
+            beyond = (1 + lebesgue(count)) * 2 * Fraction(2) ** (log_size - 2 * (count - 1)) / 3
+            points = self.chebyshev_points(x1, x2, count)
+        else:
+            points = [isqrt(z << self.bits) for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, count)]
+        worst = max(abs(self.values(p, x * x >> self.bits)[0] - (self.first_wave(x) << self.kept)) for x in points)
+        return [lebesgue(count) * (Fraction(worst, 1 << self.bits + self.kept) + 2 * self.round) + beyond]
+
+    def first_between(self, p, x1, x2):
+        """|V_0 - v| for any v between B_0(x1) and B_0(x2)"""
+        ends = [self.first_wave(x) << self.kept for x in (x1, x2)]
+        here = [self.values(p, z)[0] for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, self.terms)]
+        return [lebesgue(self.terms) * (Fraction(max(abs(v - e) for v in here for e in ends), 1 << self.bits + self.kept) + 2 * self.round)]
+
+    def effects(self):
+        """(G), (H): sup T D_m, all m"""
+        below = Fraction(isqrt(self.edges[0] << self.bits) + 1, self.one)  # B_m <= sqrt x, V_m = 0
+        parts, known, effects = [[(below, self.edges[0], False)] for _ in range(self.levels)], Fraction(0), []
+        for p, (low, high) in enumerate(zip(self.edges, self.edges[1:])):
+            share = self.share(high - low)
+            wanted = (share.denominator // share.numerator).bit_length() - 1 - self.accuracy
+            for first, bound, hole in ((0, self.first_on, self.first_between), (1, self.on_interval, self.between))[:self.levels]:
+                largest, holes = self.cover(p, lambda a, b: bound(p, a, b, wanted), lambda a, b: hole(p, a, b))  # noqa: B023
+                for m in range(first, self.levels if first else 1):
+                    parts[m] += [(largest[m - first], high - low, False)] if largest else []
+                    parts[m] += [(values[m - first], narrow, first > 0) for narrow, values in holes]
+        for of_level in parts:  # a hole bounds |V_m - v|, and |B_m - v| is at most what is known of the levels before
+            best, sum_of_larger = Fraction(1), Fraction(0)
+            for d, share in [*sorted(((d + known * hole, self.share(w)) for d, w, hole in of_level), reverse=True), (Fraction(0), Fraction(0))]:
+                best = min(best, d + sum_of_larger)
+                sum_of_larger += d * share
+            effects.append(best)
+            known += best
+        return effects
+
+    def value(self, n, load, effects):
+        """A_n at this load: low and high, fractions"""
+        error, a, C = 2 * self.round + self.quadrature, Fraction(1, 2), Interval.of(1)
+        Interval.bits = self.bits
+        G = Interval(self.G, self.G + 1, -self.bits)
+        for k in range(n):  # T^k 1 <= C_k x^(a_k)
+            reach = Fraction(1) if k == 0 else min(Fraction(1), (C * iv.power(load, a)).ends()[1])
+            error += effects[n - 1 - k] * reach
+            if k > 0:
+                C, a = C / iv.power(G, a), (1 + a) / 2
+        below = load * 2**self.bits // 1
+        rows = [Fraction(self.exact_row(x)[n - 1], 1 << self.bits + self.kept) for x in {below, -(-load * 2**self.bits // 1)}]
+        return min(rows) - error, max(rows) + error

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/certificate/areas.hpp"
+
+#include "touchstone/certificate/full_contact.hpp"
+#include "touchstone/certificate/written_levels.hpp"
+#include "touchstone/scalar/refusal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace touchstone::certificate {
+namespace {
+
+struct Value {
+    Ball area;    ///< its midpoint is what is claimed
+    double error; ///< relative
+};
+
+/// All that a section says: found first, written when it is accurate enough.
+struct Section {
+    Grid grid;
+    std::vector<Level> levels;
+    std::vector<Value> values;
+    double worst = 0;
+};
+
+Section find(const std::vector<Area>& areas, const Root& G, double digits)
+{
+    long n = 0;
+    Rational least(1), largest(0);
+    for (const Area& a : areas) n = std::max(n, a.n), least = std::min(least, a.load), largest = std::max(largest, a.load);
+    Section s{grid_for(G, n, digits, least, largest), {}, {}, 0};
+    const DiscreteOperator T(s.grid);
+    s.levels = T.levels(n);
+    std::map<Rational, Row> rows;
+    for (const Area& a : areas) {
+        if (!rows.contains(a.load)) rows.emplace(a.load, T.row_at(a.load));
+        const Applied h = T.apply(rows.at(a.load), s.levels[static_cast<std::size_t>(a.n - 1)]);
+        const WorkingPrecision precision(s.grid.bits + 64);
+        Value v{Ball(a.load) * h.value / pow(s.grid.G(), Ball(a.n)), 0};
+        v.error = narrow * h.error / arf_get_d(arb_midref(h.value.get()), ARF_RND_DOWN);
+        s.worst = std::max(s.worst, v.error);
+        s.values.push_back(std::move(v));
+    }
+    return s;
+}
+
+void write(const Section& s, const std::vector<Area>& areas, std::size_t first_claim, std::string& head, Lines& lines, std::size_t number)
+{
+    const WrittenSection written = write_levels(s.grid, s.levels, lines);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        std::vector<std::size_t> rests_on{written.grid};
+        const auto& below = written.levels[static_cast<std::size_t>(areas[i].n - 1)];
+        rests_on.insert(rests_on.end(), below.begin(), below.end());
+        lines.add("value", rests_on, fmt::format("claim={}", first_claim + i));
+        const Ball& area = s.values[i].area;
+        const double error = s.values[i].error * arf_get_d(arb_midref(area.get()), ARF_RND_UP) + area.radius_bound();
+        head += fmt::format("claim {} n={:x} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, areas[i].load.get_str(),
+                            named(areas[i].G), dyadic_midpoint(area), dyadic(rounded_up(narrow * error)));
+    }
+    head += written.header(number, areas.size(), 0, lines);
+}
+
+} // namespace
+
+std::string refusal(const Area& a)
+{
+    if (a.n < 1) return "n = 0 is of closed form: the checker needs no certificate";
+    if (a.n > largest_n) return fmt::format("n = {}: certificates are made up to n = {}", a.n, largest_n);
+    if (a.load > highest_load) return fmt::format("load > {}: certificates are made up to there", highest_load);
+    Rational least(1);
+    mpz_mul_2exp(least.get_den_mpz_t(), least.get_den_mpz_t(), 40);
+    if (a.load < least) return "load < 2^-40: certificates are made of loads from there on";
+    if (power(Rational(51, 50), static_cast<long>(a.G.degree)) > a.G.base) return "G < 1.02: certificates are made where G >= 1.02";
+    if (power(Rational(1 << 20), static_cast<long>(a.G.degree)) < a.G.base) return "G > 2^20: certificates are made where G <= 2^20";
+    return "";
+}
+
+bool only_partial(const Area& a) { return a.load <= 1 && power(Rational(41, 20), static_cast<long>(a.G.degree)) <= a.G.base; }
+
+std::string areas(const std::vector<Area>& all, Accuracy wanted)
+{
+    std::vector<std::vector<Area>> sections;
+    for (const Area& a : all) {
+        const auto same = [&](const auto& s) {
+            const Area& b = s.front();
+            return b.G.base == a.G.base && b.G.degree == a.G.degree && only_partial(b) == only_partial(a);
+        };
+        const auto found = std::find_if(sections.begin(), sections.end(), same);
+        if (found == sections.end())
+            sections.push_back({a});
+        else
+            found->push_back(a);
+    }
+    std::string head;
+    Lines lines;
+    std::size_t claims = 0;
+    const double goal = std::pow(10.0, -static_cast<double>(wanted.digits)) / 2;
+    for (std::size_t i = 0; i < sections.size(); claims += sections[i++].size()) {
+        const auto& members = sections[i];
+        if (!only_partial(members.front())) {
+            write_full_contact(members, std::min(wanted.digits, most_digits_in_full_contact), claims + 1, i + 1, head, lines);
+            continue;
+        }
+        auto digits = static_cast<double>(wanted.digits);
+        Section s = find(members, members.front().G, digits);
+        for (int attempt = 0; s.worst > goal; ++attempt) {
+            if (attempt == 2) throw BeyondReach(fmt::format("the certificate's errors do not come below {:.1e}", goal));
+            digits += std::log10(s.worst / goal) + 1;
+            s = find(members, members.front().G, digits);
+        }
+        write(s, members, claims + 1, head, lines, i + 1);
+    }
+    return certificate_text("contact.area", claims, sections.size(), head, lines);
+}
+
+} // namespace touchstone::certificate

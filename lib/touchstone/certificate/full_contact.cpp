@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/certificate/full_contact.hpp"
+
+#include "touchstone/scalar/refusal.hpp"
+#include "touchstone/transfer/layer.hpp"
+#include "touchstone/transfer/proven_levels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::certificate {
+namespace {
+
+constexpr long bits = 128; ///< of the checker's fixed point; edges and coefficients are those of pairs of binary64
+constexpr long kept = 100;
+
+/// In units of 2^-b, rounded.
+mpz_class units(const transfer::levels::Real& x, long b)
+{
+    mpf_class f(x.high, 320);
+    f += mpf_class(x.low, 320);
+    mpf_mul_2exp(f.get_mpf_t(), f.get_mpf_t(), static_cast<mp_bitcnt_t>(b + 1));
+    mpz_class n(f);
+    n += 1;
+    return n >> 1;
+}
+
+Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }
+
+/// The panels as they are written, and where their lines are.
+std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Root& G, long levels, long accuracy, Lines& lines)
+{
+    std::string edges;
+    for (const auto& p : V.panels) edges += ' ' + hex(units(p.y0, bits));
+    edges += ' ' + hex(units(V.panels.back().y1, bits));
+    const std::string mesh = fmt::format("G={} bits={:x} kept={:x} accuracy={:x}{}", named(G), bits, kept, accuracy, edges);
+    std::vector<std::size_t> numbers{lines.add("mesh", {}, mesh)};
+    for (std::size_t i = 0; i < V.panels.size(); ++i) {
+        const auto& panel = V.panels[i];
+        std::string data = fmt::format("panel={:x} middle={} half={} terms={:x}", i, hex(units(panel.centre, bits)),
+                                       hex(units(panel.half, bits)), V.orders.terms);
+        for (int m = 0; m < levels; ++m)
+            for (int k = 0; k < V.orders.terms; ++k) {
+                const std::size_t at = V.row(i, k) + static_cast<std::size_t>(m);
+                data += ' ' + hex(units({V.coefficients.high[at], V.coefficients.low[at]}, kept));
+            }
+        numbers.push_back(lines.add("polynomials", {numbers.front()}, data));
+    }
+    return numbers;
+}
+
+} // namespace
+
+void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t first_claim, std::size_t section, std::string& head,
+                        Lines& lines)
+{
+    const WorkingPrecision precision(256);
+    long levels = 1;
+    double highest = 1;
+    for (const Area& a : areas) levels = std::max(levels, a.n), highest = std::max(highest, a.load.get_d());
+    const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
+    constexpr double spare = 8;              // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
+    constexpr long spare_bits = 8;           // and what it is off by itself adds up over the narrow panels
+    double tolerance = std::min(goal, 1e-5); // the coarsest there is
+    std::vector<Ball> values;
+    const std::size_t first = lines.count() + 1;
+    for (int attempt = 0;; ++attempt) {
+        const transfer::ProvenLevels V(number(areas.front().G), highest, tolerance, static_cast<int>(levels));
+        values.clear();
+        double worst = 0, least = 1;
+        for (const Area& a : areas) {
+            values.push_back(V.share(a.n, Ball(a.load)));
+            const double value = arf_get_d(arb_midref(values.back().get()), ARF_RND_DOWN);
+            worst = std::max(worst, spare / goal * values.back().radius_bound() / value);
+            least = std::min(least, value);
+        }
+        if (worst > 1) {
+            if (attempt == 3) throw BeyondReach(fmt::format("the certificate's errors do not come below {:.1e}", goal));
+            tolerance /= 2 * worst;
+            continue;
+        }
+        const long accuracy = static_cast<long>(std::ceil(-std::log2(goal * least))) + spare_bits;
+        const std::vector<std::size_t> rests_on = write_mesh(V.layer(), areas.front().G, levels, accuracy, lines);
+        for (std::size_t i = 0; i < areas.size(); ++i) {
+            lines.add("share", rests_on, fmt::format("claim={}", first_claim + i));
+            const double error = goal * arf_get_d(arb_midref(values[i].get()), ARF_RND_UP);
+            head += fmt::format("claim {} n={:x} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, areas[i].load.get_str(),
+                                named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
+        }
+        head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares={}\n",
+                            section, first, lines.count(), rests_on.size() - 1, areas.size());
+        return;
+    }
+}
+
+} // namespace touchstone::certificate
