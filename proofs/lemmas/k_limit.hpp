@@ -25,7 +25,7 @@ Ball K_infinity();
 Ball log_step_slope(const Ball& delta);
 
 /// The integral of `integrand` (in xi, delta_n) from `from` to `to` against the closed form, both in
-/// balls at delta = 1/2, 3/4, 7/8, 1: Arb's certified quadrature after xi = sin(theta).
+/// balls at delta = 1/2, 3/4, 7/8, 1: the library's certified quadrature of the formula as printed.
 Check beta_integral(const ex& integrand, const ex& from, const ex& to, const ex& closed);
 
 } // namespace touchstone::proofs

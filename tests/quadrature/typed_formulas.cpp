@@ -328,6 +328,47 @@ TEST_CASE("changes of variable are exact")
         const auto moved = shifted(e, ExactSum(1), -1);
         CHECK(evaluate_at(*moved, Ball(Rational(-1, 2))).overlaps(evaluate_at(*e, Ball(at))));
     }
+    for (const auto& [formula, m] : {std::pair{"sin(x^2)*x", Rational(2)}, std::pair{"exp(-sqrt(x))*log(x)/(1+x)", Rational(1, 2)},
+                                     std::pair{"cos(3*x*sqrt(x))/x^2", Rational(3, 2)}, std::pair{"exp(-cbrt(x^2)/x)", Rational(-1, 3)}}) {
+        CAPTURE(formula);
+        const auto e = parse_expression(formula);
+        if (m > 0) CHECK(power_in_arguments(*e) == m);
+        const Ball x(Rational(7, 5)), t = pow(x, Ball(m));
+        CHECK((evaluate_at(*in_power(e, m), t) * Ball(m) * t).overlaps(evaluate_at(*e, x) * x));
+    }
+    for (const char* formula : {"sin(x)", "sin(x^2)*cos(x)", "sin(x+x^2)", "exp(-1/x)", "sqrt(x)", "exp(-log(x)^2)"}) {
+        CAPTURE(formula);
+        CHECK(!power_in_arguments(*parse_expression(formula)));
+    }
+}
+
+TEST_CASE("half-lines: waves and exponentials of a power of x, Bessel functions under an exponential, inverse hyperbolic functions")
+{
+    for (const auto& [formula, from, to, value] : {
+             std::array{"sin(x^2)", "0", "inf", "sqrt(pi/8)"},
+             std::array{"cos(x^2)", "-inf", "inf", "sqrt(pi/2)"},
+             std::array{"cos(pi*x^2/2)", "0", "inf", "1/2"},
+             std::array{"sin(x^3)/x", "0", "inf", "pi/6"},
+             std::array{"exp(-sqrt(x))", "0", "inf", "2"},
+             std::array{"x*exp(-x^(1/3))", "0", "inf", "360"},
+             std::array{"exp(-sqrt(-x))", "-inf", "-4", "6*exp(-2)"},
+             std::array{"besselj(0,x)*exp(-2*x)", "0", "inf", "1/sqrt(5)"},
+             std::array{"besseli(1,x)*exp(-2*x)", "0", "inf", "2/sqrt(3)-1"},
+             std::array{"acosh(x)/x^3", "1", "inf", "1/2"},
+             std::array{"asinh(x)/x^2", "1", "inf", "2*asinh(1)"},
+             std::array{"asinh(x)/x^2", "-inf", "-1", "-2*asinh(1)"},
+         }) {
+        CAPTURE(formula);
+        const Integral i = integrate(parse_expression(formula), parse_limit(from), parse_limit(to), with_digits(30));
+        CHECK_MESSAGE(i.status == Status::certified, i.reason);
+        CHECK(i.value.overlaps(parse_limit(value).ball()));
+    }
+    // it must not converge where the exponential and the Bessel function balance
+    for (const char* formula : {"besseli(0,x)*exp(-x)", "besselj(0,x)*exp(x)", "sin(sqrt(x))", "x*sin(x)"}) {
+        CAPTURE(formula);
+        const Integral i = integrate(parse_expression(formula), parse_limit("0"), parse_limit("inf"), with_digits(10));
+        CHECK(i.status == Status::indeterminate);
+    }
 }
 
 TEST_CASE("on an algebraic half-line 1 + distance is a power of the far distance: no proof of a strip is needed")

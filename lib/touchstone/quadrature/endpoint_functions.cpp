@@ -97,6 +97,23 @@ EndpointNumber<V> arc_tangent_of_pole(const EndpointNumber<V>& x)
     return EndpointNumber<V>(2) * atan(EndpointNumber<V>(x / (one + sqrt(EndpointNumber<V>(one + x * x)))));
 }
 
+Real logarithm(const Real& x) { return log(x); }
+Complex logarithm(const Complex& x);
+
+/// asinh x = log x + log(1 + sqrt(1 + 1/x^2)) for x > 0, where x grows: what stays is regular. An odd function.
+template <class V>
+EndpointNumber<V> inverse_hyperbolic_sine_of_large(const EndpointNumber<V>& x)
+{
+    const EndpointNumber<V> one(1);
+    const auto of_positive = [&](const EndpointNumber<V>& y) {
+        return EndpointNumber<V>(logarithm(y) + log(EndpointNumber<V>(one + sqrt(EndpointNumber<V>(one + one / (y * y))))));
+    };
+    Ball size;
+    if constexpr (std::same_as<V, Ball>) size = x.factor();
+    else size = x.factor().real();
+    return arb_is_negative(size.get()) ? -of_positive(-x) : of_positive(x);
+}
+
 /// +-pi/2 - atan(1/x) where x goes to infinity inside a half plane that the strip does not leave.
 Complex arc_tangent(const Complex& x)
 {
@@ -132,6 +149,15 @@ Complex bessel_k(const Ball& order, const Complex& x, Side side)
     arb_get_lbound_arf(arb_midref(low.get()), (c * least_rho(x, side)).get(), 53);
     const Ball at = touchstone::abs(special_function(Op::bessel_k, order, low)) * exp(low);
     return exponential(-x) * Complex(disc(at));
+}
+
+/// |J_n(z)| <= exp(|Im z|), |I_n(z)| <= exp(|Re z|) for integer n, from J_n(z) = (1/pi) times the integral of cos(n t - z sin t) over (0, pi)
+/// and I_n(z) = i^-n J_n(iz) (DLMF 10.9.2, 10.27.6).
+Complex bessel_of_integer_order(Op op, const Complex& x, Side side)
+{
+    if (!(x.order(side).logs == Exponent(1))) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    const ComplexBall c = factor_at(x, side);
+    return growing(x, side, upper(touchstone::abs(op == Op::bessel_j ? c.imag() : c.real())));
 }
 
 /// log(u^p rho^k c) = p log u + k log rho + log c, and 0 <= log rho <= (4/e) rho^(1/4) for rho >= 1.
@@ -209,6 +235,9 @@ EndpointNumber<V> general(Op op, const EndpointNumber<V>& x)
     case Op::sin: return sin(x);
     case Op::cos: return cos(x);
     case Op::atan: return has_pole_at_an_end(x) ? arc_tangent_of_pole(x) : atan(x);
+    case Op::asinh:
+        if (has_pole_at_an_end(x)) return inverse_hyperbolic_sine_of_large(x);
+        return x.map([op](const V& v) { return special_function(op, v); });
     // the powers of the distances are positive on the interval
     case Op::abs: return {x.frame(), x.left(), x.right(), analytic::abs(x.factor())};
     case Op::sign: return {x.frame(), {}, {}, analytic::sgn(x.factor())};
@@ -235,6 +264,7 @@ Complex function_of(Op op, const Complex& x)
     case Op::sin:
     case Op::cos: return trigonometric(op, x);
     case Op::atan: return arc_tangent(x);
+    case Op::asinh: return side_of_growth(x) ? inverse_hyperbolic_sine_of_large(x) : general(op, x);
     case Op::erf:
     case Op::erfc: return error_function(op, x);
     default: return general(op, x);
@@ -249,7 +279,10 @@ Real function_of(Op op, const Ball& order, const Real& x)
 
 Complex function_of(Op op, const Ball& order, const Complex& x)
 {
-    if (const auto side = side_of_growth(x); side && op == Op::bessel_k) return bessel_k(order, x, *side);
+    if (const auto side = side_of_growth(x)) {
+        if (op == Op::bessel_k) return bessel_k(order, x, *side);
+        if ((op == Op::bessel_j || op == Op::bessel_i) && arb_is_int(order.get())) return bessel_of_integer_order(op, x, *side);
+    }
     if (auto about_zero = bessel_about_zero(op, order, x)) return *about_zero;
     return x.map([&](const ComplexBall& v) { return special_function(op, order, v); });
 }

@@ -58,6 +58,7 @@ private:
     bool add_cut(const Limit& from, const Limit& to, const ExactSum& at, long digits, int depth, Integral& out);
     bool add_oscillating_tail(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
     bool add_about_infinity(const Limit& from, const Limit& to, bool left, long digits, int depth, Integral& out);
+    bool add_in_a_power(const Limit& from, const Limit& to, long digits, Integral& out);
     bool add_of_another(const ExpressionPtr& e, const Limit& from, const Limit& to, const std::string& in, long digits, Integral& out);
     Attempt attempt(const Limit& from, const Limit& to, long digits) const;
     bool add_parts_by_themselves(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
@@ -268,6 +269,21 @@ bool Integration::add_about_infinity(const Limit& from, const Limit& to, bool le
     return true;
 }
 
+/// A tail with waves or exponentials of x^m, in t = x^m.
+bool Integration::add_in_a_power(const Limit& from, const Limit& to, long digits, Integral& out)
+{
+    const Limit& end = to.infinite ? from : to;
+    const ExactSum direction(to.infinite ? 1 : -1);
+    if (substituted_ || !end.exact || end.infinite || arb_is_negative((direction * *end.exact).ball().get())) return false;
+    const ExpressionPtr f = to.infinite ? e_ : shifted(e_, ExactSum(0), -1);
+    const auto m = power_in_arguments(*f);
+    const auto start = m ? exact_value(*make(Op::power, {formula_of(direction * *end.exact), make_number(*m)})) : std::nullopt;
+    if (!start) return false;
+    const std::string in = std::string(" in ").append(to.infinite ? "x" : "(-x)").append("^").append(
+        m->get_den() == 1 ? m->get_str() : "(" + m->get_str() + ")");
+    return add_of_another(in_power(f, *m), limit_at(*start, text_of(*start)), parse_limit("inf"), in, digits, out);
+}
+
 bool Integration::add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
 {
     Attempt a = attempt(from, to, digits);
@@ -294,7 +310,7 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
     if (depth < deepest && a.at)
         if (const auto cut = named_point(*a.at, from, to)) return add_cut(from, to, *cut, digits, depth, out);
     if (complex_) return add_parts_by_themselves(from, to, digits, depth, out);
-    if (add_oscillating_tail(from, to, digits, depth, out)) return true;
+    if (add_oscillating_tail(from, to, digits, depth, out) || add_in_a_power(from, to, digits, out)) return true;
     for (const bool left : {true, false})
         if (depth <= deepest && a.reason.find(left ? "left end" : "right end") != std::string::npos && !(left ? from : to).infinite &&
             add_about_infinity(from, to, left, digits, depth, out))
@@ -318,9 +334,8 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
     }
     if (a.reason.find(" end ") != std::string::npos) // what can be done about an end
         a.reason += from.infinite || to.infinite
-                        ? " (a tail that oscillates must be a sum of products of sin, cos, besselj of a linear argument with what tends to "
-                          "0 as a power; "
-                          "one like exp(-x^p), p < 1, is not taken: substitute x = t^(1/p))"
+                        ? " (a tail that oscillates must be a sum of products of sin, cos, besselj of a linear argument, or of one power of x, "
+                          "with what tends to 0 as a power; one like exp(-log(x)^2) is not taken: substitute)"
                         : " (if it is singular there in another way than powers, logarithms and exp(-1/x), substitute)";
     out.reason = "not proved on [" + from.text + ", " + to.text + "]" + (a.at ? " near x = " + short_number(*a.at) : "") + ": " + a.reason;
     return false;

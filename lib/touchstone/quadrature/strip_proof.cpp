@@ -13,7 +13,6 @@
 namespace touchstone::quadrature::detail {
 namespace {
 
-/// x with pi sinh(x) cos(d) >= depth, up to rounding (only efficiency depends on it).
 /// How much of the exponent is spent on rho^k: the more, the smaller is (k/(e epsilon))^k; only efficiency depends on it.
 Exponent share_for_logarithms(const Exponent& k)
 {
@@ -21,6 +20,7 @@ Exponent share_for_logarithms(const Exponent& k)
     return k < Exponent(few) ? Exponent(1, 32) : k < Exponent(many) ? Exponent(1, 8) : Exponent(1, 2);
 }
 
+/// x with pi sinh(x) cos(d) >= depth, up to rounding (only efficiency depends on it).
 double edge(double depth, double d) { return std::ceil(std::asinh(depth / (M_PI * std::cos(d))) * 64) / 64; }
 
 } // namespace
@@ -35,7 +35,8 @@ void StripProof::fail(const StripPiece& piece, const char* what)
 End StripProof::end(Side side, double d)
 {
     End e;
-    for (const double depth : {4.0, 10.0, 24.0, 60.0}) {
+    // a singular point beyond the end, at a distance of 10^-k of the interval, wants a depth of 2.3 k
+    for (const double depth : {4.0, 10.0, 24.0, 60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0}) {
         e.proved = false;
         e.edge = edge(depth, d);
         const StripPiece piece = StripPiece::at(side, e.edge, std::numeric_limits<double>::infinity(), 0, d);

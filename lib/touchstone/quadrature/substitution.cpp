@@ -6,6 +6,7 @@
 #include "touchstone/quadrature/polynomial.hpp"
 
 #include <cstdlib>
+#include <set>
 
 namespace touchstone::quadrature {
 namespace {
@@ -67,7 +68,92 @@ ExpressionPtr replaced(const ExpressionPtr& e, const ExpressionPtr& x, const Lin
     return make(e->op, std::move(args));
 }
 
+/// c x^m.
+struct Monomial {
+    ExactSum c;
+    Rational m;
+};
+
+/// (c x^m)^k for x > 0, if c^k is exact.
+std::optional<Monomial> power(const Monomial& a, const Rational& k)
+{
+    if (a.c == ExactSum(1)) return Monomial{a.c, a.m * k};
+    if (k.get_den() != 1 || !k.get_num().fits_slong_p()) return std::nullopt;
+    const auto c = a.c.power(k.get_num().get_si());
+    return c ? std::optional(Monomial{*c, a.m * k}) : std::nullopt;
+}
+
+/// The formula, if it is a monomial for x > 0.
+std::optional<Monomial> monomial(const Expression& e)
+{
+    if (!depends_on_x(e)) {
+        const auto c = exact_value(e);
+        return c ? std::optional(Monomial{*c, 0}) : std::nullopt;
+    }
+    if (e.op == Op::variable) return Monomial{ExactSum(1), 1};
+    const bool unary = e.op == Op::negate || e.op == Op::sqrt || e.op == Op::cbrt;
+    const bool binary = e.op == Op::multiply || e.op == Op::divide || e.op == Op::power;
+    if (!unary && !binary) return std::nullopt;
+    const auto a = monomial(*e.args[0]), b = a && binary ? monomial(*e.args[1]) : std::nullopt;
+    if (!a || (binary && !b)) return std::nullopt;
+    switch (e.op) {
+    case Op::negate: return Monomial{-a->c, a->m};
+    case Op::sqrt: return power(*a, Rational(1, 2));
+    case Op::cbrt: return power(*a, Rational(1, 3));
+    case Op::multiply: return Monomial{a->c * b->c, a->m + b->m};
+    case Op::divide: {
+        const auto c = b->c.inverse();
+        return c ? std::optional(Monomial{a->c * *c, a->m - b->m}) : std::nullopt;
+    }
+    default: {
+        const auto k = b->m == 0 ? b->c.rational() : std::nullopt;
+        return k ? power(*a, *k) : std::nullopt;
+    }
+    }
+}
+
+void collect_powers(const Expression& e, std::set<Rational>& found)
+{
+    if (!depends_on_x(e)) return;
+    if (const auto a = monomial(e)) {
+        found.insert(a->m);
+        return;
+    }
+    for (const ExpressionPtr& a : e.args) collect_powers(*a, found);
+}
+
+bool is_wave_or_exponential(Op op)
+{
+    return op == Op::sin || op == Op::cos || op == Op::sinc || op == Op::exp || op == Op::bessel_j || op == Op::bessel_y;
+}
+
+void collect_powers_in_arguments(const Expression& e, std::set<Rational>& found)
+{
+    if (is_wave_or_exponential(e.op)) collect_powers(*e.args.back(), found);
+    for (const ExpressionPtr& a : e.args) collect_powers_in_arguments(*a, found);
+}
+
 } // namespace
+
+std::optional<Rational> power_in_arguments(const Expression& e)
+{
+    std::set<Rational> found;
+    collect_powers_in_arguments(e, found);
+    if (found.size() != 1 || *found.begin() == 1 || *found.begin() <= 0) return std::nullopt;
+    return *found.begin();
+}
+
+ExpressionPtr in_power(const ExpressionPtr& e, const Rational& m)
+{
+    const ExpressionPtr t = make_variable();
+    const auto power_of_t = [&](const Rational& k) { return k == 1 ? t : make(Op::power, {t, number(k)}); };
+    const auto as_power = [&](const Expression& a) -> std::optional<ExpressionPtr> {
+        const auto k = monomial(a);
+        return k ? std::optional(product(formula_of(k->c), power_of_t(k->m / m))) : std::nullopt;
+    };
+    const Rational inverse = 1 / m;
+    return product(number(inverse), product(replaced(e, power_of_t(inverse), as_power), power_of_t(inverse - 1)));
+}
 
 ExpressionPtr formula_of(const ExactSum& c)
 {

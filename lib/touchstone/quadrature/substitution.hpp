@@ -6,6 +6,8 @@
 #include "touchstone/quadrature/exact_sum.hpp"
 #include "touchstone/quadrature/expression.hpp"
 
+#include <optional>
+
 namespace touchstone::quadrature {
 
 /// The constant as a formula.
@@ -20,5 +22,12 @@ ExpressionPtr shifted(const ExpressionPtr&, const ExactSum& centre, int directio
 /// f(end + direction/x)/x^2: what is integrated over [1/L, oo) in place of f over the part of length L beside the end. Quotients of
 /// quotients are cleared, so exp(-1/x)/x^2 about 0 becomes exp(-x).
 ExpressionPtr about_infinity(const ExpressionPtr&, const ExactSum& end, int direction);
+
+/// The m != 1 for which x stands in the arguments of exponentials, sines, cosines and Bessel functions as x^m and in no other way, if there is
+/// one: with t = x^m they are exponentials and waves of t.
+std::optional<Rational> power_in_arguments(const Expression&);
+
+/// f(t^(1/m)) t^(1/m - 1)/m, in x for t: what is integrated over [a^m, oo) in place of f over [a, oo), a >= 0. Powers of x become powers of t.
+ExpressionPtr in_power(const ExpressionPtr&, const Rational& m);
 
 } // namespace touchstone::quadrature

@@ -136,7 +136,7 @@ Ball area_by_slope(long n, const FirstSteps& q, slong goal)
     Ball sum(0);
     for (std::size_t k = 0; k + 1 < points.size() && below(points[k], end); ++k) {
         if (!below(points[k], points[k + 1])) continue;
-        const Piece piece(points[k], points[k + 1], true);
+        const Piece piece(points[k], points[k + 1], Extent::whole);
         sum += Part(piece, points[k], slope, weight, crossing, turn, last, !below(points[k], one)).integral(goal);
     }
     return sum;

@@ -42,7 +42,10 @@ C FirstWave::density(const C& x, const Piece::Point& at) const
 
 C FirstWave::share(const C& to_none, const C& to_all, const Piece::Point& at)
 {
-    return at.near_left() ? two_angles(to_none, to_all, at.analytic) : 1 - two_angles(to_all, to_none, at.analytic);
+    if (at.extent() == Extent::left_half) return two_angles(to_none, to_all, at.analytic);
+    if (at.extent() == Extent::right_half) return 1 - two_angles(to_all, to_none, at.analytic);
+    // the tangent of half the angle: finite where there is nothing left to all
+    return 2 * two_angles(to_none, to_all + at.root_of(to_none * to_none + to_all * to_all), at.analytic);
 }
 
 C FirstWave::partial_share(const C& x, const C& to_high, const Piece::Point& at) const

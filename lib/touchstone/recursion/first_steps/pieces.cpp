@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/recursion/first_steps/pieces.hpp"
 
+#include "touchstone/quadrature/half_powers.hpp"
+#include "touchstone/scalar/accuracy.hpp"
 #include "touchstone/scalar/refusal.hpp"
 
 #if __has_include(<flint/acb_calc.h>)
@@ -150,26 +152,79 @@ C Piece::Point::root_of(const Beyond& b) const
     return root(distance(b), analytic);
 }
 
+namespace {
+
+/// How many of the roots are those of the piece's own ends, and what they and dx become in shares of the piece.
+struct EndRoots {
+    EndRoots(const std::vector<Piece::Beyond>& roots, const Ball& width) : scale(width)
+    {
+        for (const Piece::Beyond& b : roots)
+            if (b.zero()) {
+                bool& end = b.left ? at_left : at_right;
+                if (end) throw BeyondReach("the density is infinite at this pressure");
+                end = true;
+                scale = scale / sqrt(width);
+            }
+    }
+    bool at_left = false, at_right = false;
+    Ball scale;
+};
+
+C over_other_roots(C value, const Piece::Point& x, const std::vector<Piece::Beyond>& roots)
+{
+    for (const Piece::Beyond& b : roots)
+        if (!b.zero()) value = value / x.root_of(b);
+    return value;
+}
+
+} // namespace
+
 Ball Piece::integral(const Function& f, const std::vector<Beyond>& roots) const
 {
-    int at_left = 0, at_right = 0;
-    for (const Beyond& b : roots)
-        if (b.zero()) ++(b.left ? at_left : at_right);
-    if (at_left > 1 || at_right > 1) throw BeyondReach("the density is infinite at this pressure");
-    Ball scale = 2 * width_;
-    for (int k = 0; k < at_left + at_right; ++k) scale = scale / sqrt(width_);
+    return extent_ == Extent::whole ? as_a_whole(f, roots) : by_half(f, roots);
+}
+
+Ball Piece::by_half(const Function& f, const std::vector<Beyond>& roots) const
+{
+    const EndRoots ends(roots, width_);
+    const bool from_left = extent_ == Extent::left_half;
     constexpr slong tolerance_bits = 6000; // of the value's own size: p may be 1e-300
-    return scale * integrate([&](const C& t, bool analytic) {
+    return 2 * ends.scale * integrate([&](const C& t, bool analytic) {
                const C s = sin(t), c = cos(t);
                const C near = s * s, far = c * c;
-               const Point x{this, from_left_ ? s : c, from_left_ ? c : s, from_left_ ? near : far, from_left_ ? far : near, analytic};
+               const Point x{this, from_left ? s : c, from_left ? c : s, from_left ? near : far, from_left ? far : near, analytic};
                C value = f(x);
-               if (!at_left) value = value * x.sine;
-               if (!at_right) value = value * x.cosine;
-               for (const Beyond& b : roots)
-                   if (!b.zero()) value = value / x.root_of(b);
-               return value;
+               if (!ends.at_left) value = value * x.sine;
+               if (!ends.at_right) value = value * x.cosine;
+               return over_other_roots(value, x, roots);
            }, pi<Ball>() / 4, tolerance_bits);
+}
+
+Ball Piece::as_a_whole(const Function& f, const std::vector<Beyond>& roots) const
+{
+    using quadrature::EndpointNumber;
+    const EndRoots ends(roots, width_);
+    const auto on_line = [&]<class V>(const EndpointNumber<V>& left, const EndpointNumber<V>& right) {
+        constexpr bool in_plane = std::same_as<V, C>;
+        const EndpointNumber<V> sine = sqrt(left), cosine = sqrt(right);
+        const Point x{this, C(sine.value()), C(cosine.value()), C(left.value()), C(right.value()), in_plane};
+        const C value = over_other_roots(f(x), x, roots);
+        EndpointNumber<V> y;
+        if constexpr (in_plane) y = value;
+        else y = value.real();
+        if (ends.at_left) y /= sine;
+        if (ends.at_right) y /= cosine;
+        return y;
+    };
+    constexpr long guard = 8; // digits, of the fourteen beyond those asked for that the working precision holds
+    quadrature::Options options;
+    options.digits = std::max(2L, accuracy_of(bits()).digits + guard);
+    options.proof_budget = 4000; // values: a proof that needs more costs more than the halves do
+    const auto integrand = [&](auto, auto left, auto right) { return on_line(left, right); };
+    const quadrature::Enclosure e = quadrature::proven_integral(integrand, quadrature::Interval::finite(0, 1), options);
+    if (e.status == quadrature::Status::indeterminate) // a pair of complex singular points all but pinches an end
+        return Piece(a_, b_, Extent::left_half).by_half(f, roots) + Piece(a_, b_, Extent::right_half).by_half(f, roots);
+    return ends.scale * e.value;
 }
 
 namespace {
@@ -260,10 +315,15 @@ Ball Piece::between_logarithms(const Function& f, const Rest& rest, double heigh
     return sum;
 }
 
-Ball over(const End& a, const End& b, const std::function<Ball(const Piece&)>& half)
+Ball over_halves(const End& a, const End& b, const std::function<Ball(const Piece&)>& half)
 {
     if (!below(a, b)) return Ball(0);
-    return half(Piece(a, b, true)) + half(Piece(a, b, false));
+    return half(Piece(a, b, Extent::left_half)) + half(Piece(a, b, Extent::right_half));
+}
+
+Ball over_whole(const End& a, const End& b, const std::function<Ball(const Piece&)>& whole)
+{
+    return below(a, b) ? whole(Piece(a, b, Extent::whole)) : Ball(0);
 }
 
 } // namespace touchstone::transfer::first_steps

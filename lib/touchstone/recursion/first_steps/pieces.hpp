@@ -2,8 +2,10 @@
 /// \file
 /// Integrals between singular points that are known: their order, their exact distances, and pieces of the line seen from either end.
 ///
-/// **Square roots at the ends.** A piece [a, b] is cut in the middle; next to either end the variable is the angle t, x = a + (b-a) sin^2 t, so that a root at
-/// an end is sin t. Integrals by acb_calc_integrate, rigorous, whose bisections approach a near singular point at a cost of log(1/distance).
+/// **Square roots at the ends.** Two rules that share nothing but the integrand. Either a piece [a, b] is cut in the middle; next to either end the
+/// variable is the angle t, x = a + (b-a) sin^2 t, so that a root at an end is sin t, and acb_calc_integrate bisects towards singular points
+/// near by. Or the piece is integrated as a whole by quadrature/half_powers.hpp: one Gauss-Legendre rule with an ellipse in the angle, else
+/// tanh-sinh. Both are rigorous, and approach a near singular point at a cost of log(1/distance).
 /// **Logarithms at the ends.** The trapezoidal rule in u, x = a + (b-a)/(1 + exp(-u)), of step h: |integral - rule| <= N/(exp(2 pi d/h) - 1), N the integral of
 /// |F| over both lines Im u = +-d, for F analytic between them (tanh_sinh.md, section 3). N is covered by complex balls where |Re u| < 14, and bounded by a power of
 /// exp(-|u|) beyond. A singular point outside of the piece, however near, is at a distance gap + (b-a)/(1 + exp(-u)), of an argument <= d: it costs nothing.
@@ -75,13 +77,15 @@ inline const End& lesser(const End& a, const End& b) { return below(b, a) ? b : 
 /// b - a >= 0; exactly 0 if they are one
 Ball difference(const End& a, const End& b);
 
-/// A half of [a, b], seen from one of its ends: the distances of a point from what is not inside.
+/// What is integrated of [a, b]: the half next to an end, by acb_calc_integrate, or all of it, by Gauss-Legendre or tanh-sinh.
+enum class Extent { left_half, right_half, whole };
+
+/// [a, b], or a half of it seen from its end: the distances of a point from what is not inside.
 class Piece {
 public:
-    Piece(const End& a, const End& b, bool from_left) : a_(a), b_(b), from_left_(from_left), width_(difference(a, b)) {}
+    Piece(const End& a, const End& b, Extent extent) : a_(a), b_(b), extent_(extent), width_(difference(a, b)) {}
 
     const Ball& width() const { return width_; }
-    bool from_left() const { return from_left_; }
 
     /// A point s <= a or s >= b of the line, and the distance of x from it.
     struct Beyond {
@@ -100,10 +104,10 @@ public:
         ComplexBall distance(const Beyond&) const;
         ComplexBall root_of(const Beyond&) const;
         ComplexBall root_of(const ComplexBall& z) const { return root(z, analytic); }
-        bool near_left() const { return piece->from_left_; }
+        Extent extent() const { return piece->extent_; }
     };
     using Function = std::function<ComplexBall(const Point&)>;
-    /// Its half of int f dx/(product of the roots of these). \throws BeyondReach if that is infinite
+    /// Its part of int f dx/(product of the roots of these). \throws BeyondReach if that is infinite, or nothing is proved
     Ball integral(const Function& f, const std::vector<Beyond>& roots) const;
     /// The whole of int f dx, f having a logarithm, or a pole of an order below 1, at either end: the trapezoidal rule in u, x = a + (b-a)/(1 + exp(-u)).
     /// \param rest a bound of int |f dx| over the x nearer to the left (right) end than this share t of the piece, also along Im u = const <= height if
@@ -113,15 +117,19 @@ public:
     Ball between_logarithms(const Function& f, const Rest& rest, double height, slong goal) const;
 
 private:
+    Ball by_half(const Function& f, const std::vector<Beyond>& roots) const;
+    Ball as_a_whole(const Function& f, const std::vector<Beyond>& roots) const;
     ComplexBall along_exponentials(const Function& f, const ComplexBall& u, bool analytic) const;
     Ball over_core(const Function& f, double height) const;
 
     End a_, b_;
-    bool from_left_;
+    Extent extent_;
     Ball width_;
 };
 
 /// Both halves of a piece, if there is one.
-Ball over(const End& a, const End& b, const std::function<Ball(const Piece&)>& half);
+Ball over_halves(const End& a, const End& b, const std::function<Ball(const Piece&)>& half);
+/// All of a piece, if there is one.
+Ball over_whole(const End& a, const End& b, const std::function<Ball(const Piece&)>& whole);
 
 } // namespace touchstone::transfer::first_steps

@@ -30,7 +30,7 @@ public:
         const C P(narrow(P_.at()));
         const End P_below = shifted(P_, -1), P_above = shifted(P_, 1), zero = End::rational(0);
         // the second wave in partial contact
-        Ball sum = over(larger(first_.low(), needed_), lesser(first_.high(), one_), [&](const Piece& piece) {
+        Ball sum = over_halves(larger(first_.low(), needed_), lesser(first_.high(), one_), [&](const Piece& piece) {
             const Beyond lo = piece.left(needed_), one = piece.right(one_), origin = piece.left(zero);
             std::vector<Beyond> roots = first_.roots(piece);
             if (density) roots.push_back(lo);
@@ -45,7 +45,7 @@ public:
                 roots);
         });
         // and in full contact
-        sum = sum + over(larger(larger(first_.low(), one_), P_below), lesser(first_.high(), P_above), [&](const Piece& piece) {
+        sum = sum + over_halves(larger(larger(first_.low(), one_), P_below), lesser(first_.high(), P_above), [&](const Piece& piece) {
             const Beyond lo = piece.left(P_below), hi = piece.right(P_above), one = piece.left(one_);
             std::vector<Beyond> roots = first_.roots(piece);
             if (density) roots.insert(roots.end(), {lo, hi});
@@ -67,7 +67,7 @@ public:
         Ball sum(0);
         if (!area_ && below(one_, first_.high())) {
             const End first_u = from_P(first_.high()), last_u = from_P(first_.low());
-            sum = over(larger(zero, first_u), lesser(lesser(two, P_), last_u), [&](const Piece& piece) {
+            sum = over_whole(larger(zero, first_u), lesser(lesser(two, P_), last_u), [&](const Piece& piece) {
                 const Beyond hi = piece.left(first_u), lo = piece.right(last_u), seam = piece.right(P_);
                 std::vector<Beyond> roots{piece.left(zero), piece.right(two)};
                 if (density) roots.push_back(hi);
@@ -87,7 +87,7 @@ public:
             const End last_u = order(needed_, first_.low()) == 0 ? two : partial_u(first_.low());
             const bool seam_first = !below(first_.high(), one_);
             const Ball above_one = narrow(difference(seam_first ? one_ : first_.high(), seam_first ? first_.high() : one_));
-            sum = sum + over(first_u, within ? last_u : two, [&](const Piece& piece) {
+            sum = sum + over_whole(first_u, within ? last_u : two, [&](const Piece& piece) {
                 const Beyond start = piece.left(first_u), end = piece.right(last_u), seam = piece.left(P_), origin = piece.left(zero), least = piece.right(two);
                 const C needed(narrow(needed_.at()));
                 const C first_at(narrow(first_u.at())), last_at(narrow(last_u.at()));

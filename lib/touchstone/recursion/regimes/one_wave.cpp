@@ -123,7 +123,7 @@ Method one_integral()
         },
         .second = "scale-one-by-angle",
         .enclose_again = [](const Problem& p, Accuracy a) { return scale_one(Variable::angle, p, a); },
-        .shares = "the closed forms of one wave and acb_calc_integrate; another variable, hence another integrand and other singular points",
+        .shares = "the closed forms of one wave; another variable, hence another integrand and other singular points, and another rule: Gauss-Legendre on one ellipse or tanh-sinh, not acb_calc_integrate (but where singular points all but meet)",
     };
 }
 
