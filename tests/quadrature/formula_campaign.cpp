@@ -52,6 +52,7 @@ private:
     Case not_by_one_rule(long family);
     Case in_the_plane(long family);
     Case of_several_kinds(long family);
+    Case on_half_lines(long family);
     std::mt19937_64 random_;
 };
 
@@ -212,15 +213,48 @@ Case Draw::of_several_kinds(long family)
     }
 }
 
+/// Waves and exponentials of a power of x, Bessel functions under an exponential, inverse hyperbolic functions.
+Case Draw::on_half_lines(long family)
+{
+    const Rational a = positive(), b = positive(), m = 1 + quotient(between(-3, 8), 4);
+    const std::string A = text(a), B = text(b), M = text(m);
+    switch (family) {
+    case 0: {
+        const std::string S = text(quotient(between(1, 99), 100));
+        return {"wave of a power", "cos(" + A + "*x^" + M + ")*x^(" + S + "*" + M + "-1)", "0", "inf",
+                "gamma" + S + "*cos(pi*" + S + "/2)/(" + M + "*" + A + "^" + S + ")"};
+    }
+    case 1: {
+        const std::string S = text(Rational(exponent() + 1));
+        return {"exponential of a power", "exp(-" + A + "*x^" + M + ")*x^(" + S + "*" + M + "-1)", "0", "inf",
+                "gamma" + S + "/(" + M + "*" + A + "^" + S + ")"};
+    }
+    case 2: {
+        const std::string N = std::to_string(between(0, 4)), R = "sqrt(" + A + "^2+" + B + "^2)";
+        return {"Bessel function under an exponential", "besselj(" + N + "," + B + "*x)*exp(-" + A + "*x)", "0", "inf",
+                "((" + R + "-" + A + ")/" + B + ")^" + N + "/" + R};
+    }
+    case 3: {
+        const std::string N = std::to_string(between(0, 4)), C = text(Rational(a + b)), R = "sqrt(" + C + "^2-" + B + "^2)";
+        return {"modified Bessel function under an exponential", "besseli(" + N + "," + B + "*x)*exp(-" + C + "*x)", "0", "inf",
+                "((" + C + "-" + R + ")/" + B + ")^" + N + "/" + R};
+    }
+    case 4: return {"inverse hyperbolic cosine", "acosh(x/" + A + ")/x^2", A, "inf", "pi/(2*" + A + ")"};
+    case 5: return {"inverse hyperbolic sine", "asinh(" + B + "*x)/x^2", "1", "inf", "asinh(" + B + ")+" + B + "*asinh(1/" + B + ")"};
+    default: return {"quadratic phase", "cos(" + A + "*x^2+" + B + ")", "-inf", "inf", "sqrt(pi/" + A + ")*cos(pi/4+" + B + ")"};
+    }
+}
+
 Case Draw::next()
 {
-    const long kind = between(0, 5), family = between(0, 6);
+    const long kind = between(0, 6), family = between(0, 6);
     Case c = kind == 0   ? at_the_ends(family)
              : kind == 1 ? beside(family)
              : kind == 2 ? infinite(family)
              : kind == 3 ? not_by_one_rule(family)
              : kind == 4 ? in_the_plane(family)
-                         : of_several_kinds(family);
+             : kind == 5 ? of_several_kinds(family)
+                         : on_half_lines(family);
     if (c.value.empty()) c.value = c.formula.find(")^0") != std::string::npos ? "1/a" : "1/a^2";
     return c;
 }
