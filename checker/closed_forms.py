@@ -180,12 +180,12 @@ def cosine_of_turns(phase):
 
 
 def weierstrass_profile(x, D, gamma):
-    """(3.1), each phase exact. What follows the last term is a geometric series; so is all that follows a phase of whole turns."""
+    """(3.1), each phase exact. What follows the last term is a geometric series; so is all that follows a phase that gamma leaves where it is."""
     ratio = power_of_gamma(gamma, D - 2)
     amplitude, phase, total = Fraction(1), x, Fraction(0)
     while iv._magnitude(Interval.of(amplitude)) > -Interval.bits:
-        if phase.denominator == 1 and gamma.denominator == 1:
-            return total + amplitude / (1 - ratio)
+        if gamma.denominator == 1 and (phase * (gamma - 1)).denominator == 1:
+            return total + amplitude * cosine_of_turns(phase) / (1 - ratio)
         total = total + amplitude * cosine_of_turns(phase)
         amplitude, phase = amplitude * ratio, phase * gamma
         if gamma.denominator == 1:

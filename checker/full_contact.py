@@ -156,12 +156,16 @@ def lebesgue(count):
 
 
 class Mesh:
-    """V_0 ... V_(levels-1) on panels edges[p] <= y <= edges[p+1], sum c_k T_k((y^2 - middle)/half), the c_k in units 2^-kept. `accuracy`: what is aimed at, 2^-accuracy."""
+    """V_0 ... V_(levels-1) on panels edges[p] <= y <= edges[p+1]: 2^lift[m] V_m = sum c_k T_k((y^2 - middle)/half), lift[m] = m rise/16 rounded down,
+    the c_k in units 2^-kept. All values and bounds of a level are those of 2^lift V, so that late levels, small as G^-m, are as accurate as the
+    first. `accuracy`: what is aimed at, 2^-accuracy."""
 
-    def __init__(self, G, bits, edges, places, series, kept, accuracy):
+    def __init__(self, G, bits, edges, places, series, kept, accuracy, rise):
         self.trig = Trigonometry(bits)
         self.bits, self.one, self.edges, self.places, self.series, self.kept, self.accuracy = bits, 1 << bits, edges, places, series, kept, accuracy
         self.levels, self.terms, self.points = len(series[0]), len(series[0][0]), {}
+        self.lift = [m * rise // 16 for m in range(self.levels)]
+        self.up = [b - a for a, b in zip(self.lift, self.lift[1:])]
         Interval.bits = bits + 64
         self.G, self.inverse = fixed(G, bits), fixed(1 / G.square(), bits)
         if not (0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:])) and edges[-1] >= self.one and all(half > 0 for _, half in places)):
@@ -374,31 +378,33 @@ class Mesh:
     def on_interval(self, p, x1, x2, wanted):
         """(K): |V_m - T V_(m-1)| on J = [x1, x2] in the panel p, m = 1 ... levels: fractions. wanted: log2"""
         low, high, log_size = self.disc(p, x1, x2)
+        log_size += max(self.up)
         count = max(3, -(-(log_size - wanted + 3) // 2) + 1)
         if count > MOST_POINTS:
             raise Far
-        off = self.mismatch(low, high, x1, x2)
+        off = [o * 2**up for o, up in zip(self.mismatch(low, high, x1, x2), self.up)]
         unit = 1 << self.bits + self.kept
         if any(o > unit * Fraction(2) ** wanted for o in off):
             raise Far
-        worst = [0] * self.levels
+        worst = [0] * len(self.up)
         for x in self.chebyshev_points(x1, x2, count):
             after, here = self.row(x, low, high), self.values(p, x * x >> self.bits)
             for m in range(self.levels - 1):
-                worst[m] = max(worst[m], abs(after[m] - here[m + 1]))
+                worst[m] = max(worst[m], abs((after[m] << self.up[m]) - here[m + 1]))
         L = lebesgue(count)
         beyond = (1 + L) * 2 * Fraction(2) ** (log_size - 2 * (count - 1)) / 3
-        return [L * (Fraction(w, unit) + 3 * self.round + self.quadrature) + beyond + o / unit for w, o in zip(worst, off)]
+        return [L * (Fraction(w, unit) + (2 * self.round + self.quadrature) * 2**up) + beyond + o / unit for w, o, up in zip(worst, off, self.up)]
 
     def between(self, p, x1, x2):
         """|V_m - v| for any v between T V_(m-1)(x1) and T V_(m-1)(x2), m = 1 ... levels: with (G) and monotony a bound of |V_m - B_m|"""
         unit = 1 << self.bits + self.kept
-        ends, worst = list(zip(self.exact_row(x1), self.exact_row(x2))), [0] * self.levels
+        ends = [(v << up, w << up) for v, w, up in zip(self.exact_row(x1), self.exact_row(x2), self.up)]
+        worst = [0] * len(self.up)
         for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, self.terms):
             here = self.values(p, z)
             for m in range(self.levels - 1):
                 worst[m] = max(worst[m], *(abs(v - here[m + 1]) for v in ends[m]))
-        return [lebesgue(self.terms) * (Fraction(w, unit) + self.round) + self.quadrature + self.round for w in worst]
+        return [lebesgue(self.terms) * (Fraction(w, unit) + self.round) + (self.quadrature + self.round) * 2**up for w, up in zip(worst, self.up)]
 
     def cover(self, p, bound, hole):
         """bound(x1, x2) on intervals that cover the panel, cut at 1; hole(x1, x2) where one is too narrow for that. Returns the largest, all m, and the holes with their widths."""
@@ -448,8 +454,8 @@ class Mesh:
 
     def effects(self):
         """(G), (H): sup T D_m, all m"""
-        below = Fraction(isqrt(self.edges[0] << self.bits) + 1, self.one)  # B_m <= sqrt x, V_m = 0
-        parts, known, effects = [[(below, self.edges[0], False)] for _ in range(self.levels)], Fraction(0), []
+        below, above = self.reach(Fraction(self.edges[0], self.one)), self.reach(Fraction(self.edges[-1], self.one))
+        parts, effects = [[(below[m + 1] * 2**lift, self.edges[0], False)] for m, lift in enumerate(self.lift)], []  # V_m = 0 there, and B_m = T^(m+1) 1
         for p, (low, high) in enumerate(zip(self.edges, self.edges[1:])):
             share = self.share(high - low)
             wanted = (share.denominator // share.numerator).bit_length() - 1 - self.accuracy
@@ -458,25 +464,29 @@ class Mesh:
                 for m in range(first, self.levels if first else 1):
                     parts[m] += [(largest[m - first], high - low, False)] if largest else []
                     parts[m] += [(values[m - first], narrow, first > 0) for narrow, values in holes]
-        for of_level in parts:  # a hole bounds |V_m - v|, and |B_m - v| is at most what is known of the levels before
-            best, sum_of_larger = Fraction(1), Fraction(0)
+        for m, of_level in enumerate(parts):
+            # a hole bounds |V_m - v|, and |B_m - v| is at most what is known of the levels before
+            known = sum(effects[k] * above[m - 1 - k] * 2 ** (self.lift[m] - self.lift[k]) for k in range(m))
+            least, sum_of_larger = [], Fraction(0)
             for d, share in [*sorted(((d + known * hole, self.share(w)) for d, w, hole in of_level), reverse=True), (Fraction(0), Fraction(0))]:
-                best = min(best, d + sum_of_larger)
+                least.append(d + sum_of_larger)
                 sum_of_larger += d * share
-            effects.append(best)
-            known += best
+            effects.append(min(least))
         return effects
+
+    def reach(self, x):
+        """(G): T^k 1 <= C_k x^(a_k), k = 0 ... levels"""
+        Interval.bits = self.bits
+        G, bounds, a, C = Interval(self.G, self.G + 1, -self.bits), [Fraction(1)], Fraction(1, 2), Interval.of(1)
+        for _ in range(self.levels):
+            bounds.append(min(Fraction(1), (C * iv.power(x, a)).ends()[1]))
+            C, a = C / iv.power(G, a), (1 + a) / 2
+        return bounds
 
     def value(self, n, load, effects):
         """A_n at this load: low and high, fractions"""
-        error, a, C = 2 * self.round + self.quadrature, Fraction(1, 2), Interval.of(1)
-        Interval.bits = self.bits
-        G = Interval(self.G, self.G + 1, -self.bits)
-        for k in range(n):  # T^k 1 <= C_k x^(a_k)
-            reach = Fraction(1) if k == 0 else min(Fraction(1), (C * iv.power(load, a)).ends()[1])
-            error += effects[n - 1 - k] * reach
-            if k > 0:
-                C, a = C / iv.power(G, a), (1 + a) / 2
+        reach = self.reach(load)
+        error = (2 * self.round + self.quadrature) / 2 ** self.lift[n - 1] + sum(effects[m] * reach[n - 1 - m] / 2 ** self.lift[m] for m in range(n))
         below = load * 2**self.bits // 1
-        rows = [Fraction(self.exact_row(x)[n - 1], 1 << self.bits + self.kept) for x in {below, -(-load * 2**self.bits // 1)}]
+        rows = [Fraction(self.exact_row(x)[n - 1], 1 << self.bits + self.kept + self.lift[n - 1]) for x in {below, -(-load * 2**self.bits // 1)}]
         return min(rows) - error, max(rows) + error

@@ -13,8 +13,15 @@
 namespace touchstone::certificate {
 namespace {
 
-constexpr long bits = 128; ///< of the checker's fixed point; edges and coefficients are those of pairs of binary64
-constexpr long kept = 100;
+constexpr long kept = 110; ///< bits of the coefficients
+
+/// What the checker is told to do.
+struct Choices {
+    long accuracy; ///< defects are looked into down to 2^-accuracy
+    long rise;     ///< 2^(m rise/16) V_m is written, for B_m falls like G^-m
+    long bits() const { return 2 * accuracy + 48; } ///< a root at an end of a wave loses half of them
+    long lift(long m) const { return m * rise / 16; }
+};
 
 /// In units of 2^-b, rounded.
 mpz_class units(const transfer::levels::Real& x, long b)
@@ -27,24 +34,24 @@ mpz_class units(const transfer::levels::Real& x, long b)
     return n >> 1;
 }
 
+double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }
 
-/// The panels as they are written, and where their lines are.
-std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Root& G, long levels, long accuracy, Lines& lines)
+/// The numbers of the lines mesh and polynomials.
+std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Root& G, long levels, const Choices& c, Lines& lines)
 {
-    std::string edges;
-    for (const auto& p : V.panels) edges += ' ' + hex(units(p.y0, bits));
-    edges += ' ' + hex(units(V.panels.back().y1, bits));
-    const std::string mesh = fmt::format("G={} bits={:x} kept={:x} accuracy={:x}{}", named(G), bits, kept, accuracy, edges);
+    std::string mesh = fmt::format("G={} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(G), c.bits(), kept, c.accuracy, c.rise);
+    for (const auto& p : V.panels) mesh += ' ' + hex(units(p.y0, c.bits()));
+    mesh += ' ' + hex(units(V.panels.back().y1, c.bits()));
     std::vector<std::size_t> numbers{lines.add("mesh", {}, mesh)};
     for (std::size_t i = 0; i < V.panels.size(); ++i) {
         const auto& panel = V.panels[i];
-        std::string data = fmt::format("panel={:x} middle={} half={} terms={:x}", i, hex(units(panel.centre, bits)),
-                                       hex(units(panel.half, bits)), V.orders.terms);
+        std::string data = fmt::format("panel={:x} middle={} half={} terms={:x}", i, hex(units(panel.centre, c.bits())),
+                                       hex(units(panel.half, c.bits())), V.orders.terms);
         for (int m = 0; m < levels; ++m)
             for (int k = 0; k < V.orders.terms; ++k) {
                 const std::size_t at = V.row(i, k) + static_cast<std::size_t>(m);
-                data += ' ' + hex(units({V.coefficients.high[at], V.coefficients.low[at]}, kept));
+                data += ' ' + hex(units({V.coefficients.high[at], V.coefficients.low[at]}, kept + c.lift(m)));
             }
         numbers.push_back(lines.add("polynomials", {numbers.front()}, data));
     }
@@ -69,23 +76,24 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
     for (int attempt = 0;; ++attempt) {
         const transfer::ProvenLevels V(number(areas.front().G), highest, tolerance, static_cast<int>(levels));
         values.clear();
+        Choices choices{0, static_cast<long>(16 * std::log2(nearest(number(areas.front().G))))};
         double worst = 0, least = 1;
         for (const Area& a : areas) {
             values.push_back(V.share(a.n, Ball(a.load)));
-            const double value = arf_get_d(arb_midref(values.back().get()), ARF_RND_DOWN);
+            const double value = nearest(values.back());
             worst = std::max(worst, spare / goal * values.back().radius_bound() / value);
-            least = std::min(least, value);
+            least = std::min(least, std::ldexp(value, static_cast<int>(choices.lift(a.n - 1))));
         }
         if (worst > 1) {
             if (attempt == 3) throw BeyondReach(fmt::format("the certificate's errors do not come below {:.1e}", goal));
             tolerance /= 2 * worst;
             continue;
         }
-        const long accuracy = static_cast<long>(std::ceil(-std::log2(goal * least))) + spare_bits;
-        const std::vector<std::size_t> rests_on = write_mesh(V.layer(), areas.front().G, levels, accuracy, lines);
+        choices.accuracy = static_cast<long>(std::ceil(-std::log2(goal * least))) + spare_bits;
+        const std::vector<std::size_t> rests_on = write_mesh(V.layer(), areas.front().G, levels, choices, lines);
         for (std::size_t i = 0; i < areas.size(); ++i) {
             lines.add("share", rests_on, fmt::format("claim={}", first_claim + i));
-            const double error = goal * arf_get_d(arb_midref(values[i].get()), ARF_RND_UP);
+            const double error = goal * nearest(values[i]);
             head += fmt::format("claim {} n={:x} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, areas[i].load.get_str(),
                                 named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
         }
