@@ -19,7 +19,7 @@ from intervals import Interval
 from transfer import Refused
 
 LONGEST_FILE, LONGEST_WORD, MOST_PANELS, MOST_PANELS_OF_A_MESH = 1 << 28, 4096, 64, 4096
-MOST = {"claims": 20000, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024}
+MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024}
 
 
 class Malformed(Exception):
@@ -68,12 +68,12 @@ def span(text):
     return decimal(first), decimal(last) if mark else decimal(first)
 
 
-READERS = {"G": surface, "load": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error"), dyadic),
-           **dict.fromkeys(("n", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "panel", "middle", "half"), integer)}
+READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error"), dyadic),
+           **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "panel", "middle", "half"), integer)}
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
-         "mesh": "G bits kept accuracy rise", "polynomials": "panel middle half terms", "share": "claim"}
+         "mesh": "G p scale bits kept accuracy rise", "polynomials": "panel middle half terms", "share": "claim"}
 WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials"), ("value", "limit", "share")
-CLAIMS = {"contact.area": "n load G value error", "limit.area_constant": "G value error"}
+CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error"}
 
 
 def fields(words, names, what):
@@ -111,7 +111,7 @@ class Certificate:
             kind, which, *rest = line.split(" ") if line.count(" ") > 1 else ("", "", "")
             if kind == "claim":
                 *inputs, G, value, error = fields(rest, CLAIMS[self.quantity], "claim")
-                n, load = inputs or (1, 1)
+                n, load = (inputs[0], inputs[-1]) if inputs else (1, 1)
                 self.claims[decimal(which)] = *inputs, G, value, error
                 need(list(self.claims)[-1] == len(self.claims) and n > 0 and value > 0 and error >= 0, f"claim {which[:9]}: is none")
                 continue
@@ -245,25 +245,28 @@ class Replay:
         self.proved.add(claim)
         return below[0], inputs, value, error
 
-    def mesh(self, below, G, bits, kept, accuracy, rise, edges):
+    def mesh(self, below, G, p, scale, bits, kept, accuracy, rise, edges):
         need(not below and bits >= 64 and kept > 0 and accuracy > 0 and rise >= 0 and len(edges) <= MOST_PANELS_OF_A_MESH, "not a mesh", Refused)
         need(101 ** G[1] < G[0] * 100 ** G[1] and G[0] < 2 ** (40 * G[1]), "G is not between 1.01 and 2^40", Refused)
-        return "mesh", self.number, (G, bits, kept, accuracy, rise, edges)
+        return "mesh", self.number, (G, p, scale, bits, kept, accuracy, rise, edges)
 
     def polynomials(self, below, panel, middle, half, terms, coefficients):
         need([b[0] for b in below] == ["mesh"] and half > 0 and 1 < terms <= 64 and coefficients and len(coefficients) % terms == 0, "not the polynomials of a panel", Refused)
         return "polynomials", self.number, panel, (middle, half), [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
 
     def share(self, below, claim):
-        mesh, (n, load), value, error = self.claimed("contact.area", below, claim)
-        (base, degree), bits, kept, accuracy, rise, edges = mesh[2]
+        mesh, (n, *pressure, load), value, error = self.claimed(self.certificate.quantity, below, claim)
+        (base, degree), p, scale, bits, kept, accuracy, rise, edges = mesh[2] if mesh[0] == "mesh" else (None,) * 8
+        need((pressure or [0]) == [p] and (not p or scale == n), "does not rest on a mesh of its pressure", Refused)
         below = below[1:]
-        need(mesh[0] == "mesh" and all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
+        need(all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
         need([b[2] for b in below] == list(range(len(edges) - 1)) and len({(len(b[4]), len(b[4][0])) for b in below}) == 1, "polynomials are missing", Refused)
         need(n <= len(below[0][4]) and load * 2**bits <= edges[-1], "the mesh does not reach so far", Refused)
         if self.proving():
             if (mesh[1], 0) not in self.rules:
-                made = full_contact.Mesh(root_of(base, degree), bits, edges, [b[3] for b in below], [b[4] for b in below], kept, accuracy, rise)
+                Interval.bits = bits + 128
+                pressure = p / power_of(base, degree, scale)  # in p*_n, whatever the scale is
+                made = full_contact.Mesh(root_of(base, degree), pressure, bits, edges, [b[3] for b in below], [b[4] for b in below], kept, accuracy, rise)
                 self.rules = {(mesh[1], 0): (made, made.effects())}  # of one mesh at a time
             made, effects = self.rules[mesh[1], 0]
             low, high = made.value(n, load, effects)
@@ -304,7 +307,7 @@ def shown(quantity, claim):
     *inputs, (base, degree), value, error = claim
     digits = max(1, len(str(int(value / error)))) if error else 40
     e = len(str(int(value))) - 1 if value >= 1 else -len(str(int(1 / value)))
-    what = "".join(f"{name}={x} " for name, x in zip(("n", "load"), inputs))
+    what = "".join(f"{name}={x} " for name, x in zip(CLAIMS[quantity].split(), inputs))
     return f"{quantity} {what}G={base}{f'^1/{degree}' if degree > 1 else ''}: {int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"
 
 

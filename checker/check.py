@@ -57,16 +57,15 @@ def read(path):
 
 def with_certificates(forms, paths):
     """the forms, and what the claims of certificates say of rows without one: A_n, and with it (8.1) the number gamma^n A_(n-1) of segments"""
-    areas, limits = {}, {}
+    known = {}
     for path in paths:
         read = certificate.Certificate(path)
         certificate.Replay(read, 1, read.count)
         for *inputs, value, error in read.claims.values():
-            (areas if read.quantity == "contact.area" else limits)[tuple(inputs)] = value, error
+            known[read.quantity, *inputs] = Interval.of(value) + iv.error_term(Interval.of(error))
 
     def area(n, load, base, degree=1):
-        value, error = areas[n, load, (base, degree)] if (n, load, (base, degree)) in areas else (None, None)
-        return None if value is None else Interval.of(value) + iv.error_term(Interval.of(error))
+        return known.get(("contact.area", n, load, (base, degree)))
 
     def segments(n, load, D, gamma):
         G = closed_forms.exact_power(gamma, D - 1)
@@ -74,8 +73,10 @@ def with_certificates(forms, paths):
         return None if below is None else below * gamma ** int(n)
 
     def constant(base, degree=1):
-        value, error = limits.get(((base, degree),), (None, None))
-        return None if value is None else Interval.of(value) + iv.error_term(Interval.of(error))
+        return known.get(("limit.area_constant", (base, degree)))
+
+    def exceedance(n, p, load, base, degree=1):
+        return known.get(("contact.exceedance", n, p, load, (base, degree)))
 
     def ratio(G):
         return None if constant(G) is None else constant(G) / (closed_forms.K_inf() * G)
@@ -83,7 +84,7 @@ def with_certificates(forms, paths):
     def both(closed, certified):
         return lambda *inputs: certified(*inputs) if closed(*inputs) is None else closed(*inputs)
     return {**forms, "contact.area": both(forms["contact.area"], area), "segments.count": both(forms["segments.count"], segments),
-            "limit.area_constant": constant, "limit.area_ratio": ratio}
+            "contact.exceedance": both(forms["contact.exceedance"], exceedance), "limit.area_constant": constant, "limit.area_ratio": ratio}
 
 
 def verdict(form, row, names, binary64):

@@ -160,14 +160,14 @@ class Mesh:
     the c_k in units 2^-kept. All values and bounds of a level are those of 2^lift V, so that late levels, small as G^-m, are as accurate as the
     first. `accuracy`: what is aimed at, 2^-accuracy."""
 
-    def __init__(self, G, bits, edges, places, series, kept, accuracy, rise):
+    def __init__(self, G, pressure, bits, edges, places, series, kept, accuracy, rise):
         self.trig = Trigonometry(bits)
         self.bits, self.one, self.edges, self.places, self.series, self.kept, self.accuracy = bits, 1 << bits, edges, places, series, kept, accuracy
         self.levels, self.terms, self.points = len(series[0]), len(series[0][0]), {}
         self.lift = [m * rise // 16 for m in range(self.levels)]
         self.up = [b - a for a, b in zip(self.lift, self.lift[1:])]
         Interval.bits = bits + 64
-        self.G, self.inverse = fixed(G, bits), fixed(1 / G.square(), bits)
+        self.G, self.inverse, self.P = fixed(G, bits), fixed(1 / G.square(), bits), fixed(Interval.of(pressure), bits)
         if not (0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:])) and edges[-1] >= self.one and all(half > 0 for _, half in places)):
             raise Refused("not a mesh")
         if (edges[-1] + self.one) << bits > (self.G - 1) * edges[-1]:
@@ -425,17 +425,29 @@ class Mesh:
         raise Refused("the polynomials of a panel are no approximations")
 
     def first_wave(self, x):
-        """B_0 in units"""
-        return (2 * self.trig.angle(isqrt(x << self.bits), isqrt((self.one - x) << self.bits)) << self.bits) // self.trig.pi if x < self.one else self.one
+        """B_0, the share of one wave above the pressure P, in units"""
+        w = self.P - x if x >= self.one else isqrt((self.one - x) ** 2 + self.P**2) - x
+        return (self.trig.of_cosine(self.one - w, self.one + w) << self.bits) // self.trig.pi
+
+    def first_disc(self, at, x1, x2):
+        """(M): 0 where B_0 is 0 or 1 on [x1, x2]; else a radius about `at`, below which it is analytic"""
+        one, P = self.one, self.P
+        below, above = (P - one, P + one) if x1 >= one else (P * P >> self.bits + 2, self.one)
+        if x2 <= below or x1 >= above:
+            return 0
+        beyond = above - at if x1 >= one or not P else isqrt((one - at) ** 2 + P * P)
+        return max(1, 99 * min(at - below, beyond) // 100)
 
     def first_on(self, p, x1, x2, wanted):
         """(M): |V_0 - B_0| on [x1, x2]"""
         at, h = x1 + x2 >> 1, (x2 - x1 >> 1) + 1
         r, count, beyond = h * REACH.numerator // REACH.denominator + 1, self.terms, Fraction(0)
-        if x1 < self.one:
-            if 100 * r > 99 * min(at, self.one - at):
+        radius = self.first_disc(at, x1, x2)
+        if radius:
+            if r > radius:
                 raise Far
-            log_size = max(0, self.continued(p, at, at, (2 * at * r + r * r >> self.bits) + 1)) + 1
+            large = 2 + ((self.P + 4 * at >> self.bits) + 2).bit_length() // 4  # |arccos w|/pi <= 1 + log(2|w| + 1)/pi, |w| <= 1 + 2|x| + P
+            log_size = max(large.bit_length(), self.continued(p, at, at, (2 * at * r + r * r >> self.bits) + 1)) + 1
             count = max(3, -(-(log_size - wanted + 3) // 2) + 1)
             if count > MOST_POINTS:
                 raise Far
@@ -484,9 +496,13 @@ class Mesh:
         return bounds
 
     def value(self, n, load, effects):
-        """A_n at this load: low and high, fractions"""
-        reach = self.reach(load)
-        error = (2 * self.round + self.quadrature) / 2 ** self.lift[n - 1] + sum(effects[m] * reach[n - 1 - m] / 2 ** self.lift[m] for m in range(n))
-        below = load * 2**self.bits // 1
-        rows = [Fraction(self.exact_row(x)[n - 1], 1 << self.bits + self.kept + self.lift[n - 1]) for x in {below, -(-load * 2**self.bits // 1)}]
-        return min(rows) - error, max(rows) + error
+        """B_n at this load: low and high, fractions"""
+        reach, below = self.reach(load), load * 2**self.bits // 1
+        rows = [self.exact_row(x) for x in {below, -(-load * 2**self.bits // 1)}]  # B_n increases
+        for k in range(1, n + 1):
+            units = 1 << self.bits + self.kept + self.lift[k - 1]
+            error = (2 * self.round + self.quadrature) / 2 ** self.lift[k - 1] + sum(effects[m] * reach[k - 1 - m] / 2 ** self.lift[m] for m in range(k))
+            low, high = (Fraction(which(row[k - 1] for row in rows), units) for which in (min, max))
+            if not self.P and k < self.levels:
+                reach[k + 1] = min(reach[k + 1], high + error)  # T^(k+1) 1 = B_k for areas
+        return low - error, high + error

@@ -11,6 +11,10 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
 
 namespace touchstone::program {
 namespace {
@@ -46,10 +50,13 @@ struct Claimed {
         const bool limit = q.name == "limit.area_constant" || q.name == "limit.area_ratio";
         certificate::Area a{1, Rational(1), root_of(in)};
         if (!limit) a.load = in.real("load"), a.n = in.integer("n");
+        if (q.name == "contact.exceedance") a.p = in.real("p");
         if (q.name == "segments.count") --a.n; // (8.1): they are counted by A_(n-1)
         const std::string why = limit ? certificate::refusal_of_limit(a.G) : certificate::refusal(a);
         if (!why.empty())
             refused = refused.empty() ? why : refused;
+        else if (q.name == "contact.exceedance" && a.p == 0)
+            refused = "p = 0 is an area";
         else if (limit)
             limits.push_back(a.G);
         else
@@ -73,10 +80,10 @@ int write_certificate(const CertificateOptions& o)
 {
     const TableSpec* spec = o.assignments.empty() ? find_table(o.subject) : nullptr;
     const Quantity& q = quantity_named(spec != nullptr ? spec->quantity : o.subject);
-    if (q.name != "contact.area" && q.name != "segments.count" && q.name != "limit.area_constant" && q.name != "limit.area_ratio")
-        throw Failure(undecided, fmt::format("there are certificates of contact.area, segments.count, limit.area_constant and "
-                                             "limit.area_ratio, not of '{}'; rows of closed form need none (checker/check.py)",
-                                             q.name));
+    constexpr std::array served{"contact.area", "contact.exceedance", "segments.count", "limit.area_constant", "limit.area_ratio"};
+    if (std::find(served.begin(), served.end(), q.name) == served.end())
+        throw Failure(undecided, fmt::format("there are certificates of {}, not of '{}'; rows of closed form need none (checker/check.py)",
+                                             fmt::join(served, ", "), q.name));
     Claimed claimed;
     if (spec != nullptr)
         claimed = claims_of_table(*spec);
@@ -106,7 +113,8 @@ void add_certificate(CLI::App& app, Run& run)
         "certificate", "What checker/certificate.py replays: touchstone certificate contact.area n=3 G=3 load=1/10 --out FILE");
     auto o = std::make_shared<CertificateOptions>();
     command
-        ->add_option("subject", o->subject, "contact.area, segments.count, limit.area_constant or limit.area_ratio with inputs, or a table")
+        ->add_option("subject", o->subject,
+                     "A quantity with inputs: an area, a share above a pressure, a count of segments or a limit of areas; or a table")
         ->required();
     command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval");
     command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")

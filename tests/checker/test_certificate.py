@@ -57,14 +57,19 @@ def area(n, load, G, digits=30):
 
 
 @functools.lru_cache(None)
+def exceedance(n, p, load, G, digits=20):
+    return Fraction(json.loads(program("eval", "contact.exceedance", f"n={n}", f"p={p}", f"load={load}", f"G={G}", "--digits", digits, "--json").stdout)["value"])
+
+
+@functools.lru_cache(None)
 def limit(G, digits=30):
     """C(G) by the program"""
     return Fraction(json.loads(program("eval", "limit.area_constant", f"G={G}", "--digits", digits, "--json").stdout)["value"])
 
 
-# What is changed in many ways, and how often: partial contact, full contact without and with a wave between, the limit.
+# What is changed in many ways, and how often: partial contact, full contact without and with a wave between, shares above a pressure, the limit.
 CHANGED = {("contact.area", "n=2", "load=1/10", "G=16", "--digits", 6): 9, ("contact.area", "n=1", "load=3/2", "G=3/2", "--digits", 2): 7,
-           ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("limit.area_constant", "G=16", "--digits", 3): 3}
+           ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2", "--digits", 2): 3, ("limit.area_constant", "G=16", "--digits", 3): 3}
 
 
 class Certificates(unittest.TestCase):
@@ -122,6 +127,28 @@ class Certificates(unittest.TestCase):
                 ((_, value, error),) = certificate.Certificate(self.path).claims.values()
                 self.assertLessEqual(abs(value - limit(G)), error)
                 self.assertLess(error / value, Fraction(1, 10**digits))
+
+    def test_proves_shares_above_a_pressure(self):
+        for inputs, digits in ((("1", "100", "395/4", "3/2"), 8), (("1", "1/1000", "1/200", "9/8"), 4), (("2", "3/2", "3", "4"), 2)):
+            n, load, p, G = inputs
+            self.make("contact.exceedance", f"n={n}", f"p={p}", f"load={load}", f"G={G}", "--digits", digits)
+            said = check(self.path)
+            with self.subTest(inputs=inputs):
+                self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+                ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
+                self.assertLessEqual(abs(value - exceedance(n, p, load, G)), error)
+                self.assertLess(error / value, Fraction(1, 10**digits))
+
+    def test_a_mesh_serves_one_pressure(self):
+        """What is true of one pressure or scale is not proved of another, nor of areas."""
+        text = next(text for what, text in self.texts.items() if what[0] == "contact.exceedance")
+        for old, new in (("n=1 p=1/2", "n=1 p=1/3"), ("n=1 p=1/2", "n=2 p=1/2"), ("p=1/2 scale=1 ", "p=1/2 scale=2 "), ("p=1/2 scale=1 ", "p=1/3 scale=1 "), ("p=1/2 scale=1 ", "p=0 scale=1 ")):
+            self.path.write_text(signed(text.replace(old, new, 1)))
+            with self.subTest(new=new):
+                said = check(self.path)
+                self.assertEqual((said.returncode, said.stdout[:4]), (1, "no: "), said.stdout)
+        self.path.write_text(signed(text.replace("contact.exceedance", "contact.area", 1).replace("n=1 p=1/2", "n=1", 1)))
+        self.assertEqual(check(self.path).returncode, 1)
 
     def test_wrong_values_are_refused(self):
         """What is claimed beside the truth, by little more than the error, in each kind of certificate."""
@@ -244,7 +271,7 @@ class Certificates(unittest.TestCase):
         """Whether all that an accepted mutant says is true, by the program: its claims, and its polynomials at some points."""
         for *inputs, (base, degree), value, error in read.claims.values():
             G = f"({base})^(1/{degree})"
-            if abs(value - (area(*inputs, G) if inputs else limit(G))) > error:
+            if abs(value - (limit, None, area, exceedance)[len(inputs)](*inputs, G)) > error:
                 return False
         for words in read.lines:
             if words[1] != "level":  # the polynomials of a mesh may be anything

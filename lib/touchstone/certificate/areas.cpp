@@ -48,6 +48,19 @@ Section find(const std::vector<Area>& areas, const Root& G, double digits)
     return s;
 }
 
+/// The first that is accurate enough.
+Section accurate(const std::vector<Area>& areas, double digits)
+{
+    const double goal = std::pow(10.0, -digits) / 2;
+    Section s = find(areas, areas.front().G, digits);
+    for (int attempt = 0; s.worst > goal; ++attempt) {
+        if (attempt == 2) throw BeyondReach(fmt::format("the certificate's errors do not come below {:.1e}", goal));
+        digits += std::log10(s.worst / goal) + 1;
+        s = find(areas, areas.front().G, digits);
+    }
+    return s;
+}
+
 void write(const Section& s, const std::vector<Area>& areas, std::size_t first_claim, std::string& head, Lines& lines, std::size_t number)
 {
     const WrittenSection written = write_levels(s.grid, s.levels, lines);
@@ -79,7 +92,7 @@ std::string refusal(const Area& a)
     return "";
 }
 
-bool only_partial(const Area& a) { return a.load <= 1 && power(Rational(41, 20), static_cast<long>(a.G.degree)) <= a.G.base; }
+bool only_partial(const Area& a) { return a.p == 0 && a.load <= 1 && power(Rational(41, 20), static_cast<long>(a.G.degree)) <= a.G.base; }
 
 std::string areas(const std::vector<Area>& all, Accuracy wanted)
 {
@@ -87,7 +100,8 @@ std::string areas(const std::vector<Area>& all, Accuracy wanted)
     for (const Area& a : all) {
         const auto same = [&](const auto& s) {
             const Area& b = s.front();
-            return b.G.base == a.G.base && b.G.degree == a.G.degree && only_partial(b) == only_partial(a);
+            const bool one_mesh = only_partial(b) == only_partial(a) && b.p == a.p && (a.p == 0 || a.n == b.n);
+            return b.G.base == a.G.base && b.G.degree == a.G.degree && one_mesh;
         };
         const auto found = std::find_if(sections.begin(), sections.end(), same);
         if (found == sections.end())
@@ -97,24 +111,23 @@ std::string areas(const std::vector<Area>& all, Accuracy wanted)
     }
     std::string head;
     Lines lines;
-    std::size_t claims = 0;
-    const double goal = std::pow(10.0, -static_cast<double>(wanted.digits)) / 2;
-    for (std::size_t i = 0; i < sections.size(); claims += sections[i++].size()) {
-        const auto& members = sections[i];
-        if (!only_partial(members.front())) {
-            write_full_contact(members, std::min(wanted.digits, most_digits_in_full_contact), claims + 1, i + 1, head, lines);
+    std::size_t claims = 0, written = 0;
+    for (const auto& members : sections) {
+        try {
+            if (only_partial(members.front()))
+                write(accurate(members, static_cast<double>(wanted.digits)), members, claims + 1, head, lines, written + 1);
+            else
+                write_full_contact(members, std::min(wanted.digits, most_digits_in_full_contact), claims + 1, written + 1, head, lines);
+        }
+        catch (const BeyondReach&) {
+            if (members.size() == all.size()) throw;
             continue;
         }
-        auto digits = static_cast<double>(wanted.digits);
-        Section s = find(members, members.front().G, digits);
-        for (int attempt = 0; s.worst > goal; ++attempt) {
-            if (attempt == 2) throw BeyondReach(fmt::format("the certificate's errors do not come below {:.1e}", goal));
-            digits += std::log10(s.worst / goal) + 1;
-            s = find(members, members.front().G, digits);
-        }
-        write(s, members, claims + 1, head, lines, i + 1);
+        ++written;
+        claims += members.size();
     }
-    return certificate_text("contact.area", claims, sections.size(), head, lines);
+    if (claims == 0) throw BeyondReach("no certificate reaches these digits");
+    return certificate_text(all.front().p == 0 ? "contact.area" : "contact.exceedance", claims, written, head, lines);
 }
 
 } // namespace touchstone::certificate

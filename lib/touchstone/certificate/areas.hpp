@@ -20,11 +20,12 @@
 
 namespace touchstone::certificate {
 
-/// A_n/lambda_0 (6.7) at these inputs.
+/// A_n/lambda_0 (6.7) at these inputs, or the share of lambda_0 above the pressure p > 0, in p*_0.
 struct Area {
     long n = 1;
     Rational load;
     Root G;
+    Rational p = 0;
 };
 
 inline constexpr long largest_n = 60;    ///< errors grow by up to 4 a level
@@ -34,8 +35,8 @@ std::string refusal(const Area&);
 /// G >= 41/20 and load <= 1: any digits; with full contact there are fewer.
 bool only_partial(const Area&);
 
-/// A certificate of these areas to so many digits, sections by G in the order in which they first come.
-/// \pre refusal() is empty for each \throws BeyondReach where the digits are not reached
+/// A certificate of these areas, or shares all with p > 0, to so many digits, sections by G in the order in which they first come. What
+/// does not reach its digits is left out. \pre refusal() is empty for each \throws BeyondReach where nothing reaches them
 std::string areas(const std::vector<Area>&, Accuracy);
 
 } // namespace touchstone::certificate

@@ -8,17 +8,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace touchstone::certificate {
 namespace {
 
-constexpr long kept = 110; ///< bits of the coefficients
+constexpr long kept = 110;         ///< bits of the coefficients
+constexpr double smallest = 1e-14; ///< shares
 
 /// What the checker is told to do.
 struct Choices {
-    long accuracy; ///< defects are looked into down to 2^-accuracy
-    long rise;     ///< 2^(m rise/16) V_m is written, for B_m falls like G^-m
+    long accuracy;                                  ///< defects are looked into down to 2^-accuracy
+    long rise;                                      ///< 2^(m rise/16) V_m is written, for B_m falls like G^-m
     long bits() const { return 2 * accuracy + 48; } ///< a root at an end of a wave loses half of them
     long lift(long m) const { return m * rise / 16; }
 };
@@ -38,9 +40,10 @@ double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NE
 Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }
 
 /// The numbers of the lines mesh and polynomials.
-std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Root& G, long levels, const Choices& c, Lines& lines)
+std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Area& a, long levels, const Choices& c, Lines& lines)
 {
-    std::string mesh = fmt::format("G={} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(G), c.bits(), kept, c.accuracy, c.rise);
+    std::string mesh = fmt::format("G={} p={} scale={:x} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(a.G), a.p.get_str(),
+                                   a.p == 0 ? 0 : a.n, c.bits(), kept, c.accuracy, c.rise);
     for (const auto& p : V.panels) mesh += ' ' + hex(units(p.y0, c.bits()));
     mesh += ' ' + hex(units(V.panels.back().y1, c.bits()));
     std::vector<std::size_t> numbers{lines.add("mesh", {}, mesh)};
@@ -58,6 +61,14 @@ std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Root
     return numbers;
 }
 
+/// The levels of an area, or of a share above the pressure p = P p*_n, p*_n = G^n p*_0.
+transfer::ProvenLevels levels_of(const Area& a, double highest, double tolerance, int scales)
+{
+    const Ball G = number(a.G);
+    if (a.p == 0) return {G, highest, tolerance, scales};
+    return {G, Ball(a.p) / pow(G, Ball(a.n)), highest, tolerance, scales};
+}
+
 } // namespace
 
 void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t first_claim, std::size_t section, std::string& head,
@@ -68,19 +79,21 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
     double highest = 1;
     for (const Area& a : areas) levels = std::max(levels, a.n), highest = std::max(highest, a.load.get_d());
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
-    constexpr double spare = 8;              // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
-    constexpr long spare_bits = 8;           // and what it is off by itself adds up over the narrow panels
-    double tolerance = std::min(goal, 1e-5); // the coarsest there is
+    constexpr double spare = 8; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
+    const long spare_bits = 9 + static_cast<long>(std::bit_width(
+                                    static_cast<unsigned long>(levels))); // and what it is off by itself adds up over the narrow panels
+    double tolerance = std::min(goal, 1e-5);                              // the coarsest there is
     std::vector<Ball> values;
     const std::size_t first = lines.count() + 1;
     for (int attempt = 0;; ++attempt) {
-        const transfer::ProvenLevels V(number(areas.front().G), highest, tolerance, static_cast<int>(levels));
+        const transfer::ProvenLevels V = levels_of(areas.front(), highest, tolerance, static_cast<int>(levels));
         values.clear();
         Choices choices{0, static_cast<long>(16 * std::log2(nearest(number(areas.front().G))))};
         double worst = 0, least = 1;
         for (const Area& a : areas) {
             values.push_back(V.share(a.n, Ball(a.load)));
             const double value = nearest(values.back());
+            if (!(value > smallest)) throw BeyondReach(fmt::format("shares below {} have no certificate", smallest));
             worst = std::max(worst, spare / goal * values.back().radius_bound() / value);
             least = std::min(least, std::ldexp(value, static_cast<int>(choices.lift(a.n - 1))));
         }
@@ -90,12 +103,13 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
             continue;
         }
         choices.accuracy = static_cast<long>(std::ceil(-std::log2(goal * least))) + spare_bits;
-        const std::vector<std::size_t> rests_on = write_mesh(V.layer(), areas.front().G, levels, choices, lines);
+        const std::vector<std::size_t> rests_on = write_mesh(V.layer(), areas.front(), levels, choices, lines);
         for (std::size_t i = 0; i < areas.size(); ++i) {
             lines.add("share", rests_on, fmt::format("claim={}", first_claim + i));
             const double error = goal * nearest(values[i]);
-            head += fmt::format("claim {} n={:x} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, areas[i].load.get_str(),
-                                named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
+            const std::string p = areas[i].p == 0 ? "" : fmt::format(" p={}", areas[i].p.get_str());
+            head += fmt::format("claim {} n={:x}{} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, p,
+                                areas[i].load.get_str(), named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
         }
         head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares={}\n",
                             section, first, lines.count(), rests_on.size() - 1, areas.size());
