@@ -3,8 +3,8 @@
 
 B_m(x) = A_m at load x, B_(m+1) = T B_m, (T f)(x) = (1/pi) int f(y) dtheta over 0 < theta < pi, c = cos theta,
     y^2 = z(c) = ((x + c)/G)^2 where x >= 1,   z(c) = (1 + c)(2 x - 1 + c)/G^2 where x < 1, and f counts as 0 where that is negative.
-V_m are polynomials of z = y^2 on panels of y, any; what is proved, on intervals J of x that this program chooses, is D_m >= |V_m - T V_(m-1)|, D_0 >= |V_0 - B_0|.
-As T is positive, |B_n - T V_(n-1)| <= sum T^(n-m) D_m (G).
+V_m are polynomials of z = y^2 on panels of y, any; what is proved, on intervals J of x that this program chooses, is
+D_m >= |V_m - T V_(m-1)|, D_0 >= |V_0 - B_0|. As T is positive, |B_n - T V_(n-1)| <= sum T^(n-m) D_m (G).
 
 Fixed point: an integer stands for that many units 2^-bits. Bounds are fractions or integers rounded up.
 """
@@ -21,6 +21,7 @@ RHO = 4                     # the ellipses on which the defects are bounded: the
 REACH = Fraction(17, 8)     # (RHO + 1/RHO)/2
 MOST_POINTS = 48            # on one interval J
 MOST_INTERVALS = 2000       # of one panel
+CONTINUED = 8               # a polynomial that is continued is at most 2^CONTINUED times sum |c_k|
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
@@ -94,7 +95,8 @@ class Trigonometry:
         return 2 * self.angle(isqrt(less << self.bits), isqrt(more << self.bits))
 
     def gauss(self, K):
-        """(I): points 0 < t < 1 and weights, symmetric, that integrate polynomials of degree < 2K; found by Newton's method, and tried on Chebyshev's polynomials"""
+        """(I): points 0 < t < 1 and weights, symmetric, that integrate polynomials of degree < 2K; found by Newton's method, and tried on
+        Chebyshev's polynomials"""
         if K not in self.rules:
             bits, pairs = self.bits, []
             for j in range(K // 2):
@@ -114,7 +116,7 @@ class Trigonometry:
                     for _ in range(i):
                         T, before = (2 * t * T >> bits) - before, T
                     total += 2 * w * T >> bits
-                if abs(total * (1 - i * i) - (2 << bits)) > (1 << 40) * K * i + (1 << 20):
+                if abs(total * (1 - i * i) - (2 << bits)) > 64 * (K * i * i + 1) * (i * i + 1):
                     raise Refused("a rule of Gauss does not integrate what it should")
             self.rules[K] = pairs
         return self.rules[K]
@@ -135,7 +137,7 @@ def cosine(x):
 
 
 def quarters(A):
-    """a number of quarters of log2, rho <= 2^(quarters/4), for rho + 1/rho = 2 A, A in units 2^-32: Chebyshev's T_k is at most rho^k on that ellipse"""
+    """a number of quarters of log2, rho <= 2^(quarters/4), for rho + 1/rho = 2 A, A in units 2^-32: |T_k| <= rho^k on that ellipse"""
     rho, j = A + isqrt(max(0, A * A - (1 << 64))) + 2, 0
     while QUARTERS[j] < rho:
         j += 1
@@ -156,19 +158,21 @@ def lebesgue(count):
 
 
 class Mesh:
-    """V_0 ... V_(levels-1) on panels edges[p] <= y <= edges[p+1]: 2^lift[m] V_m = sum c_k T_k((y^2 - middle)/half), lift[m] = m rise/16 rounded down,
-    the c_k in units 2^-kept. All values and bounds of a level are those of 2^lift V, so that late levels, small as G^-m, are as accurate as the
-    first. `accuracy`: what is aimed at, 2^-accuracy."""
+    """V_0 ... V_(levels-1) on panels edges[p] <= y <= edges[p+1]: 2^lift[m] V_m = sum c_k T_k((y^2 - middle)/half), lift[m] = m rise/16
+    rounded down, the c_k in units 2^-kept. All values and bounds of a level are those of 2^lift V, so that late levels, small as G^-m, are
+    as accurate as the first. `accuracy`: what is aimed at, 2^-accuracy."""
 
     def __init__(self, G, pressure, bits, edges, places, series, kept, accuracy, rise):
         self.trig = Trigonometry(bits)
-        self.bits, self.one, self.edges, self.places, self.series, self.kept, self.accuracy = bits, 1 << bits, edges, places, series, kept, accuracy
+        self.bits, self.one, self.kept, self.accuracy = bits, 1 << bits, kept, accuracy
+        self.edges, self.places, self.series = edges, places, series
         self.levels, self.terms, self.points = len(series[0]), len(series[0][0]), {}
         self.lift = [m * rise // 16 for m in range(self.levels)]
         self.up = [b - a for a, b in zip(self.lift, self.lift[1:])]
         Interval.bits = bits + 64
         self.G, self.inverse, self.P = fixed(G, bits), fixed(1 / G.square(), bits), fixed(Interval.of(pressure), bits)
-        if not (0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:])) and edges[-1] >= self.one and all(half > 0 for _, half in places)):
+        rising = 0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:]))
+        if not rising or edges[-1] < self.one or any(half <= 0 for _, half in places):
             raise Refused("not a mesh")
         if (edges[-1] + self.one) << bits > (self.G - 1) * edges[-1]:
             raise Refused("ratios leave the mesh")
@@ -184,12 +188,10 @@ class Mesh:
 
     def rounding(self):
         """(L): of V where it is evaluated, in one row, and of the ends of pieces"""
-        slope, wide = 0, (self.edges[-1] >> self.bits) + 2
-        for c_of_level, (_, half) in zip(self.series, self.places):
-            steepest = max(sum(k * k * abs(c) for k, c in enumerate(cs)) for cs in c_of_level)
-            slope = max(slope, steepest * (1 + (64 * wide * wide << self.bits) // half))
+        wide = (self.edges[-1] >> self.bits) + 2
+        slope = max(Fraction(2) ** lg[0] * (1 + (64 * wide * wide << self.bits) // half) for lg, (_, half) in zip(self.lg, self.places))
         ends = Fraction(len(self.series) + 2, 2 ** (self.bits // 2 - 8)) * 2**max(0, self.largest)
-        return Fraction(slope, 2 ** (self.kept + self.bits - 2)) + ends
+        return slope * self.terms**2 * Fraction(2) ** (CONTINUED + 2 - self.bits) + ends
 
     def panel(self, y):
         """the panel of y, -1 below the first"""
@@ -226,7 +228,8 @@ class Mesh:
         return ((x + self.one) << self.bits) // self.G if x >= self.one else (2 * isqrt(x << self.bits) << self.bits) // self.G
 
     def row(self, x, low, high):
-        """T V_m at x, all m, fractions, with the polynomials of the panels low and high continued to the ends of the wave; low = -1: 0 there"""
+        """T V_m at x, all m, in units 2^-(bits + kept), with the polynomials of the panels low and high continued to the ends of the wave;
+        low = -1: 0 there"""
         a = self.trig.pi if x >= self.one and low >= 0 else self.theta(x, self.edges[max(low, 0)])
         totals = [0] * self.levels
         for p in range(max(low, 0), high + 1):
@@ -274,7 +277,8 @@ class Mesh:
                     sums[i] += u
 
     def order(self, x, p, eta, cosine_at, sine_at):
-        """(I): the least number of points with which Gauss's rule is good enough, an even one; by |cos(t + d) - cos t| <= |cos t| (cosh |d| - 1) + sin t sinh |d|"""
+        """(I): the least number of points, an even one, with which Gauss's rule is good enough; by
+        |cos(t + d) - cos t| <= |cos t| (cosh |d| - 1) + sin t sinh |d|"""
         one, middle, half = self.one, *self.places[p]
         square = (x + cosine_at) ** 2 if x >= one else (one + cosine_at) * (2 * x - one + cosine_at)
         z = (square >> self.bits) * self.inverse >> self.bits
@@ -345,7 +349,10 @@ class Mesh:
         if p < 0:
             return -self.kept
         t = max(abs(self.local(p, y * y >> self.bits)) for y in (y1, y2))
-        return self.lg[p][quarters(axis((t >> self.bits - 32) + 1, (moved << 32) // self.places[p][1] + 1))]
+        size = self.lg[p][quarters(axis((t >> self.bits - 32) + 1, (moved << 32) // self.places[p][1] + 1))]
+        if size > self.lg[p][0] + CONTINUED:
+            raise Far
+        return size
 
     def disc(self, p, x1, x2):
         """(J), (K): the panels low, high that are continued, log2 of the bound on the disc"""
@@ -393,7 +400,8 @@ class Mesh:
                 worst[m] = max(worst[m], abs((after[m] << self.up[m]) - here[m + 1]))
         L = lebesgue(count)
         beyond = (1 + L) * 2 * Fraction(2) ** (log_size - 2 * (count - 1)) / 3
-        return [L * (Fraction(w, unit) + (2 * self.round + self.quadrature) * 2**up) + beyond + o / unit for w, o, up in zip(worst, off, self.up)]
+        each = 2 * self.round + self.quadrature
+        return [L * (Fraction(w, unit) + each * 2**up) + beyond + o / unit for w, o, up in zip(worst, off, self.up)]
 
     def between(self, p, x1, x2):
         """|V_m - v| for any v between T V_(m-1)(x1) and T V_(m-1)(x2), m = 1 ... levels: with (G) and monotony a bound of |V_m - B_m|"""
@@ -404,10 +412,12 @@ class Mesh:
             here = self.values(p, z)
             for m in range(self.levels - 1):
                 worst[m] = max(worst[m], *(abs(v - here[m + 1]) for v in ends[m]))
-        return [lebesgue(self.terms) * (Fraction(w, unit) + self.round) + (self.quadrature + self.round) * 2**up for w, up in zip(worst, self.up)]
+        L, each = lebesgue(self.terms), self.quadrature + self.round
+        return [L * (Fraction(w, unit) + self.round) + each * 2**up for w, up in zip(worst, self.up)]
 
     def cover(self, p, bound, hole):
-        """bound(x1, x2) on intervals that cover the panel, cut at 1; hole(x1, x2) where one is too narrow for that. Returns the largest, all m, and the holes with their widths."""
+        """bound(x1, x2) on intervals that cover the panel, cut at 1; hole(x1, x2) where one is too narrow for that. Returns the largest,
+        all m, and the holes with their widths."""
         a, b = self.edges[p], self.edges[p + 1]
         stack, largest, holes = [(a, self.one), (self.one, b)] if a < self.one < b else [(a, b)], [], []
         for _ in range(MOST_INTERVALS):
@@ -467,7 +477,8 @@ class Mesh:
     def effects(self):
         """(G), (H): sup T D_m, all m"""
         below, above = self.reach(Fraction(self.edges[0], self.one)), self.reach(Fraction(self.edges[-1], self.one))
-        parts, effects = [[(below[m + 1] * 2**lift, self.edges[0], False)] for m, lift in enumerate(self.lift)], []  # V_m = 0 there, and B_m = T^(m+1) 1
+        # Below the first panel V_m = 0 and B_m <= T^(m+1) 1.
+        parts, effects = [[(below[m + 1] * 2**lift, self.edges[0], False)] for m, lift in enumerate(self.lift)], []
         for p, (low, high) in enumerate(zip(self.edges, self.edges[1:])):
             share = self.share(high - low)
             wanted = (share.denominator // share.numerator).bit_length() - 1 - self.accuracy
@@ -480,10 +491,10 @@ class Mesh:
             # a hole bounds |V_m - v|, and |B_m - v| is at most what is known of the levels before
             known = sum(effects[k] * above[m - 1 - k] * 2 ** (self.lift[m] - self.lift[k]) for k in range(m))
             least, sum_of_larger = [], Fraction(0)
-            for d, share in [*sorted(((d + known * hole, self.share(w)) for d, w, hole in of_level), reverse=True), (Fraction(0), Fraction(0))]:
+            for d, share in sorted(((d + known * hole, self.share(w)) for d, w, hole in of_level), reverse=True):
                 least.append(d + sum_of_larger)
                 sum_of_larger += d * share
-            effects.append(min(least))
+            effects.append(min(*least, sum_of_larger))
         return effects
 
     def reach(self, x):
@@ -501,7 +512,8 @@ class Mesh:
         rows = [self.exact_row(x) for x in {below, -(-load * 2**self.bits // 1)}]  # B_n increases
         for k in range(1, n + 1):
             units = 1 << self.bits + self.kept + self.lift[k - 1]
-            error = (2 * self.round + self.quadrature) / 2 ** self.lift[k - 1] + sum(effects[m] * reach[k - 1 - m] / 2 ** self.lift[m] for m in range(k))
+            error = sum(effects[m] * reach[k - 1 - m] / 2 ** self.lift[m] for m in range(k))
+            error += (2 * self.round + self.quadrature) / 2 ** self.lift[k - 1]
             low, high = (Fraction(which(row[k - 1] for row in rows), units) for which in (min, max))
             if not self.P and k < self.levels:
                 reach[k + 1] = min(reach[k + 1], high + error)  # T^(k+1) 1 = B_k for areas

@@ -21,7 +21,7 @@ constexpr double smallest = 1e-14; ///< shares
 struct Choices {
     long accuracy;                                  ///< defects are looked into down to 2^-accuracy
     long rise;                                      ///< 2^(m rise/16) V_m is written, for B_m falls like G^-m
-    long bits() const { return 2 * accuracy + 48; } ///< a root at an end of a wave loses half of them
+    long bits() const { return 2 * accuracy + 64; } ///< a root at an end of a wave loses half of them
     long lift(long m) const { return m * rise / 16; }
 };
 
