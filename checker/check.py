@@ -141,17 +141,17 @@ def main():
             worst = max(worst, 65)
             continue
         step = max(1, -(-len(rows) // arguments.limit)) if arguments.limit else 1
-        count, least = {}, inf
+        count, least, none = {}, inf, True
         for number, row in enumerate(rows[::step]):
             said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
             count[said] = count.get(said, 0) + 1
-            least = min(least, digits or inf)
+            least, none = min(least, digits or inf), none and not digits
             if said in ("wrong", "unreadable") or said == "undecided" and not digits:
                 print(f"{path}: row {number * step + 1}: {said}: {row}", file=sys.stderr)
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)
         right = count.get("right", 0)
         asked = len(rows[::step])
-        print(f"{header['name']:30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {'exact' if least == inf else least:>6}", flush=True)
+        print(f"{header['name']:30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {'-' if none else 'exact' if least == inf else least:>6}", flush=True)
         if wrong:
             worst = max(worst, 1)
     return worst

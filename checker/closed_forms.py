@@ -396,5 +396,6 @@ FORMS = {
     "segments.max_half_width": max_half_width,
     "contact.area": contact_area, "contact.exceedance": contact_exceedance, "contact.density": contact_density,
     "segments.count": segments_count, "segments.density": segments_density,
-    **dict.fromkeys(("limit.area_constant", "limit.area_ratio", "limit.gap", "limit.scale"), lambda *_: None),
+    **dict.fromkeys((f"limit.{name}" for name in ("area_constant", "area_ratio", "gap", "scale", "exceedance", "force", "density", "distance", "segments")),
+                    lambda *_: None),
 }
