@@ -63,6 +63,8 @@ with tempfile.TemporaryDirectory() as scratch:
     offered = run("bash", "-c", f'source "{completion}"; COMP_WORDS=(touchstone ev); COMP_CWORD=1; _touchstone; echo "${{COMPREPLY[@]}}"')
     if offered.split() != ["eval"]:
         sys.exit(f"completion offers {offered}")
+    if '"spdxVersion": "SPDX-2.3"' not in (root / "usr/share/doc/touchstone/touchstone.spdx.json").read_text():
+        sys.exit("no list of what the program is made of")
     use = pathlib.Path(scratch) / "use.c"
     use.write_text('#include <touchstone.h>\n#include <stdio.h>\nint main(void) { touchstone_value* v; if (touchstone_eval("archard.K", "n=3", 9, 0, &v, 0, 0)) return 1; puts(touchstone_decimal(v)); touchstone_free(v); return 0; }\n')
     run("cc", "-o", f"{scratch}/use", use, f"-I{root}/usr/include", f"-L{library}", "-ltouchstone")
