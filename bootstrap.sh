@@ -18,7 +18,7 @@ say() { printf '\n== %s\n' "$*"; }
 packages=(g++ cmake ninja-build ccache pkg-config
   libgmp-dev libmpfr-dev libflint-dev libboost-dev libginac-dev libcln-dev libgsl-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev doctest-dev gnuplot-nox fonts-dejavu-core blahtexml)
-if [ "$mode" = test ]; then packages+=(python3 python3-venv python3-pip python3-pytest gfortran parallel tidy mkdocs doxygen); fi
+if [ "$mode" = test ]; then packages+=(python3 python3-venv python3-pip python3-pytest gfortran parallel slurm-wlm strace tidy mkdocs doxygen); fi
 if [ "$mode" = prove ]; then packages=(coq libcoq-interval libcoq-coquelicot libcoq-flocq libcoq-gappa gappa python3); fi
 # Arb is a package of its own until FLINT 3 took it in
 if [ "$mode" != prove ] && apt-cache show libflint-arb-dev >/dev/null 2>&1; then packages+=(libflint-arb-dev); fi
