@@ -8,6 +8,7 @@
 #include "touchstone/table/working_order.hpp"
 #include "verify/eval.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/files.hpp"
 #include "verify/own_rows.hpp"
 #include "verify/progress.hpp"
 #include "verify/row_table.hpp"
@@ -25,6 +26,8 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <thread>
+#include <vector>
 
 namespace touchstone::program {
 namespace {
@@ -106,6 +109,37 @@ void work(const std::shared_ptr<Window>& w, const Job& job)
     flint_cleanup(); // this thread's caches of constants
 }
 
+/// The threads of a window. However it is left, by a disk that is full too, they take no more rows and are waited for.
+class Workers {
+public:
+    Workers(std::shared_ptr<Window> w, const Job& job)
+        : window_(std::move(w))
+    {
+        const std::size_t wanted = std::min<std::size_t>(job.threads, window_->order.size());
+        for (std::size_t k = 0; k < wanted; ++k) threads_.emplace_back([w = window_, job] { work(w, job); });
+    }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+    ~Workers() { stop(); } // then the threads are joined
+    void stop()
+    {
+        const std::lock_guard lock(window_->mutex);
+        window_->next = window_->order.size();
+    }
+    void join()
+    {
+        for (auto& t : threads_) t.join();
+    }
+    void detach()
+    {
+        for (auto& t : threads_) t.detach();
+    }
+
+private:
+    std::shared_ptr<Window> window_;
+    std::vector<std::jthread> threads_;
+};
+
 class RowsRun {
 public:
     /// \param share nullptr: all rows
@@ -179,9 +213,7 @@ private:
     void one_window()
     {
         const auto w = read();
-        std::vector<std::thread> threads;
-        const std::size_t wanted = std::min<std::size_t>(job_.threads, w->order.size());
-        for (std::size_t k = 0; k < wanted; ++k) threads.emplace_back([w, job = job_] { work(w, job); });
+        Workers workers(w, job_);
         std::size_t written = 0;
         {
             std::unique_lock lock(w->mutex);
@@ -201,13 +233,10 @@ private:
                     if (w->done[written] != 0) put(*w, written);
                 ended_ = true;
             }
-            w->next = w->order.size();
         }
-        if (interrupted != 0) {
-            for (auto& t : threads) t.detach();
-            return;
-        }
-        for (auto& t : threads) t.join();
+        workers.stop();
+        if (interrupted != 0) return workers.detach();
+        workers.join();
         if (w->failure) {
             table_->finish(false);
             std::rethrow_exception(w->failure);
@@ -230,10 +259,10 @@ private:
     {
         table_->finish(false);
         progress_.reset();
-        fmt::print(stderr, "touchstone: interrupted; {} rows are done{}\n", table_->rows(),
+        remark(fmt::format("touchstone: interrupted; {} rows are done{}\n", table_->rows(),
                    share_ != nullptr ? ", and nothing is kept of a share broken off"
                    : o_.out.empty()  ? ""
-                                     : fmt::format(" and in {}: the same command with --resume goes on", o_.out));
+                                     : fmt::format(" and in {}: the same command with --resume goes on", o_.out)));
     }
 
     const Interrupts guard_; ///< before the table's file exists

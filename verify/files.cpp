@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr int most_links = 40; ///< as the kernel has it
 constexpr mode_t permissions = 07777;
+constexpr int most_leftovers = 1000; ///< temporary files of dead writers that are passed by
 
 Failure not_written(const fs::path& path, int error)
 {
@@ -101,18 +102,29 @@ void write_through(const fs::path& path, const fs::path& named, const std::strin
 void write_to_descriptor(int descriptor, const fs::path& named, const std::string& bytes)
 {
     const NoBrokenPipe quiet;
-    std::fflush(nullptr); // what was printed before comes before
+    flush_output(); // what was printed before comes before
     File file(::dup(descriptor));
     if (!file.open()) throw not_written(named, errno);
     if (const int error = file.write(bytes)) throw not_written(named, error);
 }
 
+/// A file that was not there, beside `path`; or -1. In containers every run may have the same process number, and so a name that a dead or a
+/// distant writer has taken is passed by: to remove it would take it from under one that lives.
+int open_temporary(const fs::path& path, mode_t mode, fs::path& temporary)
+{
+    for (int k = 0;; ++k) {
+        temporary = path.string() + fmt::format(".tmp{}-{}", ::getpid(), k);
+        const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+        if (descriptor >= 0 || errno != EEXIST || k == most_leftovers) return descriptor;
+    }
+}
+
 /// A new file in place of the old, with the old one's mode and owner: false if the folder does not let us.
 bool replace(const fs::path& path, const fs::path& named, const std::string& bytes, const struct stat* before)
 {
-    const fs::path temporary = path.string() + fmt::format(".tmp{}", ::getpid());
     const mode_t mode = before != nullptr ? before->st_mode & permissions : 0666;
-    File file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+    fs::path temporary;
+    File file(open_temporary(path, mode, temporary));
     if (!file.open()) {
         if (before != nullptr && (errno == EACCES || errno == EPERM || errno == EROFS)) return false;
         throw not_written(named, errno);
@@ -138,7 +150,18 @@ bool replace(const fs::path& path, const fs::path& named, const std::string& byt
     return false;
 }
 
+int first_output_error = 0;
+
 } // namespace
+
+void remark(const std::string& text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
+
+void flush_output()
+{
+    if (std::fflush(stdout) != 0 && first_output_error == 0) first_output_error = errno;
+}
+
+int output_error() { return first_output_error != 0 ? first_output_error : std::ferror(stdout) != 0 ? EIO : 0; }
 
 void write_file(const fs::path& named, const std::string& bytes)
 {

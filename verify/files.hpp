@@ -18,6 +18,13 @@ inline constexpr std::size_t longest_file = std::size_t{256} << 20;
 /// \throws Failure (cannot_write) with the system's reason
 void write_file(const std::filesystem::path&, const std::string& bytes);
 
+/// To standard error, for a reader who may not be there: where it cannot be written, the work goes on all the same.
+void remark(const std::string& text);
+
+/// What is printed so far goes out. Why it cannot is kept, since work that goes on would be lost with it: output_error() says it at the end (0: all is out).
+void flush_output();
+int output_error();
+
 /// \throws Failure: no_input_file if there is none, bad_input with the system's reason if it cannot be read or has no end
 std::string read_file(const std::filesystem::path&);
 

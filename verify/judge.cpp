@@ -153,12 +153,12 @@ void update_baseline(const JudgeOptions& o, const Case& c, const StoredTable& ta
     const oracle::Baseline after = reached(c, table);
     std::size_t counts[4]{};
     for (const auto& line : differences(before, after)) {
-        if (line.starts_with("raised")) fmt::print(stderr, "touchstone: {}: {}\n", o.baseline, line);
+        if (line.starts_with("raised")) remark(fmt::format("touchstone: {}: {}\n", o.baseline, line));
         ++counts[line.starts_with("raised") ? 0 : line.starts_with("lowered") ? 1 : line.starts_with("new") ? 2 : 3];
     }
     write_file(o.baseline, after.text());
-    fmt::print(stderr, "touchstone: {} written: {} rows, {} raised, {} lowered, {} new, {} gone\n", o.baseline, after.bounds.size(),
-               counts[0], counts[1], counts[2], counts[3]);
+    remark(fmt::format("touchstone: {} written: {} rows, {} raised, {} lowered, {} new, {} gone\n", o.baseline, after.bounds.size(), counts[0], counts[1],
+                       counts[2], counts[3]));
 }
 
 oracle::Baseline stored_baseline(const JudgeOptions& o, const StoredTable& table)

@@ -6,6 +6,7 @@
 #include "touchstone/table/rows.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/files.hpp"
 #include "verify/progress.hpp"
 
 #include <CLI/CLI.hpp>
@@ -36,7 +37,7 @@ int complain(int code, std::string message)
 {
     for (char& c : message)
         if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    fmt::print(stderr, "touchstone: {}\n", message);
+    remark("touchstone: " + message + "\n");
     return code;
 }
 
@@ -44,8 +45,8 @@ int guarded(const Run& run)
 {
     try {
         const int code = run();
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-            return complain(cannot_write, fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+        flush_output();
+        if (const int error = output_error()) return complain(cannot_write, fmt::format("standard output cannot be written: {}", std::strerror(error)));
         return code;
     }
     catch (const Failure& f) {

@@ -201,7 +201,7 @@ int merge(const std::string& folder)
     }
     if (!complaints.empty()) {
         if (arrays.size() == 1 && all.size() == 1) fmt::print("{}\n", arrays.front()); // for sbatch $(touchstone merge DIR) job.sh
-        std::fflush(stdout);
+        flush_output();
         throw Failure(faulty ? bad_input : fails, fmt::format("{}", fmt::join(complaints, " | ")));
     }
     bool any_undecided = false;

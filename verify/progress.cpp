@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/progress.hpp"
 
+#include "verify/files.hpp"
+
 #include "touchstone/quadrature/progress.hpp"
 #include "touchstone/transfer/progress.hpp"
 
@@ -88,7 +90,7 @@ public:
     }
     void clear()
     {
-        if (drawn_) fmt::print(stderr, "\r\033[K");
+        if (drawn_) remark("\r\033[K");
         std::fflush(stderr);
         drawn_ = false;
     }
@@ -101,8 +103,8 @@ public:
         last_ = Clock::now();
         const double share = shown_ = std::max(shown_, share_now());
         const std::string text = line(share);
-        if (!terminal_) fmt::print(stderr, "touchstone: {}\n", text);
-        else fmt::print(stderr, "\r\033[K{}", (bar(share) + text).substr(0, columns() - 1));
+        if (!terminal_) remark("touchstone: " + text + "\n");
+        else remark("\r\033[K" + (bar(share) + text).substr(0, columns() - 1));
         drawn_ = terminal_;
         std::fflush(stderr);
     }

@@ -9,6 +9,10 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <openssl/evp.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -68,6 +72,23 @@ std::string longest_of(const std::vector<std::string>& paths)
 Failure not_written(const std::string& path)
 {
     return Failure(cannot_write, fmt::format("cannot write {}: {}", path, std::strerror(errno)));
+}
+
+/// FILE.part, held so that no other run writes FILE meanwhile: a descriptor, to be closed when FILE is there. \throws Failure
+int held(const std::string& path)
+{
+    for (;;) {
+        const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (descriptor < 0) throw not_written(path);
+        struct stat ours{}, there{};
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            ::close(descriptor);
+            throw Failure(cannot_write, fmt::format("cannot write {}: another run is writing it", path));
+        }
+        // else it is held; or the file system knows no locks, and two runs at once are the user's to avoid
+        if (::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino) return descriptor;
+        ::close(descriptor); // another run has just finished with it
+    }
 }
 
 } // namespace
@@ -153,6 +174,7 @@ RowTable::RowTable(RowTableKind kind, std::string out, bool resume)
         if (fs::is_symlink(out_, error)) out_ = fs::canonical(out_, error).string();
         part_ = out_ + ".part";
         if (resume) open_before(longest_of({out_, part_, out_ + ".part2"}));
+        held_ = held(out_ + ".part");
         file_ = std::fopen(part_.c_str(), "wb");
         if (file_ == nullptr) throw not_written(part_);
     }
@@ -177,6 +199,7 @@ void RowTable::open_before(const std::string& path)
 RowTable::~RowTable()
 {
     if (file_ != stdout && file_ != nullptr) std::fclose(file_);
+    if (held_ >= 0) ::close(held_);
 }
 
 void RowTable::put(const std::string& bytes)
@@ -264,21 +287,26 @@ void RowTable::finish(bool complete)
         return;
     }
     if (std::fclose(std::exchange(file_, nullptr)) != 0) throw not_written(part_);
+    std::error_code error;
+    std::string whole = part_;
     if (!kind_.json) { // the same rows under a first page that knows them
-        const std::string whole = part_ + ".whole";
+        whole += ".whole";
         std::ifstream rows(part_, std::ios::binary);
         rows.seekg(static_cast<std::streamoff>(header("").size()));
         std::ofstream to(whole, std::ios::binary);
         to << header(said);
         if (rows_ > 0) to << rows.rdbuf();
         to.close();
-        if (!to || !rows) throw not_written(whole);
-        fs::rename(whole, part_);
+        if (!to || !rows) {
+            const Failure why = not_written(whole);
+            fs::remove(whole, error);
+            throw why;
+        }
     }
-    std::error_code error;
-    fs::rename(part_, out_, error);
+    fs::rename(whole, out_, error);
     if (error) throw Failure(cannot_write, fmt::format("cannot write {}: {}", out_, error.message()));
-    for (const char* ending : {".part", ".part2"}) fs::remove(out_ + ending, error);
+    fs::remove(out_ + ".part2", error);
+    if (whole != out_ + ".part") fs::remove(out_ + ".part", error); // else it is FILE now, and one that is there another run's
 }
 
 } // namespace touchstone::program

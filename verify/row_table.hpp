@@ -70,7 +70,7 @@ protected:
 };
 
 /// The table on standard output, whose last line says how many rows and which hash, or in a file: there it grows in FILE.part and becomes
-/// FILE, with the same in its first lines, once it is finished or broken off.
+/// FILE, with the same in its first lines, once it is finished or broken off. A second run for the same FILE is refused meanwhile.
 class RowTable : public RowSink {
 public:
     /// \param out empty: standard output \throws Failure (cannot_write)
@@ -97,6 +97,7 @@ private:
     std::string out_, part_;
     bool stream_ = false;                      ///< standard output, a device or a pipe: written through
     std::FILE* file_ = nullptr;
+    int held_ = -1;                            ///< FILE.part, locked: two runs that write one table would mix their rows
     std::unique_ptr<std::ifstream> before_;    ///< the table taken up again
     std::string kept_line_, kept_words_, kept_status_;
     std::unique_ptr<Hash> hash_;

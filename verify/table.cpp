@@ -120,7 +120,7 @@ int renew_forced(const TableOptions& o)
                          {"status", nlohmann::json::parse(stored.header_json).at("status")},
                          {"sha256", sha256(renewed)}});
         fmt::print("{:<28} {:>5} rows, {}\n", spec->name + ".txt", stored.rows.size(), renewed == text ? "unchanged" : "written");
-        std::fflush(stdout);
+        flush_output();
     }
     if (fs::exists(fs::path(o.out) / "manifest.txt.json")) renew_manifest(o.out, "txt", fresh);
     return holds;
@@ -204,7 +204,7 @@ int make_tables(const TableOptions& o)
         else write_file(path, text);
         fmt::print("{:<28} {:>5} rows, {:>4} digits, {}, {} ({:.1f} s)\n", file, t.rows.size(), t.digits, to_string(t.status()), verdict,
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-        std::fflush(stdout); // minutes may pass until the next
+        flush_output(); // minutes may pass until the next
     }
     const fs::path manifest_path = fs::path(o.out) / ("manifest." + o.format + ".json");
     if (!o.out.empty() && (whole_set || (!o.check && (!own.empty() || fs::exists(manifest_path))))) {
