@@ -4,6 +4,7 @@
 /// Rows are read a window at a time, so that a million of them take no memory; in a window they are computed in the order in which most is
 /// shared (touchstone/table/working_order.hpp), on several threads, and written as soon as all rows before them are.
 /// An interrupt writes what is done, leaving out what is not, and ends the program at once: a row may take minutes.
+#include "touchstone/scalar/thread_caches.hpp"
 #include "touchstone/table/rows.hpp"
 #include "touchstone/table/working_order.hpp"
 #include "verify/eval.hpp"
@@ -82,6 +83,7 @@ struct Job {
 /// What one thread does, until no row of the window is left. It owns its share of the window: the program may end before it does.
 void work(const std::shared_ptr<Window>& w, const Job& job)
 {
+    release_caches_with_thread();
     std::unique_lock lock(w->mutex);
     while (w->next < w->order.size() && !w->failure) {
         const std::size_t i = w->order[w->next++];
@@ -105,8 +107,6 @@ void work(const std::shared_ptr<Window>& w, const Job& job)
         }
         w->changed.notify_all();
     }
-    lock.unlock();
-    flint_cleanup(); // this thread's caches of constants
 }
 
 /// The threads of a window. However it is left, by a disk that is full too, they take no more rows and are waited for.

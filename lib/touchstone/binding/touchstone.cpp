@@ -3,6 +3,7 @@
 
 #include "touchstone/catalogue/directed.hpp"
 #include "touchstone/catalogue/named_inputs.hpp"
+#include "touchstone/scalar/thread_caches.hpp"
 #include "touchstone/table/format.hpp"
 #include "touchstone/table/working_order.hpp"
 
@@ -45,6 +46,7 @@ template <class Run>
 int guarded(char* message, std::size_t size, Run&& run) noexcept
 {
     try {
+        release_caches_with_thread(); // threads are the caller's, and what we had FLINT keep for them is ours
         return run();
     }
     catch (const WrongKeys& e) {

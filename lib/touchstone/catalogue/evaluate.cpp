@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/evaluate.hpp"
 
+#include "touchstone/scalar/thread_caches.hpp"
+
 #include <fmt/format.h>
 
 #include <future>
@@ -51,9 +53,8 @@ template <class F>
 auto start(bool own_thread, F f)
 {
     return std::async(own_thread ? std::launch::async : std::launch::deferred, [own_thread, f] {
-        auto result = f();
-        if (own_thread) flint_cleanup(); // the thread's caches of constants end with it
-        return result;
+        if (own_thread) release_caches_with_thread();
+        return f();
     });
 }
 

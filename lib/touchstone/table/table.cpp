@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/table/table.hpp"
 
+#include "touchstone/scalar/thread_caches.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -33,6 +35,7 @@ Table compute(const TableSpec& spec, long digits, unsigned jobs,
     std::exception_ptr failure;
     std::mutex mutex;
     const auto work = [&] {
+        release_caches_with_thread();
         for (std::size_t i; (i = next++) < grid.size();) {
             try {
                 std::map<std::string, Rational> values;
@@ -52,7 +55,6 @@ Table compute(const TableSpec& spec, long digits, unsigned jobs,
             ++done;
             if (progress) progress(done, grid.size());
         }
-        flint_cleanup(); // this thread's caches of constants
     };
     {
         std::vector<std::jthread> threads;

@@ -3,6 +3,8 @@
 /// A loop on all cores. Internal to transfer/.
 #pragma once
 
+#include "touchstone/scalar/thread_caches.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -33,7 +35,11 @@ void in_parallel(std::size_t count, const Work& work)
     {
         std::vector<std::jthread> others;
         const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-        for (std::size_t k = 1; k < std::min(cores, count / 4); ++k) others.emplace_back(run);
+        for (std::size_t k = 1; k < std::min(cores, count / 4); ++k)
+            others.emplace_back([&] {
+                release_caches_with_thread();
+                run();
+            });
         run();
     }
     if (thrown) std::rethrow_exception(thrown);
