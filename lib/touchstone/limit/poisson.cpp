@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 namespace touchstone::limit {
 namespace {
@@ -212,34 +213,81 @@ Found search(const Rules& rules, const First& first, const std::vector<Ball>& of
 
 // ---- the proof
 
-/// sup |V_1 - V_0/G + P - c x| on a panel, V_0 = G Phi, P the polynomial near f: polynomials of z, and c z^(1/2), at Chebyshev points of
-/// the panel; what these leave of z^(1/2), |z^(1/2)| <= (2 z1)^(1/2) on an ellipse that stays away from 0, is charged.
-double polynomial_defect(const Found& f, std::size_t panel, const Check& check)
-{
-    const WorkingPrecision precision(160);
-    const Panel& p = f.steps->panels[panel];
-    const Ball centre = to_ball(p.centre), half = to_ball(p.half), low = to_ball(p.z0), high = to_ball(p.z1), c = to_ball(f.c), G = to_ball(f.steps->G);
-    const Ball middle = (low + high) / 2, radius = (high - low) / 2;
-    const Ball left = middle - radius * Ball::exactly(check.spread); // of the ellipse
-    if (!certainly(less(Ball(0), left))) return infinite;
-    const auto series = [&](const Layer& of, int m, const Ball& local) {
-        Ball before(0), now(0);
-        for (int k = of.orders.terms - 1; k > 0; --k) {
-            const Ball next = 2 * local * now - before + to_ball(of.coefficients[of.row(panel, k) + static_cast<std::size_t>(m)]);
-            before = now;
-            now = next;
-        }
-        return local * now - before + to_ball(of.coefficients[of.row(panel, 0) + static_cast<std::size_t>(m)]);
-    };
-    double most = 0;
-    for (std::size_t n = 0; n < check.points.at.size(); ++n) {
-        const Ball z = middle + radius * to_ball(check.points.at[n]), local = (z - centre) / half;
-        const Ball off = abs(series(*f.steps, 1, local) - series(*f.steps, 0, local) / G + series(*f.area, 0, local) - c * sqrt(z));
-        if (!off.is_finite()) return infinite;
-        most = std::max(most, arf_get_d(arb_midref(off.get()), ARF_RND_UP) * margin + off.radius_bound());
+/// Balls side by side, for arb_dot.
+class Row {
+public:
+    explicit Row(int count_) : count(count_), values(_arb_vec_init(count)) {}
+    Row(Row&& o) noexcept : count(o.count), values(std::exchange(o.values, nullptr)) {}
+    Row(const Row&) = delete;
+    Row& operator=(const Row&) = delete;
+    Row& operator=(Row&&) = delete;
+    ~Row()
+    {
+        if (values) _arb_vec_clear(values, count);
     }
-    const double of_root = std::fabs(f.c.high) * std::sqrt(2 * p.z1.high) * check.tail;
-    return margin * (check.lebesgue * most + of_root);
+    arb_ptr operator[](int k) { return values + k; }
+    friend Ball operator*(const Row& a, const Row& b) ///< the sum of products
+    {
+        Ball sum;
+        arb_dot(sum.get(), nullptr, 0, a.values, 1, b.values, 1, a.count, WorkingPrecision::bits());
+        return sum;
+    }
+
+private:
+    slong count;
+    arb_ptr values;
+};
+
+/// Chebyshev points of -reach <= local <= reach, and T_k there.
+struct LocalPoints {
+    Ball reach;
+    std::vector<Ball> at{};
+    std::vector<Row> T{};
+    LocalPoints(double reach_, const Check& check, int terms) : reach(Ball::exactly(reach_))
+    {
+        for (std::size_t n = 0; n < check.points.at.size(); ++n) {
+            at.push_back(reach * to_ball(check.points.at[n]));
+            T.emplace_back(terms);
+            for (int k = 0; k < terms; ++k) arb_chebyshev_t_ui(T.back()[k], static_cast<ulong>(k), at.back().get(), WorkingPrecision::bits());
+        }
+    }
+};
+
+/// sup |V_1 - V_0/G + P - c x| on the panels, V_0 = G Phi, P the polynomial near f: one polynomial of z on each of them, and c z^(1/2), at Chebyshev points of an
+/// interval that holds the panel; what these leave of z^(1/2), |z^(1/2)| <= (2 z)^(1/2), z the middle, on an ellipse that stays away from 0, is charged.
+double polynomial_defect(const Found& f)
+{
+    constexpr slong bits = 160;
+    constexpr double slightly_more = 1 + 0x1p-40; // than the panel, whose ends are rounded
+    const WorkingPrecision precision(bits);
+    const int terms = f.steps->orders.terms;
+    const Check check(terms + 28, 2.5); // the polynomials have `terms` terms; the rest is for the root
+    const LocalPoints of_first(slightly_more, check, terms), of_others(slightly_more / overlap, check, terms);
+    const Ball G = to_ball(f.steps->G), c = to_ball(f.c);
+    std::vector<double> defects(f.steps->panels.size());
+    in_parallel(defects.size(), [&](std::size_t panel) {
+        const WorkingPrecision here(bits);
+        const Panel& p = f.steps->panels[panel];
+        const LocalPoints& local = p.first ? of_first : of_others;
+        const Ball middle = to_ball(p.centre), half = to_ball(p.half), radius = half * local.reach, left = middle - radius * Ball::exactly(check.spread); // of the ellipse
+        const bool holds_panel = certainly(less(middle - radius, to_ball(p.z0))) && certainly(less(to_ball(p.z1), middle + radius));
+        defects[panel] = infinite;
+        if (!holds_panel || !certainly(less(Ball(0), left))) return;
+        Row series(terms);
+        for (int k = 0; k < terms; ++k) {
+            const auto coefficient = [&](const Layer& of, int m) { return to_ball(of.coefficients[of.row(panel, k) + static_cast<std::size_t>(m)]); };
+            arb_set(series[k], (coefficient(*f.steps, 1) - coefficient(*f.steps, 0) / G + coefficient(*f.area, 0)).get());
+        }
+        double most = 0;
+        for (std::size_t n = 0; n < local.at.size(); ++n) {
+            const Ball off = abs(series * local.T[n] - c * sqrt(middle + half * local.at[n]));
+            if (!off.is_finite()) return;
+            most = std::max(most, arf_get_d(arb_midref(off.get()), ARF_RND_UP) * margin + off.radius_bound());
+        }
+        const double of_root = std::fabs(f.c.high) * std::sqrt(2 * p.centre.high) * check.tail;
+        defects[panel] = margin * (check.lebesgue * most + margin * of_root);
+    });
+    return *std::max_element(defects.begin(), defects.end());
 }
 
 /// f, divided by `unit`, which is 1 but for densities of small pressures; where it is not smooth, apart from 1; and below which ratio the mesh need not reach.
@@ -289,14 +337,11 @@ Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const 
     of_zero.prove_level_zero(first);
     of_zero.add_up();
     of_step.prove_steps();
-    const Check check(rules.orders.terms + 28, 2.5); // the polynomials have `terms` terms; the rest is for the root
-    std::vector<double> rest(found.steps->panels.size());
-    in_parallel(rest.size(), [&](std::size_t i) { rest[i] = polynomial_defect(found, i, check); });
-
+    const double polynomial = polynomial_defect(found);
     const double reach = highest_ratio(g);                       // the limit law has no ratio above
     const double below = double(found.steps->panels.front().y0); // Phi = P = 0 there
-    Poisson result{to_ball(found.c), 0, first.is_share() ? of_zero.effect(0, reach) : of_zero.second_effect(0, reach), of_step.second_effect(1, reach), *std::max_element(rest.begin(), rest.end()),
-                   margin * (std::fabs(double(found.c)) * below + std::sqrt(below) * found.steps->largest[0]) * largest_share(g, below), rest.size()};
+    Poisson result{to_ball(found.c), 0, first.is_share() ? of_zero.effect(0, reach) : of_zero.second_effect(0, reach), of_step.second_effect(1, reach), polynomial,
+                   margin * (std::fabs(double(found.c)) * below + std::sqrt(below) * found.steps->largest[0]) * largest_share(g, below), found.steps->panels.size()};
     const double sup = (first.is_share() ? 1 : g) * result.level_zero + result.polynomial + result.below + g * result.step;
     result.error = sup <= infinite ? margin * g * g * g * sup : infinite;
     result.c = result.c * Ball::exactly(function.unit);
