@@ -35,6 +35,11 @@ struct Counted {
         const Ball r = sqrt(a.value);
         return rounded(r, a.error / (2 * r));
     }
+    friend Counted inverse_root(const Counted& a)
+    {
+        const Ball r = 1 / sqrt(a.value);
+        return rounded(r, a.error * r / (2 * a.value));
+    }
     /// Relative, in units of u.
     Ball relative() const { return error / abs(value) / 2; }
 };

@@ -49,6 +49,7 @@ TEST_CASE("operations on 106 bits are off by less than 2^-102, cancellation or n
         CHECK(within(a * b, ball(a) * ball(b)));
         CHECK(within(a / b, ball(a) / ball(b)));
         CHECK(within(sqrt(a), sqrt(ball(a))));
+        CHECK(within(inverse_root(a), 1 / sqrt(ball(a))));
     }
     CHECK(cancelled > 1000);
     CHECK(sqrt(Real(0)) == Real(0));
@@ -72,6 +73,7 @@ TEST_CASE("four at a time give what one at a time gives")
         same(A * B, [](Real x, Real y) { return x * y; });
         same(A / B, [](Real x, Real y) { return x / y; });
         same(sqrt(A), [](Real x, Real) { return sqrt(x); });
+        same(inverse_root(A), [](Real x, Real) { return inverse_root(x); });
         same(positive_part(A - B), [](Real x, Real y) { return positive_part(x - y); });
     }
 }
@@ -115,6 +117,25 @@ TEST_CASE("sums of products, moments and the kernel of a wave, within their coun
         }
         CHECK(within(moments[k], sum, -101, Ball(static_cast<long>(6 * (k * k + 40)))));
     }
+
+    int seen = 0; // of the late ones, how often the bound is of that size
+    for (const std::size_t accurate : {2, 9, 30}) {
+        chebyshev_moments(local, weight, count, accurate, moments);
+        Ball moduli(0);
+        for (std::size_t i = 0; i < nodes; ++i) moduli += ball(weight[i]);
+        for (std::size_t k = 0; k < count; ++k) {
+            Ball sum(0);
+            for (std::size_t i = 0; i < nodes; ++i) {
+                Ball T;
+                arb_chebyshev_t_ui(T.get(), k, ball(local[i]).get(), precision.bits());
+                sum += ball(weight[i]) * T;
+            }
+            if (k < accurate) CHECK(within(moments[k], sum, -101, Ball(static_cast<long>(6 * (k * k + 40)))));
+            else CHECK(within(moments[k], sum, 0, Ball::exactly(late_moment(k - accurate, nodes)) * moduli));
+            seen += k >= accurate && !within(moments[k], sum, -9, Ball::exactly(late_moment(k - accurate, nodes)) * moduli);
+        }
+    }
+    CHECK(seen > 0); // a bound 500 times smaller would fail
 
     const WaveKernel<Real> partial(Real(1) / 3, Real(3) / 2, false), full(Real(5) / 4, Real(3) / 2, true);
     Wide points(4), densities(4);

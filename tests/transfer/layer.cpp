@@ -173,6 +173,9 @@ Real polynomials(Draw& draw, int k, int m, int terms, bool)
     return draw.real(-1, 1);
 }
 
+/// As fast as those of a function that is resolved: from some of them on, moments are taken in binary64.
+Real falling(Draw& draw, int k, int m, int, bool) { return draw.between(-1, 1) * std::pow(m < 2 ? 0.3 : 0.45, k); }
+
 double attack(Draw& draw, int rounds, double tolerance, double narrow, Series series)
 {
     const Orders orders(tolerance);
@@ -228,6 +231,12 @@ TEST_CASE("T V beside the same in balls: polynomials of the highest degree")
 {
     Draw draw{std::mt19937_64(seed())};
     CHECK(attack(draw, 15, 1e-25, 1e-6, polynomials) > 1e-6);
+}
+
+TEST_CASE("T V beside the same in balls: coefficients that fall, and with them what is asked of their moments")
+{
+    Draw draw{std::mt19937_64(seed())};
+    CHECK(attack(draw, 30, 1e-14, 1e-6, falling) > 1e-5);
 }
 
 TEST_CASE("T V of a whole run beside the same in balls")

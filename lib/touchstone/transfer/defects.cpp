@@ -136,7 +136,7 @@ std::vector<double> Defects::overlaps() const
                 if (!(high > low)) break;
                 const Real short_of = 2 * narrowest * high - (high - low); // no narrower than points can be told apart
                 if (short_of > 0) low -= short_of * 0.5, high += short_of * 0.5;
-                for (int m = 0; m < levels; ++m) {
+                for (int m = 0; m + 1 < levels; ++m) { // T V of the last is not asked for
                     double most = 0;
                     for (std::size_t i = 0; i < rules.own.at.size(); ++i) {
                         const Real z = (low + high) * 0.5 + (high - low) * 0.5 * rules.own.at[i];

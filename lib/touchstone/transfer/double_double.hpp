@@ -117,6 +117,15 @@ struct DoubleDouble {
         const D rest = x.low + double_double::fused(-s, s, x.high);
         return fast_two_sum(s, rest / (2 * double_double::divisor(s)));
     }
+    /// x^(-1/2), x > 0, within 2^-102 of itself. With s near the root and t near 1/s, d = x - s^2 and e = 1 - s t it is t (1 + e - d t^2/2 + ...): what follows is below 7/4 2^-105 and
+    /// the roundings are below 7/2 2^-105, as 1 - s t and s^2's distance from the head of x are exact.
+    TOUCHSTONE_INLINE friend DoubleDouble inverse_root(const DoubleDouble& x)
+    {
+        using double_double::fused;
+        const D s = double_double::root(x.high), t = 1 / s;
+        const D d = x.low + fused(-s, s, x.high), e = fused(-s, t, D{} + 1);
+        return fast_two_sum(t, t * (e - 0.5 * d * t * t));
+    }
     DoubleDouble& operator+=(const DoubleDouble& y) { return *this = *this + y; }
     DoubleDouble& operator-=(const DoubleDouble& y) { return *this = *this - y; }
     DoubleDouble& operator*=(const DoubleDouble& y) { return *this = *this * y; }

@@ -43,12 +43,14 @@ ClusterError cluster_error(const Kernel& k, const Cluster& c, int terms, double 
     double bound, cancellation;
     if (k.full) {
         bound = std::sqrt((std::sqrt(end) + std::sqrt(far)) * (std::sqrt(far) + std::sqrt(begin)) / (from_begin * from_end)) / (2 * std::sqrt(begin + from_begin));
-        cancellation = (1 + x) / double(min(k.one_minus_c(c.b), k.one_plus_c(c.a)));
+        // 1 - c = G (end - z)/(end^(1/2) + z^(1/2)) at the one end of the cluster, 1 + c by the distance from the wave's begin at the other
+        const double one_minus_c = double(k.end - c.b) / (std::sqrt(end) + std::sqrt(double(c.b))), one_plus_c = double(c.a - k.begin) / (std::sqrt(double(c.a)) + std::sqrt(begin));
+        cancellation = (1 + x) / (G * min(one_minus_c, one_plus_c));
     }
     else {
         const double one_minus_x = double(1 - k.x), least = G * std::sqrt(from_begin), most = std::sqrt(one_minus_x * one_minus_x + G2 * far);
         bound = G2 / (2 * least) * std::sqrt((1 + x + most) / (G2 * from_end * least));
-        cancellation = 4 * x / double(4 * k.x - k.G2 * c.b);
+        cancellation = end / double(k.end - c.b);
     }
     const double interpolation = 4 / (power(rho, terms - 1) * (rho - 1));
     // the moments of V meet the kernel's Chebyshev coefficients, which fall like rho^-k; they are sums over the panels
@@ -71,8 +73,8 @@ ChebyshevPoints::ChebyshevPoints(int count) : at(count), T(static_cast<std::size
 
 Layer::Layer(const Orders& orders_, const Gauss& gauss_, const ChebyshevPoints& points_, const Gauss& exact_, Real G_, double tolerance, std::vector<Panel> panels_, int count_)
     : orders(orders_), gauss(gauss_), G(G_), affordable(tolerance / 256), panels(std::move(panels_)), count(count_),
-      coefficients(panels.size() * orders.terms * count), growth(panels.size() * count), rounding(growth), step((panels.size() + 1) * count), jump(growth), size(growth), largest(count),
-      points(points_), exact(exact_)
+      coefficients(panels.size() * orders.terms * count), growth(panels.size() * count), rounding(growth), accurate(panels.size(), 2), late(growth), step((panels.size() + 1) * count),
+      jump(growth), size(growth), largest(count), points(points_), exact(exact_)
 {
     for (const Panel& p : panels)
         if (!(p.z1 - p.z0 >= 2 * narrowest * p.z1)) throw BeyondReach("a panel of the mesh is too narrow for numbers of 106 bits to tell its points apart");
@@ -170,13 +172,14 @@ void AtPoint::piece(int j, Substitution variable, const Real& low, const Real& h
     if (!(high > low)) return;
     const Panel& p = layer.panels[j];
     const Real mid = (low + high) * 0.5, width = (high - low) * 0.5;
-    out.local = out.weight = Wide(layer.gauss.nodes.size());
+    out.local.resize(layer.gauss.nodes.size());
+    out.weight.resize(layer.gauss.nodes.size());
     const double measure = wave_nodes(k, variable, mid, width, layer.gauss.nodes, layer.gauss.weights, p.centre, p.half, out.local, out.weight);
-    chebyshev_moments(out.local, out.weight, layer.orders.terms, out.moment);
+    chebyshev_moments(out.local, out.weight, layer.orders.terms, static_cast<std::size_t>(layer.accurate[j]), out.moment);
     const double quadrature = quadrature_error(p, variable, mid, width);
     for (int m = 0; m < layer.count; ++m) {
         const std::size_t at = layer.at(j, m);
-        out.error[m] += (layer.growth[at] == 0 ? 0 : quadrature * layer.growth[at]) + margin * measure * layer.rounding[at];
+        out.error[m] += (layer.growth[at] == 0 ? 0 : quadrature * layer.growth[at]) + margin * measure * (layer.rounding[at] + layer.late[at]);
     }
     if (out.plan) out.plan->add(false, layer.row(j, 0), out.moment);
     if (layer.count == 1) out.value.set(0, out.value[0] + dot(layer.coefficients, layer.row(j, 0), out.moment));
@@ -300,6 +303,16 @@ void Layer::set(int m, const Wide& series)
         most = max(most, size[at(j, m)]);
     }
     largest[m] = most;
+    const double share = affordable / 8 * min(1.0, most); // of what a piece may take
+    for (std::size_t j = 0; j < panels.size(); ++j) {
+        const auto lost_from = [&](int k0) {
+            double lost = 0;
+            for (int k = k0; k < terms; ++k) lost += late_moment(static_cast<std::size_t>(k - k0), gauss.nodes.size()) * magnitude(j, k, m);
+            return margin * lost;
+        };
+        while (accurate[j] < terms && !(lost_from(accurate[j]) <= share)) accurate[j] += 2;
+        late[at(j, m)] = lost_from(accurate[j]);
+    }
     const auto edge = [&](std::size_t j) -> double& { return step[at(j, m)]; };
     edge(0) = size[at(0, m)]; // V is 0 below the first panel
     for (std::size_t j = 1; j < panels.size(); ++j) {

@@ -104,6 +104,8 @@ struct Layer {
     Wide weights;                  ///< [(cluster * orders.kernel + q) * count + m]: integral of V_m times the q-th Lagrange polynomial
     std::vector<double> growth;    ///< sum |c_k| 6^k
     std::vector<double> rounding;  ///< error of evaluating V_m on the panel, the point's own rounding included
+    std::vector<int> accurate;     ///< [panel]: from this T_k on, moments are taken in binary64
+    std::vector<double> late;      ///< what V_m's coefficients there make of their roundings, per unit of the share
     std::vector<double> step;      ///< [panel * count + m]: at least the jump of V_m at the panel's left edge; one more for the last right edge
     std::vector<double> jump;      ///< at least the jumps of V_m at the panel's edges and at those of its neighbours
     std::vector<double> size;      ///< sum |c_k|

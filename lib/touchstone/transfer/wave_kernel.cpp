@@ -2,6 +2,8 @@
 // Compiled with -O3 -fno-math-errno -ffp-contract=off: lanes become vector instructions, and nothing else changes.
 #include "touchstone/transfer/wave_kernel.hpp"
 
+#include <algorithm>
+
 namespace touchstone::transfer {
 namespace {
 
@@ -67,10 +69,11 @@ double wave_nodes(const WaveKernel<Real>& k, Substitution variable, Real mid, Re
 }
 
 TOUCHSTONE_CLONES
-void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, Wide& out)
+void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, std::size_t accurate, Wide& out)
 {
     constexpr std::size_t most = 16; // lanes of four
     Four before[most], now[most], twice[most];
+    Lanes late_before[most], late_now[most];
     const std::size_t count = local.size() / 4;
     for (std::size_t first = 0; first < count; first += most) {
         const std::size_t here = count - first < most ? count - first : most;
@@ -83,10 +86,10 @@ void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms,
             zeroth.add(before[i]);
             one.add(now[i]);
         }
-        const auto add = [&](std::size_t k, const Sum& s) { out.set(k, first == 0 ? sum(s.total()) : out[k] + sum(s.total())); };
-        add(0, zeroth);
-        if (terms > 1) add(1, one);
-        for (std::size_t k = 2; k < terms; ++k) {
+        const auto add = [&](std::size_t k, const Real& s) { out.set(k, first == 0 ? s : out[k] + s); };
+        add(0, sum(zeroth.total()));
+        if (terms > 1) add(1, sum(one.total()));
+        for (std::size_t k = 2; k < std::min(accurate, terms); ++k) {
             Sum total;
             for (std::size_t i = 0; i < here; ++i) {
                 const Four next = twice[i] * now[i] - before[i];
@@ -94,7 +97,18 @@ void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms,
                 now[i] = next;
                 total.add(next);
             }
-            add(k, total);
+            add(k, sum(total.total()));
+        }
+        for (std::size_t i = 0; i < here; ++i) late_before[i] = before[i].high, late_now[i] = now[i].high;
+        for (std::size_t k = accurate; k < terms; ++k) {
+            Lanes total{};
+            for (std::size_t i = 0; i < here; ++i) {
+                const Lanes next = twice[i].high * late_now[i] - late_before[i];
+                late_before[i] = late_now[i];
+                late_now[i] = next;
+                total += next;
+            }
+            add(k, (total[0] + total[1]) + (total[2] + total[3]));
         }
     }
 }

@@ -20,6 +20,7 @@ struct Wide {
     Wide() = default;
     explicit Wide(std::size_t count) : high(count), low(count) {}
     std::size_t size() const { return high.size(); }
+    void resize(std::size_t count) { high.resize(count), low.resize(count); }
     DoubleDouble<double> operator[](std::size_t i) const { return {high[i], low[i]}; }
     void set(std::size_t i, const DoubleDouble<double>& v) { high[i] = v.high, low[i] = v.low; }
 };
@@ -78,8 +79,18 @@ void wave_densities(const WaveKernel<DoubleDouble<double>>&, DoubleDouble<double
 double wave_nodes(const WaveKernel<DoubleDouble<double>>&, Substitution, DoubleDouble<double> mid, DoubleDouble<double> half, const Wide& nodes,
                   const Wide& weights, DoubleDouble<double> centre, DoubleDouble<double> unit, Wide& local, Wide& weight);
 
-/// out[k] = sum of weight[i] T_k(local[i]), k < terms
-void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, Wide& out);
+/// out[k] = sum of weight[i] T_k(local[i]), k < terms; in binary64 from k = accurate >= 2 on, where it is off by less than late_moment(k - accurate, ...) times the sum
+/// of the weights' moduli
+void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, std::size_t accurate, Wide& out);
+inline void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, Wide& out) { chebyshev_moments(local, weight, terms, terms, out); }
+
+/// In the recurrence for w T_k, |local| <= 1, a step is off by 5 2^-53 |w| at most, local's own rounding included, which the j-th step after makes j + 1 times as large; each of the two numbers it
+/// starts from is off by 2^-53 |w|. Together that is below 3 (steps + 2)^2 2^-53 |w|; a sum of n numbers adds n 2^-53 of the sum of moduli.
+inline double late_moment(std::size_t steps, std::size_t nodes)
+{
+    const auto s = static_cast<double>(steps + 2);
+    return 0x1p-53 * (3 * s * s + static_cast<double>(nodes));
+}
 
 /// The sum of a[first + k] b[b_first + k], k < count
 DoubleDouble<double> dot(const Wide& a, std::size_t first, const Wide& b, std::size_t b_first, std::size_t count);

@@ -99,21 +99,28 @@ template <Field T>
     using std::sqrt;
     return gy / R * sqrt((1 + x + R) / ((one_minus_x + R) * to_high * high_plus_y));
 }
+/// x^(-1/2). An arithmetic may bring its own, cheaper than a root and a quotient.
+template <class T>
+[[gnu::always_inline]] inline T inverse_root(const T& x)
+{
+    using std::sqrt;
+    return 1 / sqrt(x);
+}
 /// |dtheta/dz|, z = y^2, x >= 1.
 template <Field T>
 [[gnu::always_inline]] inline T kernel_full_squared(const T& x, const T& G, const T& z)
 {
     using std::sqrt;
-    const T y = sqrt(z), gy = G * y;
-    return G / (2 * y * sqrt((1 + x - gy) * (gy - x + 1)));
+    const T gy = G * sqrt(z);
+    return G / 2 * inverse_root(T(z * ((1 + x - gy) * (gy - (x - 1)))));
 }
 /// |dtheta/dz|, z = y^2, x < 1. R + (1 - x), not (R + 1) - x, which loses every digit next to x = 1 at small z.
 template <Field T>
 [[gnu::always_inline]] inline T kernel_partial_squared(const T& x, const T& G_squared, const T& z)
 {
     using std::sqrt;
-    const T one_minus_x = 1 - x, r = sqrt(one_minus_x * one_minus_x + G_squared * z), up = 1 + x + r;
-    return G_squared * up / (2 * r * sqrt(up * (4 * x - G_squared * z) * (r + one_minus_x)));
+    const T one_minus_x = 1 - x, R_squared = one_minus_x * one_minus_x + G_squared * z, R = sqrt(R_squared), up = 1 + x + R;
+    return G_squared / 2 * up * inverse_root(T(R_squared * up * ((4 * x - G_squared * z) * (R + one_minus_x))));
 }
 
 // ---- z = y^2 at sin(theta/2)^2 = q (from above) or cos(theta/2)^2 = q (from below): times G^2
