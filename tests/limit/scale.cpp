@@ -62,7 +62,9 @@ TEST_CASE("one wave in full contact brings two chains together by the rate of th
     for (const double x : {1.1548, 1.5, 3., 10., 50.}) CHECK(contraction_in_full_contact(x) == doctest::Approx(std::sqrt(1 - 1 / (x * x))).epsilon(1e-7));
     // the rate that the bound decays with, where ratios have settled at 1/(G - 1) = 2
     const Ball rate = limit::distance_from_limit(2001, Ball(3) / 2, Ball(1)) / limit::distance_from_limit(2000, Ball(3) / 2, Ball(1));
-    CHECK(certainly(less(Ball(Rational(8996, 10'000)), rate * rate * Ball(Rational(1'000'001, 1'000'000)))));
+    CHECK(certainly(less(abs(rate * rate - bound), Ball(Rational(1, 1'000'000)))));
+    const Ball t = asin(sqrt(Ball(Rational(2, 3)))); // and of kappa_1, in closed form
+    CHECK(limit::contraction(Ball(0), Ball(1)).overlaps((t + 3 * sin(2 * t) / 2) / ScalarTraits<Ball>::pi()));
     CHECK(certainly(less(abs(limit::distance_from_limit(0, Ball(3) / 2, Ball(3)) - 2 * sqrt(Ball(Rational(9, 2)) * (2 * log(Ball(3)) + log(Ball(Rational(13, 4)))))), Ball(Rational(1, 1'000'000)))));
 }
 

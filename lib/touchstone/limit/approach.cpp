@@ -73,15 +73,21 @@ Ball larger(const Ball& a, const Ball& b)
     return r;
 }
 
+/// k(x) <= 1 - 1/(4x(x + 1)) for 1 <= x <= 2/3^(1/2), which is largest at the end: below 0.8996.
+Ball rate_of_light_full_contact()
+{
+    const Ball x = 2 / sqrt(Ball(3));
+    return 1 - 1 / (4 * x * (x + 1));
+}
+
 /// By what one step brings two chains nearer to one another in the mean, where no ratio is above `highest`.
 Ball rate(const Ball& highest)
 {
-    if (!certainly(less(Ball(1), highest))) {
-        // a ball that cannot tell whether it is above 1 is at most a little above: continuity is not needed, 0.8996 holds there too
-        if (certainly(less(highest, Ball(1)))) return contraction(Ball(0), highest);
-        return Ball(Rational(8996, 10'000));
-    }
-    return larger(Ball(Rational(8996, 10'000)), sqrt(1 - 1 / (highest * highest)));
+    if (certainly(less(highest, Ball(1)))) return contraction(Ball(0), highest);
+    const Ball least = larger(Ball(1), highest); // a ball that cannot tell whether it is above 1: below 1 the rate is smaller
+    Ball beyond;
+    arb_sqrtpos(beyond.get(), (1 - 1 / (least * least)).get(), WorkingPrecision::bits());
+    return larger(rate_of_light_full_contact(), beyond);
 }
 
 /// At least every ratio that is met after one below `highest`.
