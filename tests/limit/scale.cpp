@@ -3,6 +3,7 @@
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/limit/approach.hpp"
 #include "touchstone/limit/area_series.hpp"
+#include "touchstone/limit/far_exceedance.hpp"
 #include "touchstone/limit/poisson.hpp"
 #include "touchstone/limit/scale.hpp"
 
@@ -90,6 +91,30 @@ TEST_CASE("areas far beyond are those of the limit")
     CHECK(full.status == Status::certified);
     CHECK(full.ball.overlaps(limit::mean_by_poisson({}, [] { return Ball(3) / 2; }, {6}) * 20 * pow(Ball(3) / 2, Ball(-10'000))));
     CHECK(eval("contact.area", {{"n", 150}, {"load", 2}, {"G", Rational(102, 100)}}, 5).status != Status::certified); // not yet
+}
+
+TEST_CASE("exceedances far beyond are those of the limiting distribution")
+{
+    const WorkingPrecision precision(256);
+    const auto own_units = [](const Rational& P) { return [P] { return Ball(P); }; };
+    const auto far = [&](long n, const Rational& P) { return limit::far_exceedance({n, own_units(P)}, {load_of_a_tenth, G_4}, {8}); };
+    const Rational half(1, 2), p = power(Rational(4), 20) / 2;
+    const Evaluation followed = eval("contact.exceedance", {{"n", 20}, {"p", p}, {"load", Rational(1, 10)}, {"G", 4}}, 6);
+    CHECK(followed.status == Status::certified);
+    CHECK(far(20, half).overlaps(followed.ball)); // the rate leaves two digits there
+    CHECK_FALSE(far(20, Rational(6, 10)).overlaps(followed.ball));
+    CHECK(far(10'000, half).relative_bits() > 24);
+
+    const Rational G(3, 2), unit = power(G, 10'000);
+    const auto share = [&](const Rational& at) { return eval("contact.exceedance", {{"n", 10'000}, {"p", at}, {"load", 3}, {"G", G}}, 5); };
+    const Evaluation full = share(unit / 2), limiting = eval("limit.exceedance", {{"p", half}, {"G", G}}, 6), area = eval("contact.area", {{"n", 10'000}, {"load", 3}, {"G", G}}, 6);
+    CHECK(full.status == Status::certified);
+    REQUIRE(full.second_look);
+    CHECK(full.second_look->agrees);
+    CHECK(full.ball.overlaps(limiting.ball * area.ball));
+    CHECK(share(unit / 2000).status != Status::certified); // too low
+    CHECK(limit::no_far_exceedance({200, own_units(3)}, Ball(G)) != ""); // G/(G - 1): the highest
+    CHECK(limit::no_far_exceedance({200, own_units(Rational(299, 100))}, Ball(G)).empty());
 }
 
 TEST_CASE("the ratio of approach is near 1/2 for large G, the Hertzian value, and below it; it claims no proof")

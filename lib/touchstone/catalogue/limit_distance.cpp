@@ -79,7 +79,7 @@ Plan plan(const Inputs& in, Accuracy wanted)
                                   const Ball p = in.ball("p");
                                   const double P = in.real("p").get_d();
                                   const auto [low, high] = transfer::levels::ends_of_exceeding(p);
-                                  return limit::distance_in_the_mean(in.G_ball(), in.real("load").get_d(), in.integer("n"), {low, high}, [P](double x) { return exceedance_over_x(P, x); },
+                                  return limit::distance_in_the_mean(in.G_ball(), in.real("load").get_d(), in.integer("n"), {low, high}, [P](double x) { return limit::exceedance_over_x(P, x); },
                                                                      contact_over_x);
                               }};
     result.shares = "the wave (2.2), (2.4) and where it is not smooth: both distributions forwards on one grid; grid, quadrature and arithmetic are others";

@@ -52,16 +52,22 @@ bool never_met(const Ball& p, const Inputs& in)
     return certainly(less(highest, p));
 }
 
-/// The share of one wave of mean x above P, or of its force, over x: in binary64.
-double share_over_x(Question::Of of, double P, double x)
+/// The force of one wave of mean x that is carried above P, over x: in binary64.
+double force_over_x(double P, double x)
 {
     using std::numbers::pi;
-    const double R = std::sqrt((1 - x) * (1 - x) + P * P), c = x >= 1 ? P - x : R - x; // cos theta where the pressure is P
+    const double c = x >= 1 ? P - x : std::hypot(1 - x, P) - x; // cos theta where the pressure is P
     if (c >= 1) return 0;
-    if (of == Question::Of::pressure) return std::acos(std::max(-1., c)) / (pi * x);
     if (x >= 1) return c <= -1 ? 1 : (x * std::acos(c) + std::sqrt(1 - c * c)) / (pi * x);
     const double v = (1 - c) / (2 * x);
     return 2 / pi * (std::asin(std::sqrt(v)) + std::sqrt(v * (1 - v)));
+}
+
+/// f/x of what is asked.
+double over_x(Question::Of of, double G, double P, double x)
+{
+    if (of == Question::Of::density) return G * limit::density_after_two_waves(G, P, x) / x;
+    return of == Question::Of::force ? force_over_x(P, x) : limit::exceedance_over_x(P, x);
 }
 
 Witness look(const Question& q, const Inputs& in)
@@ -72,7 +78,7 @@ Witness look(const Question& q, const Inputs& in)
     const bool density = q.of == Question::Of::density;
     const auto [low, high] = transfer::levels::ends_of_exceeding(q.pressure);
     const Witness w = limit::mean_in_the_limit(G, density ? transfer::levels::singular_points_of_density(G, q.pressure) : std::vector<Ball>{low, high},
-                                               [&](double x) { return density ? g * limit::density_after_two_waves(g, P, x) / x : share_over_x(q.of, P, x); });
+                                               [&](double x) { return over_x(q.of, g, P, x); });
     if (q.of == Question::Of::force) return w;
     const Witness C = limit::area_constant_by_law(G);
     return {w.value / C.value, w.error / C.value + C.error * w.value / (C.value * C.value)};
@@ -143,7 +149,6 @@ Quantity of_limit(Quantity q, Question::Of of, const Pressure& pressure)
 } // namespace
 
 Plan plan_of_limiting_exceedance(const Inputs& in) { return plan(Question::Of::pressure, given, in); }
-double exceedance_over_x(double P, double x) { return share_over_x(Question::Of::pressure, P, x); }
 double contact_over_x(double x) { return (x < 1 ? 2 / std::numbers::pi * std::asin(std::sqrt(x)) : 1) / x; }
 
 namespace {

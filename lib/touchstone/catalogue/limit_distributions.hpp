@@ -14,8 +14,7 @@ void add_distance_from_limit(std::vector<Quantity>&);
 
 /// Of limit.exceedance, at the p and the surface of these inputs.
 Plan plan_of_limiting_exceedance(const Inputs&);
-/// The share of one wave of mean x above P, over x, and the share in contact: in binary64.
-double exceedance_over_x(double P, double x);
+/// The share of one wave of mean x in contact, over x: in binary64.
 double contact_over_x(double x);
 
 } // namespace touchstone

@@ -273,6 +273,12 @@ double density_after_two_waves(double G, double P, double x)
     return sum;
 }
 
+double exceedance_over_x(double P, double x)
+{
+    const double c = x >= 1 ? P - x : std::hypot(1 - x, P) - x; // cos theta where the pressure is P
+    return c >= 1 ? 0 : std::acos(std::max(-1., c)) / (pi * x);
+}
+
 Witness area_constant_by_law(const Ball& G)
 {
     return mean_in_the_limit(G, {}, [](double x) { return x < 1 ? 2 / pi * std::asin(std::sqrt(x)) / x : 1 / x; });

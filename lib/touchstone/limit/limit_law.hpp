@@ -58,6 +58,8 @@ Witness mean_in_the_limit(const Ball& G, const std::vector<Ball>& further, const
 Witness distance_in_the_mean(const Ball& G, double load, long n, const std::vector<Ball>& further, const std::function<double(double x)>& f, const std::function<double(double x)>& g);
 /// The density of p/p*_n = P after two waves, D_1(x), in binary64: by the angle of the first wave, between the angles where the second's density is not smooth.
 double density_after_two_waves(double G, double P, double x);
+/// The share of one wave of mean x above P, over x: in binary64.
+double exceedance_over_x(double P, double x);
 /// C(G) by it.
 Witness area_constant_by_law(const Ball& G);
 

@@ -87,7 +87,8 @@ long Method::most_digits(const Problem& p) const { return fewer_digits ? std::mi
 const std::vector<Method>& methods()
 {
     static const std::vector<Method> all{single_wave_area(),     single_wave_exceedance(), single_wave_density(), one_integral(),    second_area(), power_series(), partial_area(),
-                                         partial_distribution(), heavy_load(),             proven_shares(),       third_wave_density(), proven_densities(), area_in_any_limit()};
+                                         partial_distribution(), heavy_load(),             proven_shares(),       third_wave_density(), proven_densities(), area_in_any_limit(),
+                                         exceedance_in_any_limit()};
     return all;
 }
 

@@ -18,6 +18,7 @@ Method second_area();
 // ---- partial contact at every scale
 Method partial_area();
 Method area_in_any_limit();
+Method exceedance_in_any_limit();
 Method partial_distribution();
 
 // ---- full contact
