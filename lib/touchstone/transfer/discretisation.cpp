@@ -49,29 +49,39 @@ double Discretisation::rule_end(Scheme scheme, const Ball& G, double accuracy)
 /// From -log x = log(G/2), a little below, to s_last.
 std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Ball& G, double accuracy, double grid_accuracy, double V, double deepest)
 {
-    std::vector<Block> all;
     const double s0 = approximate(log(G / 2));
     // -log y <= log(G/2) + s/2 + V, about: from s = deepest, and from the last node
     const double s_last = std::max((scheme == Scheme::area ? 1.1 : 1) * std::max(2 * V, accuracy + 4), deepest / 2 + V) + 2 * s0 + 2;
     const double s_first = s0 * (1 - std::ldexp(1.0, -40));
-    if (scheme == Scheme::force_weighted) {
-        const double t0 = std::log(s_first), t1 = std::log(s_last), half = (t1 - t0) / 2 * (1 + 1e-12);
-        const double b = std::numbers::pi / 2 / half; // semi-minor axis: |Im t| < pi/2 keeps Re s > 0
-        const double rho = (b + std::sqrt(1 + b * b)) * (1 - 1e-12);
-        const long p = static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
-        all.push_back({(t0 + t1) / 2, half, rho, p, 0});
-    }
-    else {
+    const auto points_for = [&](double rho) { return static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1; };
+    std::vector<Block> all;
+    const auto add = [&](double lo, double hi, double half, double rho, long p) { all.push_back({(lo + hi) / 2, half, rho, p, all.size() * static_cast<std::size_t>(p)}); };
+    if (scheme == Scheme::area) {
         const double blocks = std::ceil(std::log(s_last / s_first) / std::log(4.0));
         const double ratio = std::pow(s_last / s_first, 1 / blocks), root = std::sqrt(ratio);
         const double rho = (root + 1) / (root - 1) * (1 - 1e-9); // the ellipse about [s, ratio s] that reaches 0
-        const long p = static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1;
         double lo = s_first;
         for (double k = 0; k < blocks; ++k) {
             const double hi = k + 1 == blocks ? s_last : lo * ratio;
-            all.push_back({(lo + hi) / 2, (hi - lo) / 2, rho, p, all.size() * static_cast<std::size_t>(p)});
+            add(lo, hi, (hi - lo) / 2, rho, points_for(rho));
             lo = hi;
         }
+        return all;
+    }
+    // A value of the interpolant costs its block's points, and finding where it is as much as this many of them.
+    constexpr double two_logarithms = 200;
+    const double t0 = std::log(s_first), t1 = std::log(s_last);
+    double least = HUGE_VAL;
+    for (double blocks = 1; blocks <= 8; ++blocks) {
+        const double width = (t1 - t0) / blocks, half = width / 2 * (1 + 1e-12);
+        const double b = std::numbers::pi / 2 / half; // semi-minor axis: |Im t| < pi/2 keeps Re s > 0
+        const double rho = (b + std::sqrt(1 + b * b)) * (1 - 1e-12);
+        const long p = points_for(rho);
+        const double nodes = blocks * static_cast<double>(p), cost = nodes * (static_cast<double>(p) + two_logarithms);
+        if (blocks > 1 && (cost >= least || nodes > static_cast<double>(most_nodes))) break;
+        least = cost;
+        all.clear();
+        for (double k = 0; k < blocks; ++k) add(t0 + k * width, t0 + (k + 1) * width, half, rho, p);
     }
     return all;
 }
@@ -285,13 +295,11 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
             s_y = -log(y);
             weight = q.area_weight * half_G * sqrt(y) / root;
         }
-        const double s_near = approximate(s_y);
-        std::size_t at = 0;
-        if (scheme_ == Scheme::area)
-            while (at + 1 < blocks_.size() && s_near > blocks_[at].mid + blocks_[at].half) ++at;
-        if (scheme_ == Scheme::area && s_near > blocks_[at].mid + blocks_[at].half) at = 0; // beyond the last: refused below
-        const Block& block = blocks_[at];
         const Ball variable = scheme_ == Scheme::force_weighted ? log(s_y) : s_y;
+        const double near = approximate(variable);
+        std::size_t at = 0;
+        while (at + 1 < blocks_.size() && near > blocks_[at].mid + blocks_[at].half) ++at; // beyond the last: refused below
+        const Block& block = blocks_[at];
         const Ball t = (variable - Ball::exactly(block.mid)) / Ball::exactly(block.half);
         // tau is taken inside [-1, 1]; what that moves it by counts as error
         const Ball t_used = certainly(less(Ball(1), t)) ? Ball(1) : certainly(less(t, Ball(-1))) ? Ball(-1) : t;
