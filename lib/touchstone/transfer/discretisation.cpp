@@ -3,8 +3,8 @@
 
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/binary64.hpp"
+#include "touchstone/transfer/wide_balls.hpp"
 
-#include <flint/fmpz_mat.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,6 +35,19 @@ Ball radius(const Ball& b)
     return r;
 }
 Ball larger(const Ball& a, const Ball& b) { return certainly(less(a, b)) ? b : a; }
+/// A fixed-point number to its two leading words: off by less than 2^-111 and 2^-100 of itself.
+DoubleDouble<double> leading_words(const mp_limb_t* number, std::size_t limbs)
+{
+    const bool negative = number[limbs - 1] >> 63;
+    DoubleDouble<double> sum;
+    for (std::size_t word = 0; word < std::min(limbs, std::size_t{2}); ++word) {
+        const mp_limb_t digits = negative ? ~number[limbs - 1 - word] : number[limbs - 1 - word]; // the last unit does not count
+        const int unit = FixedFormat::headroom - 64 * (static_cast<int>(word) + 1);
+        sum += std::ldexp(static_cast<double>(digits >> 32), unit + 32);
+        sum += std::ldexp(static_cast<double>(digits & 0xffffffff), unit);
+    }
+    return negative ? -sum : sum;
+}
 
 } // namespace
 
@@ -53,9 +66,11 @@ std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Bal
     // -log y <= log(G/2) + s/2 + V, about: from s = deepest, and from the last node
     const double s_last = std::max((scheme == Scheme::area ? 1.1 : 1) * std::max(2 * V, accuracy + 4), deepest / 2 + V) + 2 * s0 + 2;
     const double s_first = s0 * (1 - std::ldexp(1.0, -40));
-    const auto points_for = [&](double rho) { return static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))) + 1; };
+    const auto points_for = [&](double rho) { return 1 + static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))); };
     std::vector<Block> all;
-    const auto add = [&](double lo, double hi, double half, double rho, long p) { all.push_back({(lo + hi) / 2, half, rho, p, all.size() * static_cast<std::size_t>(p)}); };
+    const auto add = [&](double lo, double hi, double half, double rho, long p) {
+        all.push_back({(lo + hi) / 2, half, rho, p, all.size() * static_cast<std::size_t>(p)});
+    };
     if (scheme == Scheme::area) {
         const double blocks = std::ceil(std::log(s_last / s_first) / std::log(4.0));
         const double ratio = std::pow(s_last / s_first, 1 / blocks), root = std::sqrt(ratio);
@@ -139,31 +154,23 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
 
     rule_ = scheme == Scheme::force_weighted ? double_exponential_rule(G_, all, accuracy, V) : gauss_panel_rule(G_, all, accuracy, V);
 
-    std::vector<mp_limb_t> moments;
-    moments.reserve(N * N * static_cast<std::size_t>(format_.limbs()));
+    set_coefficients();
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    matrix_.reserve(N * N * limbs);
+    near_power_.resize(N * N);
+    majorant_.resize(N * N);
+    near_error_ = std::ldexp(1.0, -50);
     std::vector<Row> rows;
     for (const Node& n : nodes_) {
         Row r = row(n.x, n.s, rule_);
-        moments.insert(moments.end(), r.moments.begin(), r.moments.end());
+        double *const near = &near_power_[rows.size() * N], *const majorant = &majorant_[rows.size() * N];
+        nodal(r.moments.data(), near);
+        const double floor = nodal_error(upper_double(r.total)) / near_error_; // so that near_error_ covers it, too
+        for (std::size_t j = 0; j < N; ++j) majorant[j] = std::fabs(near[j]) * up + floor;
+        matrix_.insert(matrix_.end(), r.moments.begin(), r.moments.end());
         r.moments = {};
         rows.push_back(std::move(r));
     }
-    matrix_ = nodal(moments, N);
-    moments = {};
-
-    near_power_.resize(N * N);
-    const auto limbs = static_cast<std::size_t>(format_.limbs());
-    for (std::size_t k = 0; k < N * N; ++k) { // the leading two words: within a relative 2^-51 and an absolute 2^-111 of the entry
-        const mp_limb_t* w = &matrix_[k * limbs];
-        const bool negative = w[limbs - 1] >> 63;
-        const auto word = [&](std::size_t i) { return static_cast<double>(negative ? ~w[i] : w[i]); };
-        const double magnitude = std::ldexp(word(limbs - 1), FixedFormat::headroom - 64)
-                               + (limbs > 1 ? std::ldexp(word(limbs - 2), FixedFormat::headroom - 128) : 0);
-        near_power_[k] = negative ? -magnitude : magnitude;
-    }
-    near_error_ = std::ldexp(1.0, -50);
-    majorant_ = near_power_;
-    for (double& m : majorant_) m = std::fabs(m) * up + 1e-18; // > 2^-60, so that near_error_ covers 2^-111 too
     powers_.push_back(majorant_);
     const Ball c_limit = c_.back();
     const Ball rounding = scale_ * format_.unit();
@@ -300,102 +307,118 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
         std::size_t at = 0;
         while (at + 1 < blocks_.size() && near > blocks_[at].mid + blocks_[at].half) ++at; // beyond the last: refused below
         const Block& block = blocks_[at];
-        const Ball t = (variable - Ball::exactly(block.mid)) / Ball::exactly(block.half);
-        // tau is taken inside [-1, 1]; what that moves it by counts as error
-        const Ball t_used = certainly(less(Ball(1), t)) ? Ball(1) : certainly(less(t, Ball(-1))) ? Ball(-1) : t;
-        const Ball moved = upper(2 * radius(t) + abs(t_used - t));
+        Ball t = (variable - Ball::exactly(block.mid)) / Ball::exactly(block.half);
+        Ball moved = upper(2 * radius(t));
+        if (!(std::fabs(approximate(t)) < 1 - 0x1p-20)) { // tau is taken inside [-1, 1]; what that moves it by counts as error
+            const Ball inside = at_least(at_most(t, Ball(1)), Ball(-1));
+            moved = upper(moved + abs(inside - t));
+            t = inside;
+        }
         if (!certainly(less(moved, Traits::power_of_two(-30))))
             throw BeyondReach("the load is below the reach of the grid");
-        r.tau_error = upper(r.tau_error + upper(abs(weight)) * moved);
+        const Ball most = upper(weight); // weights are positive
+        r.tau_error = upper(r.tau_error + most * moved);
         r.weight_error = larger(r.weight_error, upper(radius(weight)));
-        r.total += weight;
+        r.total = upper(r.total + most);
         ++r.terms;
-        moments.add(weight, at_least(at_most(t_used, Ball(1)), Ball(-1)), spare[at], &r.moments[block.first * limbs]);
+        moments.add(weight, t, spare[at], &r.moments[block.first * limbs]);
     }
     return r;
 }
 
-/// Row vectors of moments times, block by block, the matrix C_kj = (2 - [k = 0]) T_k(tau_j)/p: nodal rows.
-std::vector<mp_limb_t> Discretisation::nodal(const std::vector<mp_limb_t>& moments, std::size_t rows) const
+/// C_kj = (2 - [k = 0]) T_k(tau_j)/p, the same for every block: from values at its nodes to coefficients of the polynomial through them.
+void Discretisation::set_coefficients()
 {
-    const auto limbs = static_cast<std::size_t>(format_.limbs());
-    const std::size_t N = nodes_.size();
-    std::vector<mp_limb_t> result(moments.size());
-    fmpz_t units;
-    fmpz_init(units);
-    for (const Block& block : blocks_) {
-        const slong p = block.points, half = (p + 1) / 2;
-        std::vector<mp_limb_t> cosines(static_cast<std::size_t>(4 * p) * limbs);
-        for (slong m = 0; m < 4 * p; ++m)
-            format_.put(&cosines[static_cast<std::size_t>(m) * limbs], 2 * Traits::cos_pi(Ball(m) / Ball(2 * p)) / Ball(p));
-        // tau_{p-1-j} = -tau_j: the sums over even and over odd k give both values, added and subtracted
-        fmpz_mat_t part[2];
-        for (slong odd : {0, 1}) {
-            const slong terms = (p + 1 - odd) / 2;
-            fmpz_mat_t M, C;
-            fmpz_mat_init(M, static_cast<slong>(rows), terms);
-            fmpz_mat_init(C, terms, half);
-            fmpz_mat_init(part[odd], static_cast<slong>(rows), half);
-            for (std::size_t i = 0; i < rows; ++i)
-                for (slong k = 0; k < terms; ++k)
-                    format_.get(fmpz_mat_entry(M, static_cast<slong>(i), k),
-                                &moments[(i * N + block.first + static_cast<std::size_t>(2 * k + odd)) * limbs]);
-            for (slong k = 0; k < terms; ++k)
-                for (slong j = 0; j < half; ++j) {
-                    const slong m = (2 * k + odd) * (2 * j + 1) % (4 * p);
-                    format_.get(fmpz_mat_entry(C, k, j), &cosines[static_cast<std::size_t>(m) * limbs]);
-                    if (k + odd == 0) fmpz_fdiv_q_2exp(fmpz_mat_entry(C, k, j), fmpz_mat_entry(C, k, j), 1);
-                }
-            fmpz_mat_mul(part[odd], M, C);
-            fmpz_mat_clear(M);
-            fmpz_mat_clear(C);
-        }
-        const auto store = [&](std::size_t i, slong j) {
-            fmpz_fdiv_q_2exp(units, units, static_cast<ulong>(format_.fraction()));
-            format_.put(&result[(i * N + block.first + static_cast<std::size_t>(j)) * limbs], units);
-        };
-        for (std::size_t i = 0; i < rows; ++i)
-            for (slong j = 0; j < half; ++j) {
-                const fmpz *even = fmpz_mat_entry(part[0], static_cast<slong>(i), j), *odd = fmpz_mat_entry(part[1], static_cast<slong>(i), j);
-                fmpz_add(units, even, odd);
-                store(i, j);
-                fmpz_sub(units, even, odd);
-                if (p - 1 - j != j) store(i, p - 1 - j);
-            }
-        fmpz_mat_clear(part[0]);
-        fmpz_mat_clear(part[1]);
+    const long p = blocks_.front().points;
+    const auto limbs = static_cast<std::size_t>(format_.limbs()), terms = static_cast<std::size_t>(p);
+    cosines_.resize(4 * terms * limbs);
+    columns_ = (terms + 3) / 4 * 4;
+    near_coefficients_ = Wide(terms * columns_);
+    Wide near(4 * terms);
+    for (std::size_t m = 0; m < 4 * terms; ++m) {
+        const Ball c = 2 * Traits::cos_pi(Ball(static_cast<long>(m)) / Ball(2 * p)) / Ball(p);
+        format_.put(&cosines_[m * limbs], c);
+        near.set(m, to_real(c));
     }
-    fmpz_clear(units);
+    for (std::size_t k = 0; k < terms; ++k)
+        for (std::size_t j = 0; j < terms; ++j) near_coefficients_.set(k * columns_ + j, near[k * (2 * j + 1) % (4 * terms)] * (k == 0 ? 0.5 : 1));
+}
+
+/// C applied to values at all nodes, the halves of a block added and subtracted first. Off by 2 p u max|values|, for cosines are by less than 2 u, and by u.
+std::vector<mp_limb_t> Discretisation::coefficients(const std::vector<mp_limb_t>& values) const
+{
+    const auto limbs = static_cast<std::size_t>(format_.limbs()), p = static_cast<std::size_t>(blocks_.front().points), half = (p + 1) / 2;
+    const auto size = static_cast<mp_size_t>(limbs);
+    std::vector<mp_limb_t> result(values.size()), part[2]{std::vector<mp_limb_t>(half * limbs), std::vector<mp_limb_t>(half * limbs)};
+    FixedFormat::Products sum(format_);
+    for (const Block& block : blocks_) {
+        const mp_limb_t* const v = &values[block.first * limbs];
+        for (std::size_t j = 0; j < half; ++j) { // tau_{p-1-j} = -tau_j
+            const mp_limb_t *const here = v + j * limbs, *const there = v + (p - 1 - j) * limbs;
+            if (2 * j + 1 == p) { // the middle one, once
+                std::copy_n(here, limbs, &part[0][j * limbs]);
+                std::fill_n(&part[1][j * limbs], limbs, 0);
+                continue;
+            }
+            mpn_add_n(&part[0][j * limbs], here, there, size);
+            mpn_sub_n(&part[1][j * limbs], here, there, size);
+        }
+        for (std::size_t k = 0; k < p; ++k) {
+            sum.clear();
+            for (std::size_t j = 0; j < half; ++j) sum.add(&cosines_[k * (2 * j + 1) % (4 * p) * limbs], &part[k % 2][j * limbs]);
+            mp_limb_t* const c = &result[(block.first + k) * limbs];
+            sum.put(c);
+            if (k == 0) { // halved, the sign kept
+                const mp_limb_t sign = c[limbs - 1] & (mp_limb_t{1} << 63);
+                mpn_rshift(c, c, size, 1);
+                c[limbs - 1] |= sign;
+            }
+        }
+    }
     return result;
+}
+
+/// A row of moments as one of nodal values, in 106 bits and then binary64.
+void Discretisation::nodal(const mp_limb_t* moments, double* near) const
+{
+    const auto limbs = static_cast<std::size_t>(format_.limbs()), p = static_cast<std::size_t>(blocks_.front().points);
+    for (const Block& block : blocks_) {
+        Wide row(p), at_nodes(columns_);
+        for (std::size_t k = 0; k < p; ++k) row.set(k, leading_words(moments + (block.first + k) * limbs, limbs));
+        add_products(near_coefficients_, 0, row, columns_, at_nodes);
+        std::copy_n(at_nodes.high.data(), p, near + block.first);
+    }
+}
+
+/// What a nodal entry of a row of this total weight is off by beyond a relative 2^-52: sums of p <= 4000 products of moments, below 1 + total, and
+/// of C_kj, at most 2/p, off by (p^2/2 + 5 p + 10) 2^-106 < 2^-83 of the sum of moduli (wave_kernel.cpp), 2 (1 + total); all other roundings are less.
+double Discretisation::nodal_error(double total) { return std::ldexp(1 + total, -80); }
+
+/// Coefficients of the interpolant of what is at most 1 on the ellipses are below this times rho^-k, aliases and all.
+Ball Discretisation::coefficient_bound() const
+{
+    const Ball rho = Ball::exactly(blocks_.front().rho);
+    return upper(2 + 4 / (rho * rho - 1));
 }
 
 Budget Discretisation::budget(const Row& r, const Ball& x, const Rule& rule) const
 {
     const WorkingPrecision coarse(64);
-    Ball interpolation(0), slope(0), aliased(0), growth(1);
-    long p = 0;
-    for (const Block& b : blocks_) {
-        const Ball rho = Ball::exactly(b.rho);
-        interpolation = larger(interpolation, upper(4 * pow(rho, Ball(1 - b.points)) / (rho - 1)));
-        slope = larger(slope, upper(1 / ((rho + 1 / rho) / 2 - 1 - Traits::power_of_two(-29))));
-        aliased = larger(aliased, upper(2 + 4 / (rho * rho - 1)));
-        growth = larger(growth, upper(pow(rho, Ball(b.points))));
-        p = std::max(p, b.points);
-    }
-    const Ball u = format_.unit();
+    const long p = blocks_.front().points;
+    const Ball rho = Ball::exactly(blocks_.front().rho), u = format_.unit();
     const Ball total = upper(r.total + r.terms * (r.weight_error + u)); // of the weights as rounded
     Budget b;
     const Ball fourth_root = sqrt(sqrt(x));
     b.rule = upper(rule.discretisation * fourth_root);
     b.truncation = upper(rule.truncation * fourth_root);
-    b.interpolation = upper(total * interpolation);
-    b.abscissae = upper((r.tau_error + total * u) * slope);
+    b.interpolation = upper(total * 4 * pow(rho, Ball(1 - p)) / (rho - 1));
+    b.abscissae = upper((r.tau_error + total * u) / ((rho + 1 / rho) / 2 - 1 - Traits::power_of_two(-29)));
     b.weights = upper(r.terms * (r.weight_error + u));
-    // A moment of order k: 4 u rho^k p^2 a term (Moments), against a coefficient of at most c_m aliased rho^-k. Nodal entries: the C_kj off by 2u,
-    // and the last rounding.
-    const Ball moment = r.terms * 4 * u * p * p;
-    const Ball entry = (p * (total + moment * growth) * 2 + 2) * u;
-    b.entries = upper(static_cast<long>(nodes_.size()) * entry + p * moment * aliased);
+    // A moment of order k is off by 4 u rho^k p^2 a term (Moments) and meets a coefficient of at most c_m coefficient_bound() rho^-k.
+    // The computed coefficients are off by `rounding`, and a row's moments add up to p total and what those are off by.
+    const Ball moment = r.terms * 4 * u * p * p, rounding = (4 * p + 1 + scale_) * u;
+    const Ball moments = p * total + static_cast<long>(nodes_.size()) * moment * pow(rho, Ball(p));
+    b.entries = upper(p * moment * coefficient_bound() + moments * rounding);
     return b;
 }
 
@@ -454,22 +477,25 @@ void Discretisation::extend_to(long n)
     if (n > longest_chain) throw BeyondReach("n must be at most 10000");
     while (static_cast<long>(levels_.size()) <= n) {
         Level l;
-        l.values.resize(N * limbs);
+        std::vector<mp_limb_t> values(N * limbs);
         for (std::size_t i = 0; i < N; ++i)
             if (levels_.empty()) { // F_0 = (2/pi) arcsin(sqrt x)/sqrt x
                 const Ball root = sqrt(nodes_[i].x);
                 const Ball F = 2 * asin(root) / (Traits::pi() * root) / scale_;
-                format_.put(&l.values[i * limbs], F);
+                format_.put(&values[i * limbs], F);
                 if (!certainly(less(radius(F), format_.unit()))) throw std::logic_error("transfer: F_0 is not accurate to a unit");
             }
-            else format_.put(&l.values[i * limbs], format_.dot(&matrix_[i * N * limbs], levels_.back().values.data(), N));
+            else format_.put(&values[i * limbs], format_.dot(&matrix_[i * N * limbs], levels_.back().coefficients.data(), N));
         l.errors = errors_of(levels_.size());
+        const double largest = *std::max_element(l.errors.begin(), l.errors.end());
+        if (!(largest < std::ldexp(1.0, static_cast<int>(error_unit_)))) // roundings are counted for values of at most 2 c_m
+            throw BeyondReach("errors have outgrown the values over so many scales");
+        l.coefficients = coefficients(values);
         levels_.push_back(std::move(l));
     }
 }
 
-/// The rows of all points, moments added up before they become nodal: a moment of the sum is off by what each w_i
-/// and each product is, (rad w_i + u) sum_q W + u, and a nodal entry by twice the largest of those.
+/// The rows of all points, moments added up: a moment of the sum is off by what each w_i and each product is, (rad w_i + u) sum_q W + u.
 Discretisation::Functional Discretisation::functional(const std::vector<Point>& points)
 {
     const WorkingPrecision precision(bits_);
@@ -479,7 +505,7 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
     std::vector<mp_limb_t> moments(N * limbs), weight(limbs), product(limbs), scratch(2 * limbs);
     Functional f;
     f.first = f.budget = Ball(0);
-    Ball rounding(0), highest(0);
+    Ball rounding(0), highest(0), total(0);
     for (const Point& point : points) highest = larger(highest, point.x);
     if (points.size() > 1) highest = upper(highest);
     std::optional<Rule> beyond; // for ratios above 2/G
@@ -494,6 +520,7 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
             }
             f.budget = upper(f.budget + abs(point.weight) * budget(r, x, rule).total());
             rounding += upper((radius(point.weight) + u) * (1 + r.total) + u);
+            total = upper(total + abs(point.weight) * (1 + r.total));
         };
         if (certainly(less(x, 2 / G_))) add(rule_);
         else {
@@ -506,17 +533,12 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
         }
         f.first += point.weight * 2 * asin(sqrt(x)) / (Traits::pi() * sqrt(x));
     }
-    f.budget = upper(f.budget + static_cast<long>(2 * N) * rounding);
-    f.weights = nodal(moments, 1);
-    fmpz_t units;
-    fmpz_init(units);
-    for (std::size_t j = 0; j < N; ++j) {
-        format_.get(units, &f.weights[j * limbs]);
-        Ball w;
-        arb_set_fmpz(w.get(), units);
-        f.modulus.push_back(upper_double(abs(w) * u));
-    }
-    fmpz_clear(units);
+    f.budget = upper(f.budget + static_cast<long>(N) * rounding * coefficient_bound());
+    f.modulus.resize(N);
+    nodal(moments.data(), f.modulus.data());
+    const double off = nodal_error(upper_double(total));
+    for (double& w : f.modulus) w = (std::fabs(w) + off) * up;
+    f.moments = std::move(moments);
     return f;
 }
 
@@ -555,7 +577,7 @@ Ball Discretisation::apply(const Functional& f, long n)
 Ball Discretisation::value(const Functional& f, long n) const
 {
     const Level& level = levels_[static_cast<std::size_t>(n - 1)];
-    Ball F = scale_ * format_.dot(f.weights.data(), level.values.data(), nodes_.size());
+    Ball F = scale_ * format_.dot(f.moments.data(), level.coefficients.data(), nodes_.size());
     double carried = 0;
     for (std::size_t j = 0; j < nodes_.size(); ++j) carried += f.modulus[j] * level.errors[j];
     const WorkingPrecision coarse(64);
@@ -568,7 +590,7 @@ Ball Discretisation::value(const Functional& f, long n) const
 std::size_t Discretisation::memory() const
 {
     return 8 * (matrix_.size() + (powers_.size() + 2) * near_power_.size())
-         + (levels_.empty() ? 0 : levels_.size() * 8 * (levels_[0].values.size() + levels_[0].errors.size()));
+         + (levels_.empty() ? 0 : levels_.size() * 8 * (levels_[0].coefficients.size() + levels_[0].errors.size()));
 }
 
 std::string Discretisation::certificate(long n)

@@ -4,11 +4,11 @@
 ///
 /// F_m = x^(1/2) h_m (chain.hpp) is kept by its values at the N Chebyshev points of one or more blocks of
 /// x_min <= x <= 2/G. One step is the N x N matrix B, B_ij = sum_q W_iq l_j(tau_iq): a quadrature rule (rule.hpp) on
-/// row x_i, its values taken from the interpolant. Two discretisations that have no grid, rule, form or x_min in common:
+/// row x_i, its values taken from the interpolant. It is applied as M C: C takes nodal values to Chebyshev coefficients, M_ik = sum_q W_iq T_k(tau_iq). Two discretisations that have no grid, rule, form or x_min in common:
 ///
 /// | scheme         | form of the step       | variable     | blocks               | rule                   |
 /// |----------------|------------------------|--------------|----------------------|------------------------|
-/// | force_weighted | average (C3) of h      | log(-log x)  | one, degree ~ digits | trapezoid, v = c sinh r |
+/// | force_weighted | average (C3) of h      | log(-log x)  | a few, equally long  | trapezoid, v = c sinh r |
 /// | area           | integral (C2) of B     | -log x       | [s, 4s], [4s, 16s],..| Gauss-Legendre panels   |
 ///
 /// **Error of one step.** Let |F_m| <= c_m (Lemma 2, for Re s > 0). Then |(B F_m)_i - F_{m+1}(x_i)| <= eta, the sum of
@@ -17,23 +17,24 @@
 ///     E_rho lies in Re s > 0 (coefficients <= 2 c_m rho^-k, each k >= p aliased once);
 ///  3. the point where the interpolant is evaluated, off by dtau: sum_q W_iq dtau c_m/((rho + 1/rho)/2 - 1), Cauchy's bound of F';
 ///  4. the weights, off by dW: (number of nodes) dW c_m;
-///  5. the matrix entries' rounding. A moment sum_q W T_k(tau) of order k only ever meets a coefficient of the interpolant of F, at most
-///     2 c_m (1 + 2/(rho^2 - 1)) rho^-k, aliases and all: so it is summed in units u rho^k, words below that let go. An error of 4 units in each step of the
-///     recurrence contributes at most 4 (k - j + 1), so it is off by (nodes) 4 u rho^k p^2. Then N dB max|F| for the rounding of the nodal entries.
+///  5. rounding. A moment of order k only ever meets a coefficient of the interpolant of F, at most 2 c_m (1 + 2/(rho^2 - 1)) rho^-k, aliases and
+///     all: so it is summed in units u rho^k, words below that let go. An error of 4 units in each step of the recurrence contributes at
+///     most 4 (k - j + 1), so it is off by (nodes) 4 u rho^k p^2. And coefficients as computed, off by (4 p + 1) u max|F| + u: budget().
 /// All five are computed for every row and added up in balls.
 ///
-/// **Errors over n steps.** e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases to its
+/// **Errors over n steps.** With B = M C, M as computed: e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases to its
 /// limit), so e_n is a sum of n + 1 terms B^j a. Let W(k) bound |sum of k such terms|, in every component:
 /// W(1) = alpha and W(k + p) = |B^p| W(k) + W(p), for p the largest power of two up to k that |B^p| is kept for.
 /// |B| alone has a spectral radius of 1.05 to 2 and more, for large G; high powers come down to |rank one|. No stability theory is used:
 /// the |B^p| and the W(k) are computed, in `double`, each rounded up by more than its own rounding errors.
 ///
-/// **Cost.** Rows: N x nodes x p products of fixed-point numbers, most of them short: a term of weight W and order k has the words of W rho^-k; then N^2 products for each level and N x nodes
-/// for each load. N and the nodes grow like the number of digits.
+/// **Cost.** Rows: N x nodes x p products of fixed-point numbers, most of them short: a term of weight W and order k has the words of W rho^-k; then N^2 products for each level and
+/// p x nodes for each load. N and the nodes grow like the number of digits. B itself is only needed for the errors, in binary64.
 #pragma once
 
 #include "touchstone/transfer/fixed.hpp"
 #include "touchstone/transfer/rule.hpp"
+#include "touchstone/transfer/wave_kernel.hpp"
 
 #include <functional>
 #include <list>
@@ -78,8 +79,8 @@ public:
     /// sum_i w_i F_n(x_i) as one row, for all n.
     struct Functional {
         Ball first;                     ///< n = 0
-        std::vector<mp_limb_t> weights; ///< by nodes, for n >= 1
-        std::vector<double> modulus;    ///< their absolute values, rounded up
+        std::vector<mp_limb_t> moments; ///< by coefficients, for n >= 1
+        std::vector<double> modulus;    ///< at least the absolute values of the row by nodal values
         Ball budget;                    ///< the row's error, divided by c_m
     };
     Functional functional(const std::vector<Point>&);
@@ -106,8 +107,8 @@ private:
         long terms = 0;
     };
     struct Level {
-        std::vector<mp_limb_t> values; ///< F_m/scale at the nodes
-        std::vector<double> errors;    ///< W(m + 1): bounds of their errors, in units 2^-error_unit_
+        std::vector<mp_limb_t> coefficients; ///< of the polynomials through the values of F_m/scale at the nodes, by block
+        std::vector<double> errors;          ///< W(m + 1): bounds of the errors of those values, in units 2^-error_unit_
     };
 
     static FixedFormat format_for(double accuracy);
@@ -122,7 +123,11 @@ private:
     Row row(const Ball& x, const Ball& s, const Rule&) const;
     /// The row's error bound, divided by c_m, apart from what the level's values carry.
     Budget budget(const Row&, const Ball& x, const Rule&) const;
-    std::vector<mp_limb_t> nodal(const std::vector<mp_limb_t>& moments, std::size_t rows) const;
+    Ball coefficient_bound() const;
+    void set_coefficients();
+    std::vector<mp_limb_t> coefficients(const std::vector<mp_limb_t>& values) const;
+    void nodal(const mp_limb_t* moments, double* near) const;
+    static double nodal_error(double total);
     void extend_to(long n);
     void square_power();
     std::vector<double> errors_of(std::size_t level);
@@ -137,7 +142,10 @@ private:
     std::vector<Block> blocks_;
     struct Node { Ball x, s; };
     std::vector<Node> nodes_;
-    std::vector<mp_limb_t> matrix_;       ///< B, N x N fixed-point numbers
+    std::vector<mp_limb_t> matrix_;       ///< the rows' moments, N x N fixed-point numbers
+    std::vector<mp_limb_t> cosines_;      ///< 2 cos(pi m/2p)/p, m < 4p
+    std::size_t columns_ = 0;             ///< p, and what makes it a multiple of four
+    Wide near_coefficients_;              ///< C_kj, [k columns_ + j]
     std::vector<std::vector<double>> powers_; ///< |B^(2^r)|, rounded up; r > 0 made when needed
     std::vector<double> near_power_;      ///< the last power itself, to a relative near_error_ of majorant_
     std::vector<double> majorant_;        ///< |B|^(2^r)

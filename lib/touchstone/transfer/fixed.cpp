@@ -50,14 +50,16 @@ void FixedFormat::get(fmpz_t units, const mp_limb_t* in) const
 
 Ball FixedFormat::dot(const mp_limb_t* a, const mp_limb_t* b, std::size_t length) const
 {
-    const int n = limbs_;
-    std::vector<mp_limb_t> sum(static_cast<std::size_t>(2 * n)), term(sum.size());
-    for (std::size_t j = 0; j < length; ++j, a += n, b += n) {
-        product(term.data(), a, b);
-        mpn_add_n(sum.data(), sum.data(), term.data(), 2 * n);
-    }
+    Products sum(*this);
+    for (std::size_t j = 0; j < length; ++j) sum.add(a + j * static_cast<std::size_t>(limbs_), b + j * static_cast<std::size_t>(limbs_));
+    return sum.value();
+}
+
+Ball FixedFormat::Products::value() const
+{
+    std::vector<mp_limb_t> sum = sum_;
     const bool negative = sum.back() >> 63;
-    if (negative) mpn_neg(sum.data(), sum.data(), 2 * n);
+    if (negative) mpn_neg(sum.data(), sum.data(), 2 * format_.limbs_);
     mpz_t z;
     mpz_init(z);
     mpz_import(z, sum.size(), -1, sizeof(mp_limb_t), 0, 0, sum.data());
@@ -65,7 +67,7 @@ Ball FixedFormat::dot(const mp_limb_t* a, const mp_limb_t* b, std::size_t length
     Ball r;
     arf_set_mpz(arb_midref(r.get()), z);
     mpz_clear(z);
-    arb_mul_2exp_si(r.get(), r.get(), -2 * fraction());
+    arb_mul_2exp_si(r.get(), r.get(), -2 * format_.fraction());
     return r;
 }
 

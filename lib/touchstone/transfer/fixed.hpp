@@ -42,6 +42,29 @@ public:
     /// sum_j a_j b_j exactly, in units 2^(-2 fraction), as an enclosing (exact) ball.
     Ball dot(const mp_limb_t* a, const mp_limb_t* b, std::size_t length) const;
 
+    /// An exact sum of products.
+    class Products {
+    public:
+        explicit Products(const FixedFormat& format) : format_(format), sum_(2 * static_cast<std::size_t>(format.limbs_)), term_(sum_) {}
+        void clear() { sum_.assign(sum_.size(), 0); }
+        void add(const mp_limb_t* a, const mp_limb_t* b)
+        {
+            format_.product(term_.data(), a, b);
+            mpn_add_n(sum_.data(), sum_.data(), term_.data(), 2 * format_.limbs_);
+        }
+        Ball value() const;
+        /// Rounded down by less than a unit. \pre |sum| < 2^15
+        void put(mp_limb_t* out) const
+        {
+            mpn_lshift(out, sum_.data() + format_.limbs_, format_.limbs_, headroom);
+            out[0] |= sum_[static_cast<std::size_t>(format_.limbs_) - 1] >> (64 - headroom);
+        }
+
+    private:
+        const FixedFormat& format_;
+        std::vector<mp_limb_t> sum_, term_;
+    };
+
 private:
     /// The full signed product, 2 limbs words.
     void product(mp_limb_t* out, const mp_limb_t* a, const mp_limb_t* b) const
