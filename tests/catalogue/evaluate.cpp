@@ -283,6 +283,19 @@ TEST_CASE("a witness that agrees is a second look; one that does not is said lou
     CHECK(alone.note == "no second look: no grid");
 }
 
+TEST_CASE("a witness is asked for what a second proof would be, and two digits more, as far as witnesses go")
+{
+    for (const auto& [digits, asked] : {std::pair{5L, 7L}, {12L, 12L}, {22L, 13L}, {40L, 15L}}) {
+        long seen = 0;
+        const Look look{"an estimate", [&seen](Accuracy a) {
+                            seen = a.digits;
+                            return Witness{Ball(third), Ball(tiny)};
+                        }};
+        evaluate(known_by({.proofs = {proves(third)}, .witnesses = {look}}), inputs({}), {.digits = digits});
+        CHECK(seen == asked);
+    }
+}
+
 TEST_CASE("two proofs have to agree, and two estimates never make one")
 {
     CHECK_THROWS_AS(evaluate(known_by({.proofs = {proves(third), proves(third + Rational(1, 1000))}}), inputs({})), RoutesDisagree);

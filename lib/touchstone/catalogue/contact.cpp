@@ -127,9 +127,10 @@ Plan plan(Ask ask, Factor factor, const Inputs& in, Accuracy wanted)
             result.proofs.push_back({name, [=](Accuracy a) { return times(working_bits(a), enclose(*p, a)); }, most.digits});
         };
         proof(m->name, m->enclose, {recursion::any_digits});
-        if (m->enclose_again) proof(m->second, m->enclose_again, recursion::looked_at_again({std::min(wanted.digits, choice.digits)}));
+        if (m->enclose_again) proof(m->second, m->enclose_again, looked_at_again({std::min(wanted.digits, choice.digits)}));
         result.shares = m->shares;
-        result.dear = m->cost(*p, wanted) > dear_seconds;
+        // levels of a distribution cost seconds even for few digits
+        result.dear = m->cost(*p, wanted) > dear_seconds || (p->asked != Asked::area && p->n > 1);
     }
     if (p->asked == Asked::density && p->n <= 1) return result; // what the closed form and the one integral refuse there has no value
     const auto seen = [=](const recursion::Observer& o, Accuracy a) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/evaluate.hpp"
 
+#include "touchstone/scalar/second_look.hpp"
 #include "touchstone/scalar/thread_caches.hpp"
 
 #include <fmt/format.h>
@@ -46,7 +47,7 @@ constexpr long fewer_digits = 15;
 /// A witness disagrees when it is off by so many times its own error, and by so much of the value.
 constexpr long witness_error_factor = 64;
 constexpr long witness_digits = 15;
-/// It looks at the digits asked for, and so many more, not at all that it could give.
+/// It is asked for the digits that a second proof would look at, and so many more, not for all that it could give.
 constexpr long witness_spare_digits = 2;
 
 template <class F>
@@ -121,7 +122,8 @@ class Search {
 public:
     Search(const Quantity& q, const Plan& plan, const std::optional<Exact>& exact, const EvaluationOptions& options)
         : q_(q), plan_(plan), exact_(exact), options_(options),
-          witness_wants_(std::min(witness_digits, options.digits + witness_spare_digits)), own_threads_(plan.dear || q.costly || options.digits >= 300)
+          witness_wants_(std::min(witness_digits, looked_at_again({options.digits}).digits + witness_spare_digits)),
+          own_threads_(plan.dear || q.costly || options.digits >= 300)
     {
         if (plan.proofs.size() == 1 && second_look())
             witness_ = start(own_threads_, [look = second_look(), digits = witness_wants_] { return look->witness({digits}); });

@@ -92,12 +92,6 @@ const std::vector<Method>& methods()
     return all;
 }
 
-Accuracy looked_at_again(Accuracy wanted)
-{
-    constexpr long least = 10;
-    return {std::max(std::min(wanted.digits, least), (wanted.digits + 1) / 2)};
-}
-
 const std::vector<Observer>& observers()
 {
     static const std::vector<Observer> all{{"blind-halving", [](const Problem& p, Accuracy a) { return observe(Grid::blind, p, a); }},

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "touchstone/recursion/problem.hpp"
+#include "touchstone/scalar/second_look.hpp"
 
 namespace touchstone::recursion {
 
@@ -46,10 +47,6 @@ constexpr long observed_digits = 15;
 std::string observers_reach(Asked);
 /// Why there is no estimate of this; empty: there is one.
 std::string observers_refusal(const Problem&);
-
-/// A second proof looks at the first half of the digits asked for, at ten at least: a mistake in a formula or in its program, which it is there to find,
-/// does not wait for the later digits, and what those rest on, precision and bounds, is the first proof's own matter.
-Accuracy looked_at_again(Accuracy wanted);
 
 /// What serves a problem.
 struct Choice {
