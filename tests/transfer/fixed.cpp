@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "touchstone/transfer/coefficients.hpp"
 #include "touchstone/transfer/fixed.hpp"
 
 #include <doctest/doctest.h>
@@ -71,4 +72,39 @@ TEST_CASE("what does not fit is refused")
     CHECK_THROWS_AS(f.put(a.data(), Ball::indeterminate()), std::logic_error);
     f.put(a.data(), Ball((1L << 15) - 1));
     f.put(a.data(), Ball(-(1L << 15) + 1));
+}
+
+TEST_CASE("coefficients of the polynomial through values, and a row of moments by nodal values, are off by what is counted for them")
+{
+    const unsigned long seed = 20261123;
+    CAPTURE(seed);
+    std::mt19937_64 engine(seed);
+    for (const long p : {1L, 5L, 8L, 61L, 214L}) {
+        const FixedFormat f(290);
+        const WorkingPrecision precision(f.fraction() + 24);
+        const Coefficients C(f, p);
+        const auto n = static_cast<std::size_t>(f.limbs()), terms = static_cast<std::size_t>(p);
+        std::vector<mp_limb_t> values(terms * n), coefficients(values);
+        for (std::size_t j = 0; j < terms; ++j) f.put(&values[j * n], random_value(engine, f, 1));
+        C.of(values.data(), coefficients.data());
+        std::vector<double> near(terms);
+        C.row(values.data(), near.data()); // any numbers may be moments
+        const WorkingPrecision wide(800);
+        for (std::size_t k = 0; k < terms; ++k) {
+            CAPTURE(p);
+            CAPTURE(k);
+            Ball coefficient(0), nodal(0);
+            const auto entry = [&](std::size_t order, std::size_t j) {
+                const Ball c = 2 * ScalarTraits<Ball>::cos_pi(Ball(static_cast<long>(order * (2 * j + 1))) / Ball(2 * p)) / Ball(p);
+                return order == 0 ? c / 2 : c;
+            };
+            for (std::size_t j = 0; j < terms; ++j) {
+                coefficient += entry(k, j) * value(f, &values[j * n]);
+                nodal += entry(j, k) * value(f, &values[j * n]);
+            }
+            CHECK(certainly(less(abs(coefficient - value(f, &coefficients[k * n])), (4 * p + 1) * f.unit())));
+            const Ball counted = abs(nodal) * ScalarTraits<Ball>::power_of_two(-52) + Ball::exactly(Coefficients::row_error(2));
+            CHECK(certainly(less(abs(nodal - Ball::exactly(near[k])), counted)));
+        }
+    }
 }

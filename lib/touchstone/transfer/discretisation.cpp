@@ -3,7 +3,6 @@
 
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/binary64.hpp"
-#include "touchstone/transfer/wide_balls.hpp"
 
 #include <fmt/format.h>
 
@@ -35,19 +34,6 @@ Ball radius(const Ball& b)
     return r;
 }
 Ball larger(const Ball& a, const Ball& b) { return certainly(less(a, b)) ? b : a; }
-/// A fixed-point number to its two leading words: off by less than 2^-111 and 2^-100 of itself.
-DoubleDouble<double> leading_words(const mp_limb_t* number, std::size_t limbs)
-{
-    const bool negative = number[limbs - 1] >> 63;
-    DoubleDouble<double> sum;
-    for (std::size_t word = 0; word < std::min(limbs, std::size_t{2}); ++word) {
-        const mp_limb_t digits = negative ? ~number[limbs - 1 - word] : number[limbs - 1 - word]; // the last unit does not count
-        const int unit = FixedFormat::headroom - 64 * (static_cast<int>(word) + 1);
-        sum += std::ldexp(static_cast<double>(digits >> 32), unit + 32);
-        sum += std::ldexp(static_cast<double>(digits & 0xffffffff), unit);
-    }
-    return negative ? -sum : sum;
-}
 
 } // namespace
 
@@ -154,7 +140,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
 
     rule_ = scheme == Scheme::force_weighted ? double_exponential_rule(G_, all, accuracy, V) : gauss_panel_rule(G_, all, accuracy, V);
 
-    set_coefficients();
+    to_coefficients_ = Coefficients(format_, blocks_.front().points);
     const auto limbs = static_cast<std::size_t>(format_.limbs());
     matrix_.reserve(N * N * limbs);
     near_power_.resize(N * N);
@@ -164,9 +150,8 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     for (const Node& n : nodes_) {
         Row r = row(n.x, n.s, rule_);
         double *const near = &near_power_[rows.size() * N], *const majorant = &majorant_[rows.size() * N];
-        nodal(r.moments.data(), near);
-        const double floor = nodal_error(upper_double(r.total)) / near_error_; // so that near_error_ covers it, too
-        for (std::size_t j = 0; j < N; ++j) majorant[j] = std::fabs(near[j]) * up + floor;
+        const double off = nodal(r.moments.data(), r.total, near) / near_error_; // so that near_error_ covers it, too
+        for (std::size_t j = 0; j < N; ++j) majorant[j] = std::fabs(near[j]) * up + off;
         matrix_.insert(matrix_.end(), r.moments.begin(), r.moments.end());
         r.moments = {};
         rows.push_back(std::move(r));
@@ -326,73 +311,12 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
     return r;
 }
 
-/// C_kj = (2 - [k = 0]) T_k(tau_j)/p, the same for every block: from values at its nodes to coefficients of the polynomial through them.
-void Discretisation::set_coefficients()
+/// A row of moments of weights that add up to `total` as one of nodal values. \returns what those are off by beyond a relative 2^-52
+double Discretisation::nodal(const mp_limb_t* moments, const Ball& total, double* near) const
 {
-    const long p = blocks_.front().points;
-    const auto limbs = static_cast<std::size_t>(format_.limbs()), terms = static_cast<std::size_t>(p);
-    cosines_.resize(4 * terms * limbs);
-    columns_ = (terms + 3) / 4 * 4;
-    near_coefficients_ = Wide(terms * columns_);
-    Wide near(4 * terms);
-    for (std::size_t m = 0; m < 4 * terms; ++m) {
-        const Ball c = 2 * Traits::cos_pi(Ball(static_cast<long>(m)) / Ball(2 * p)) / Ball(p);
-        format_.put(&cosines_[m * limbs], c);
-        near.set(m, to_real(c));
-    }
-    for (std::size_t k = 0; k < terms; ++k)
-        for (std::size_t j = 0; j < terms; ++j) near_coefficients_.set(k * columns_ + j, near[k * (2 * j + 1) % (4 * terms)] * (k == 0 ? 0.5 : 1));
+    for (const Block& b : blocks_) to_coefficients_.row(moments + b.first * static_cast<std::size_t>(format_.limbs()), near + b.first);
+    return Coefficients::row_error(1 + upper_double(total)); // a moment's own error is less than 1
 }
-
-/// C applied to values at all nodes, the halves of a block added and subtracted first. Off by 2 p u max|values|, for cosines are by less than 2 u, and by u.
-std::vector<mp_limb_t> Discretisation::coefficients(const std::vector<mp_limb_t>& values) const
-{
-    const auto limbs = static_cast<std::size_t>(format_.limbs()), p = static_cast<std::size_t>(blocks_.front().points), half = (p + 1) / 2;
-    const auto size = static_cast<mp_size_t>(limbs);
-    std::vector<mp_limb_t> result(values.size()), part[2]{std::vector<mp_limb_t>(half * limbs), std::vector<mp_limb_t>(half * limbs)};
-    FixedFormat::Products sum(format_);
-    for (const Block& block : blocks_) {
-        const mp_limb_t* const v = &values[block.first * limbs];
-        for (std::size_t j = 0; j < half; ++j) { // tau_{p-1-j} = -tau_j
-            const mp_limb_t *const here = v + j * limbs, *const there = v + (p - 1 - j) * limbs;
-            if (2 * j + 1 == p) { // the middle one, once
-                std::copy_n(here, limbs, &part[0][j * limbs]);
-                std::fill_n(&part[1][j * limbs], limbs, 0);
-                continue;
-            }
-            mpn_add_n(&part[0][j * limbs], here, there, size);
-            mpn_sub_n(&part[1][j * limbs], here, there, size);
-        }
-        for (std::size_t k = 0; k < p; ++k) {
-            sum.clear();
-            for (std::size_t j = 0; j < half; ++j) sum.add(&cosines_[k * (2 * j + 1) % (4 * p) * limbs], &part[k % 2][j * limbs]);
-            mp_limb_t* const c = &result[(block.first + k) * limbs];
-            sum.put(c);
-            if (k == 0) { // halved, the sign kept
-                const mp_limb_t sign = c[limbs - 1] & (mp_limb_t{1} << 63);
-                mpn_rshift(c, c, size, 1);
-                c[limbs - 1] |= sign;
-            }
-        }
-    }
-    return result;
-}
-
-/// A row of moments as one of nodal values, in 106 bits and then binary64.
-void Discretisation::nodal(const mp_limb_t* moments, double* near) const
-{
-    const auto limbs = static_cast<std::size_t>(format_.limbs()), p = static_cast<std::size_t>(blocks_.front().points);
-    for (const Block& block : blocks_) {
-        Wide row(p), at_nodes(columns_);
-        for (std::size_t k = 0; k < p; ++k) row.set(k, leading_words(moments + (block.first + k) * limbs, limbs));
-        add_products(near_coefficients_, 0, row, columns_, at_nodes);
-        std::copy_n(at_nodes.high.data(), p, near + block.first);
-    }
-}
-
-/// What a nodal entry of a row of this total weight is off by beyond a relative 2^-52: sums of p <= 4000 products of moments, below 1 + total, and
-/// of C_kj, at most 2/p, off by (p^2/2 + 5 p + 10) 2^-106 < 2^-83 of the sum of moduli (wave_kernel.cpp), 2 (1 + total); all other roundings are less.
-double Discretisation::nodal_error(double total) { return std::ldexp(1 + total, -80); }
 
 /// Coefficients of the interpolant of what is at most 1 on the ellipses are below this times rho^-k, aliases and all.
 Ball Discretisation::coefficient_bound() const
@@ -490,7 +414,8 @@ void Discretisation::extend_to(long n)
         const double largest = *std::max_element(l.errors.begin(), l.errors.end());
         if (!(largest < std::ldexp(1.0, static_cast<int>(error_unit_)))) // roundings are counted for values of at most 2 c_m
             throw BeyondReach("errors have outgrown the values over so many scales");
-        l.coefficients = coefficients(values);
+        l.coefficients.resize(values.size());
+        for (const Block& b : blocks_) to_coefficients_.of(&values[b.first * limbs], &l.coefficients[b.first * limbs]);
         levels_.push_back(std::move(l));
     }
 }
@@ -535,8 +460,7 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
     }
     f.budget = upper(f.budget + static_cast<long>(N) * rounding * coefficient_bound());
     f.modulus.resize(N);
-    nodal(moments.data(), f.modulus.data());
-    const double off = nodal_error(upper_double(total));
+    const double off = nodal(moments.data(), total, f.modulus.data());
     for (double& w : f.modulus) w = (std::fabs(w) + off) * up;
     f.moments = std::move(moments);
     return f;

@@ -19,7 +19,7 @@
 ///  4. the weights, off by dW: (number of nodes) dW c_m;
 ///  5. rounding. A moment of order k only ever meets a coefficient of the interpolant of F, at most 2 c_m (1 + 2/(rho^2 - 1)) rho^-k, aliases and
 ///     all: so it is summed in units u rho^k, words below that let go. An error of 4 units in each step of the recurrence contributes at
-///     most 4 (k - j + 1), so it is off by (nodes) 4 u rho^k p^2. And coefficients as computed, off by (4 p + 1) u max|F| + u: budget().
+///     most 4 (k - j + 1), so it is off by (nodes) 4 u rho^k p^2. And coefficients as computed are off: budget().
 /// All five are computed for every row and added up in balls.
 ///
 /// **Errors over n steps.** With B = M C, M as computed: e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases to its
@@ -32,9 +32,8 @@
 /// p x nodes for each load. N and the nodes grow like the number of digits. B itself is only needed for the errors, in binary64.
 #pragma once
 
-#include "touchstone/transfer/fixed.hpp"
+#include "touchstone/transfer/coefficients.hpp"
 #include "touchstone/transfer/rule.hpp"
-#include "touchstone/transfer/wave_kernel.hpp"
 
 #include <functional>
 #include <list>
@@ -124,10 +123,7 @@ private:
     /// The row's error bound, divided by c_m, apart from what the level's values carry.
     Budget budget(const Row&, const Ball& x, const Rule&) const;
     Ball coefficient_bound() const;
-    void set_coefficients();
-    std::vector<mp_limb_t> coefficients(const std::vector<mp_limb_t>& values) const;
-    void nodal(const mp_limb_t* moments, double* near) const;
-    static double nodal_error(double total);
+    double nodal(const mp_limb_t* moments, const Ball& total, double* near) const;
     void extend_to(long n);
     void square_power();
     std::vector<double> errors_of(std::size_t level);
@@ -143,9 +139,7 @@ private:
     struct Node { Ball x, s; };
     std::vector<Node> nodes_;
     std::vector<mp_limb_t> matrix_;       ///< the rows' moments, N x N fixed-point numbers
-    std::vector<mp_limb_t> cosines_;      ///< 2 cos(pi m/2p)/p, m < 4p
-    std::size_t columns_ = 0;             ///< p, and what makes it a multiple of four
-    Wide near_coefficients_;              ///< C_kj, [k columns_ + j]
+    Coefficients to_coefficients_;        ///< of every block
     std::vector<std::vector<double>> powers_; ///< |B^(2^r)|, rounded up; r > 0 made when needed
     std::vector<double> near_power_;      ///< the last power itself, to a relative near_error_ of majorant_
     std::vector<double> majorant_;        ///< |B|^(2^r)

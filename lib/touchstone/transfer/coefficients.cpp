@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/transfer/coefficients.hpp"
+
+#include "touchstone/transfer/wide_balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::transfer {
+
+using Real = DoubleDouble<double>;
+
+Coefficients::Coefficients(const FixedFormat& format, long p)
+    : format_(format), terms_(static_cast<std::size_t>(p)), columns_((terms_ + 3) / 4 * 4)
+{
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    cosines_.resize(4 * terms_ * limbs);
+    near_ = Wide(terms_ * columns_);
+    Wide near(4 * terms_);
+    for (std::size_t m = 0; m < 4 * terms_; ++m) {
+        const Ball c = 2 * ScalarTraits<Ball>::cos_pi(Ball(static_cast<long>(m)) / Ball(2 * p)) / Ball(p);
+        format_.put(&cosines_[m * limbs], c);
+        near.set(m, to_real(c));
+    }
+    for (std::size_t k = 0; k < terms_; ++k)
+        for (std::size_t j = 0; j < terms_; ++j)
+            near_.set(k * columns_ + j, near[k * (2 * j + 1) % (4 * terms_)] * (k == 0 ? 0.5 : 1));
+}
+
+void Coefficients::of(const mp_limb_t* values, mp_limb_t* coefficients) const
+{
+    const auto limbs = static_cast<std::size_t>(format_.limbs()), half = (terms_ + 1) / 2;
+    const auto size = static_cast<mp_size_t>(limbs);
+    std::vector<mp_limb_t> part[2]{std::vector<mp_limb_t>(half * limbs), std::vector<mp_limb_t>(half * limbs)};
+    for (std::size_t j = 0; j < half; ++j) { // tau_{p-1-j} = -tau_j: sums for even k, differences for odd
+        const mp_limb_t *const here = values + j * limbs, *const there = values + (terms_ - 1 - j) * limbs;
+        if (2 * j + 1 == terms_) { // the middle one, once
+            std::copy_n(here, limbs, &part[0][j * limbs]);
+            break;
+        }
+        mpn_add_n(&part[0][j * limbs], here, there, size);
+        mpn_sub_n(&part[1][j * limbs], here, there, size);
+    }
+    FixedFormat::Products sum(format_);
+    for (std::size_t k = 0; k < terms_; ++k) {
+        sum.clear();
+        for (std::size_t j = 0; j < half; ++j) sum.add(&cosines_[k * (2 * j + 1) % (4 * terms_) * limbs], &part[k % 2][j * limbs]);
+        mp_limb_t* const c = coefficients + k * limbs;
+        sum.put(c);
+        if (k > 0) continue;
+        const mp_limb_t sign = c[limbs - 1] & (mp_limb_t{1} << 63); // halved
+        mpn_rshift(c, c, size, 1);
+        c[limbs - 1] |= sign;
+    }
+}
+
+namespace {
+
+/// A fixed-point number to its two leading words: off by less than 2^-111 and 2^-100 of itself.
+Real leading_words(const mp_limb_t* number, std::size_t limbs)
+{
+    const bool negative = number[limbs - 1] >> 63;
+    Real sum;
+    for (std::size_t word = 0; word < std::min(limbs, std::size_t{2}); ++word) {
+        const mp_limb_t digits = negative ? ~number[limbs - 1 - word] : number[limbs - 1 - word]; // the last unit does not count
+        const int unit = FixedFormat::headroom - 64 * (static_cast<int>(word) + 1);
+        sum += std::ldexp(static_cast<double>(digits >> 32), unit + 32);
+        sum += std::ldexp(static_cast<double>(digits & 0xffffffff), unit);
+    }
+    return negative ? -sum : sum;
+}
+
+} // namespace
+
+void Coefficients::row(const mp_limb_t* moments, double* near) const
+{
+    const auto limbs = static_cast<std::size_t>(format_.limbs());
+    Wide leading(terms_), sums(columns_);
+    for (std::size_t k = 0; k < terms_; ++k) leading.set(k, leading_words(moments + k * limbs, limbs));
+    add_products(near_, 0, leading, columns_, sums);
+    std::copy_n(sums.high.data(), terms_, near);
+}
+
+double Coefficients::row_error(double most) { return std::ldexp(most, -80); }
+
+} // namespace touchstone::transfer
