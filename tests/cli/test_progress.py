@@ -17,9 +17,9 @@ import unittest
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 SUBJECTS = os.path.join(os.path.dirname(PROGRAM), "verify", "subjects")
-# three seconds with steps of an engine, one second without
-VALUE = ["eval", "contact.exceedance", "n=2", "p=1/100", "load=1/100", "G=3", "--digits", "3"]
-SHORT = ["eval", "contact.area", "n=2", "load=7/20", "G=3/2", "--digits", "6"]
+# seconds of work, many times the 0.1 s between two pictures: with steps of an engine, and without
+VALUE = ["eval", "contact.exceedance", "n=5", "p=1/100", "load=1/100", "G=3", "--digits", "8"]
+SHORT = ["eval", "contact.area", "n=2", "load=7/20", "G=3/2", "--digits", "60"]
 SUBJECT = ["--", os.path.join(SUBJECTS, "subject_library_forms"), "westergaard.gap"]
 LEDGER = ["paper"]
 
@@ -104,7 +104,7 @@ class Progress(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             rows = os.path.join(folder, "printed.txt")
             with open(rows, "w") as file:
-                file.write("# load a\n" + "".join(f"0.{k:05d} 0.1\n" for k in range(1, 6001)))
+                file.write("# load a\n" + "".join(f"0.{k:05d} 0.1\n" for k in range(1, 20001)))
             pictures, shares = self.check_bar(["check", rows, "--quantity", "westergaard.half_width", "--quiet"], 2)
             self.assertGreaterEqual(len(set(shares)), 2, pictures)
 
@@ -122,7 +122,7 @@ class Progress(unittest.TestCase):
         """Nothing where stderr is no terminal; whole lines with --progress-every."""
         silent = subprocess.run([PROGRAM, *VALUE], capture_output=True, text=True)
         self.assertEqual((silent.returncode, silent.stderr), (0, ""))
-        logged = subprocess.run([PROGRAM, "--progress-every", "0.2", *SHORT], capture_output=True, text=True)
+        logged = subprocess.run([PROGRAM, "--progress-every", "0.1", *SHORT], capture_output=True, text=True)
         lines = logged.stderr.splitlines()
         self.assertGreater(len(lines), 1)
         for line in lines:

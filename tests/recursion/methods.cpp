@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <random>
@@ -170,7 +172,7 @@ TEST_CASE("what is written about it is printed from it")
     CHECK(find_quantity("contact.density")->domain.find(reach_in_words(Asked::density)) != std::string::npos);
 }
 
-/// Evaluated, not only chosen: TOUCHSTONE_CAMPAIGN=SEED:COUNT ctest -R methods_campaign
+/// Evaluated, not only chosen: TOUCHSTONE_CAMPAIGN=SEED:COUNT test_methods -tc='campaign*'
 TEST_CASE("campaign: what the table claims is certified when it is asked for" * doctest::skip(std::getenv("TOUCHSTONE_CAMPAIGN") == nullptr))
 {
     const char* set = std::getenv("TOUCHSTONE_CAMPAIGN");
@@ -194,5 +196,86 @@ TEST_CASE("campaign: what the table claims is certified when it is asked for" * 
         CHECK_MESSAGE((e.status == Status::certified || e.status == Status::exact),
                       name << " n=" << n << " load=" << load.get_str() << " G=" << G.get_str() << (values.contains("p") ? " p=" + values["p"].get_str() : "") << ": " << e.note);
         if (e.second_look) CHECK(e.second_look->agrees);
+    }
+}
+
+namespace {
+
+/// What the table's rows, their second proofs and their witnesses say of one area.
+class Opinions {
+public:
+    void hold(const Problem& p, Accuracy a)
+    {
+        proofs_.clear();
+        for (const Method& m : methods()) {
+            const bool answers = std::find(m.asked.begin(), m.asked.end(), Asked::area) != m.asked.end();
+            if (!answers || !m.refusal(p).empty() || m.most_digits(p) < a.digits || m.cost(p, a) > most_seconds) continue;
+            add(m.name, [&] { return m.enclose(p, a); });
+            if (m.enclose_again) add(m.second, [&] { return m.enclose_again(p, a); });
+            else if (m.witness) ask(*m.witness, p, a);
+            else if (observers_refusal(p).empty()) ask(observers().front(), p, a);
+        }
+        ++points;
+        pairs += static_cast<long>(proofs_.size() * (proofs_.size() - 1) / 2);
+    }
+    long points = 0, pairs = 0, witnesses = 0, refusals = 0;
+
+private:
+    static constexpr double most_seconds = 1000; // of a mesh, which serves all areas of one G
+    template <class F>
+    void add(const std::string& name, F enclosure)
+    {
+        try {
+            const Ball b = enclosure();
+            for (const auto& [other, ball] : proofs_) CHECK_MESSAGE(b.overlaps(ball), name << " " << b.to_string(15) << ", " << other << " " << ball.to_string(15));
+            proofs_.emplace_back(name, b);
+        }
+        catch (const BeyondReach&) {
+            ++refusals;
+        }
+    }
+    void ask(const Observer& witness, const Problem& p, Accuracy a)
+    {
+        if (proofs_.empty()) return;
+        try {
+            const Witness w = witness.look(p, a);
+            Ball seen = w.value;
+            arb_add_error(seen.get(), w.error.get());
+            CHECK_MESSAGE(seen.overlaps(proofs_.back().second), witness.name << " " << seen.to_string(15) << ", " << proofs_.back().first << " " << proofs_.back().second.to_string(15));
+            ++witnesses;
+        }
+        catch (const BeyondReach&) {
+            ++refusals;
+        }
+    }
+    std::vector<std::pair<std::string, Ball>> proofs_;
+};
+
+} // namespace
+
+/// TOUCHSTONE_OPINIONS=SEED:SURFACES test_methods -tc='campaign*': for each of so many values of G a hundred areas, which share their meshes.
+TEST_CASE("campaign: all proofs of an area overlap, and its witness" * doctest::skip(std::getenv("TOUCHSTONE_OPINIONS") == nullptr))
+{
+    const char* set = std::getenv("TOUCHSTONE_OPINIONS");
+    const std::string text = set ? set : "1:1";
+    std::mt19937_64 random(std::stoull(text));
+    const long surfaces = std::stol(text.substr(text.find(':') + 1));
+    const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    const auto rational = [](double x) { return Rational(static_cast<long>(x * 1e6) + 1, 1'000'000); };
+    constexpr long of_a_surface = 100;
+    Opinions opinions;
+    for (long g = 0; g < surfaces; ++g) {
+        // half of them where full contact never ends, the rest up to 10^3
+        const Rational G = rational(random() % 2 ? 1 + std::exp(between(std::log(0.02), 0)) : 2 + std::exp(between(std::log(1e-3), std::log(1e3))));
+        std::vector<Problem> all;
+        for (long i = 0; i < of_a_surface; ++i)
+            all.push_back(problem(Asked::area, 1 + static_cast<long>(random() % 20), rational(std::exp(between(std::log(1e-5), std::log(10.0)))), G, 0));
+        for (const Problem& p : all) {
+            CAPTURE(G.get_str());
+            CAPTURE(p.load.get_str());
+            CAPTURE(p.n);
+            opinions.hold(p, {8});
+        }
+        MESSAGE("G=" << G.get_str() << ": " << opinions.points << " areas, " << opinions.pairs << " pairs of proofs, " << opinions.witnesses << " witnesses, " << opinions.refusals << " beyond reach");
     }
 }
