@@ -22,6 +22,8 @@ REACH = Fraction(17, 8)     # (RHO + 1/RHO)/2
 MOST_POINTS = 48            # on one interval J
 MOST_INTERVALS = 2000       # of one panel
 CONTINUED = 8               # a polynomial that is continued is at most 2^CONTINUED times sum |c_k|
+HIGHEST = 1 << 16           # ratios: cos theta at an edge y is known within some y units, and (L) counts 2^8 roots of a unit for that
+BEYOND = 14                 # a panel is within middle +- half but for 2^-BEYOND half, so that |T_k| <= 2 there, k < 64
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
@@ -172,8 +174,10 @@ class Mesh:
         Interval.bits = bits + 64
         self.G, self.inverse, self.P = fixed(G, bits), fixed(1 / G.square(), bits), fixed(Interval.of(pressure), bits)
         rising = 0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:]))
-        if not rising or edges[-1] < self.one or any(half <= 0 for _, half in places):
+        if not rising or not self.one <= edges[-1] <= HIGHEST * self.one or any(half <= 0 for _, half in places):
             raise Refused("not a mesh")
+        if any(abs(self.local(p, y * y >> bits)) > self.one + (self.one >> BEYOND) for p in range(len(places)) for y in edges[p:p + 2]):
+            raise Refused("a polynomial is of another panel")
         if (edges[-1] + self.one) << bits > (self.G - 1) * edges[-1]:
             raise Refused("ratios leave the mesh")
         self.lg = [[self.log_growth(p, j) for j in range(len(QUARTERS))] for p in range(len(series))]
@@ -366,6 +370,8 @@ class Mesh:
             y_high, y_low = ((one + at - g) << bits) // G, ((at - one + g) << bits) // G + 1
             moved = 2 * self.most(at) * r // G + (r * r << bits) // (G * G) + 4
             low = self.panel(y_low)
+            if low > self.panel(y_high):  # g = 1, and an edge where rounding puts one end beyond the other: there is no W
+                raise Far
             size = [self.continued(low, self.least(at), y_low, 2 * y_low * r // G + (r * r << bits) // (G * G) + 4)]
         else:
             g = 3 * r + 1  # 2.36/0.79 < 3
@@ -508,8 +514,9 @@ class Mesh:
 
     def value(self, n, load, effects):
         """B_n at this load: low and high, fractions"""
-        reach, below = self.reach(load), load * 2**self.bits // 1
-        rows = [self.exact_row(x) for x in {below, -(-load * 2**self.bits // 1)}]  # B_n increases
+        below, above = load * 2**self.bits // 1, -(-load * 2**self.bits // 1)
+        reach = self.reach(Fraction(above, self.one))
+        rows = [self.exact_row(x) for x in {below, above}]  # B_n increases
         for k in range(1, n + 1):
             units = 1 << self.bits + self.kept + self.lift[k - 1]
             error = sum(effects[m] * reach[k - 1 - m] / 2 ** self.lift[m] for m in range(k))
