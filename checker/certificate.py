@@ -18,6 +18,7 @@ import transfer
 from intervals import Interval
 from transfer import Refused
 
+SMALLEST_STEP = Fraction(1, 1 << 16)  # of a rule: exp(-1/step) is a number one can write
 LONGEST_FILE, LONGEST_WORD, MOST_PANELS, MOST_PANELS_OF_A_MESH = 1 << 28, 4096, 64, 4096
 MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024}
 
@@ -113,7 +114,7 @@ class Certificate:
                 *inputs, G, value, error = fields(rest, CLAIMS[self.quantity], "claim")
                 n, load = (inputs[0], inputs[-1]) if inputs else (1, 1)
                 self.claims[decimal(which)] = *inputs, G, value, error
-                need(list(self.claims)[-1] == len(self.claims) and n > 0 and value > 0 and error >= 0, f"claim {which[:9]}: is none")
+                need(list(self.claims)[-1] == len(self.claims) and n > 0 and value > error >= 0, f"claim {which[:9]}: is none")
                 continue
             (first, last), *counted = fields(rest, "span grids panels levels values limits meshes polynomials shares", "section")
             found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
@@ -152,7 +153,7 @@ class Replay:
         need(not more or reason in WITH_INTEGERS, f"line {self.number}: says more than it may")
         try:
             self.known[self.number] = getattr(self, reason)([self.known[r] for r in numbers], *data, *([[integer(c) for c in more]] if reason in WITH_INTEGERS else []))
-        except (Refused, ValueError, ZeroDivisionError) as why:
+        except (Refused, ValueError, ArithmeticError, MemoryError) as why:
             raise Refused(f"line {self.number}: {why}") from None
         self.until[self.number] = decimal(words[3])
         need(self.number <= self.until[self.number] and (reason in PROVES_A_CLAIM) == (self.until[self.number] == self.number), f"line {self.number}: forgotten too early")
@@ -165,7 +166,7 @@ class Replay:
         return self.first <= self.number <= self.last
 
     def grid(self, below, G, bits, step, points):
-        need(not below and bits >= 32 and 0 < step < 1 and points > 0 and step * points < 1000, "not a rule", Refused)
+        need(not below and bits >= 32 and SMALLEST_STEP <= step < 1 and points > 0 and step * points < 1000, "not a rule", Refused)
         need(G[0] > 2 ** G[1] and G[0] < 2 ** (40 * G[1]), "G is not between 2 and 2^40", Refused)
         return "grid", self.number, (G, bits, step, points)
 
@@ -256,19 +257,21 @@ class Replay:
 
     def share(self, below, claim):
         mesh, (n, *pressure, load), value, error = self.claimed(self.certificate.quantity, below, claim)
-        (base, degree), p, scale, bits, kept, accuracy, rise, edges = mesh[2] if mesh[0] == "mesh" else (None,) * 8
+        need(mesh[0] == "mesh", "a share rests on a mesh", Refused)
+        (base, degree), p, scale, bits, kept, accuracy, rise, edges = mesh[2]
         need((pressure or [0]) == [p] and (not p or scale == n), "does not rest on a mesh of its pressure", Refused)
         below = below[1:]
         need(all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
         need([b[2] for b in below] == list(range(len(edges) - 1)) and len({(len(b[4]), len(b[4][0])) for b in below}) == 1, "polynomials are missing", Refused)
         need(n <= len(below[0][4]) and load * 2**bits <= edges[-1], "the mesh does not reach so far", Refused)
         if self.proving():
-            if (mesh[1], 0) not in self.rules:
+            key = mesh[1], tuple(b[1] for b in below)
+            if key not in self.rules:
                 Interval.bits = bits + 128
                 pressure = p / power_of(base, degree, scale)  # in p*_n, whatever the scale is
                 made = full_contact.Mesh(root_of(base, degree), pressure, bits, edges, [b[3] for b in below], [b[4] for b in below], kept, accuracy, rise)
-                self.rules = {(mesh[1], 0): (made, made.effects())}  # of one mesh at a time
-            made, effects = self.rules[mesh[1], 0]
+                self.rules = {key: (made, made.effects())}  # of one mesh at a time
+            made, effects = self.rules[key]
             low, high = made.value(n, load, effects)
             need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
         return "share", self.number
@@ -277,6 +280,7 @@ class Replay:
         """(F): C(G) is near the value because sum w_j h_(m+j) is, on each panel"""
         grid, _, value, error = self.claimed("limit.area_constant", below, claim)
         need(m >= 0 and weights and sum(weights) * Fraction(2) ** exponent == 1, "the weights do not add up to 1", Refused)
+        need(all(b[0] == "level" for b in below[1:]), "does not rest on levels", Refused)
         weights = [w * Fraction(2) ** exponent for w in weights]
         each = [self.whole(grid, [b for b in below[1:] if b[4] == m + j], m + j) for j in range(len(weights))]
         need(sum(len(panels) for panels, *_ in each) == len(below) - 1 and len({places for *_, places in each}) == 1, "levels of other panels", Refused)
@@ -305,7 +309,7 @@ def power_of(base, degree, n):
 
 def shown(quantity, claim):
     *inputs, (base, degree), value, error = claim
-    digits = max(1, len(str(int(value / error)))) if error else 40
+    digits = len(str(int(value / error))) - 1  # error < value; no claim of an error of 0 is proved
     e = len(str(int(value))) - 1 if value >= 1 else -len(str(int(1 / value)))
     what = "".join(f"{name}={x} " for name, x in zip(CLAIMS[quantity].split(), inputs))
     return f"{quantity} {what}G={base}{f'^1/{degree}' if degree > 1 else ''}: {int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"

@@ -14,6 +14,9 @@ import intervals as iv
 from intervals import Interval
 
 
+FARTHEST = 1 << 14  # s: so that powers of exp(s) are numbers one can write
+
+
 class Refused(Exception):
     """What is asked cannot be had from these numbers."""
 
@@ -42,6 +45,8 @@ class Panel:
     def __init__(self, low, high, terms, rho, bits):
         self.low, self.high, self.terms, self.bits = low, high, terms, bits
         self.middle, self.half = (low + high) / 2, (high - low) / 2
+        if high > FARTHEST:
+            raise Refused("a panel is too far out")
         if not (0 < low < high and rho > 1 and (rho + 1 / rho) * self.half <= 2 * self.middle):
             raise Refused("the ellipse of a panel leaves the half-plane")
         if ((self.middle * 2**bits).denominator, (self.half * 2**bits).denominator) != (1, 1):

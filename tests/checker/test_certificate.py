@@ -4,6 +4,7 @@ import argparse
 import decimal
 import functools
 import hashlib
+import itertools
 import json
 import pathlib
 import random
@@ -21,6 +22,7 @@ parser.add_argument("--seed", type=int, default=20261122)
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
+import full_contact  # noqa: E402
 import transfer  # noqa: E402
 
 # A rule depends on its arguments alone: a thousand replays of one certificate may share it.
@@ -228,6 +230,55 @@ class Certificates(unittest.TestCase):
                     self.assertTrue(said.stdout.startswith("no: ") and len(said.stdout.splitlines()) == 1, said.stdout[:300])
                     self.assertEqual(said.stderr, "")
         self.assertEqual(check(self.path.parent / "none").returncode, 65)
+
+    def write(self, quantity, claims, lines):
+        """a certificate of these claims and lines"""
+        kinds = [line.split(" ")[0] for line in lines]
+        counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in zip(certificate.FORMS, "grids panels levels values limits meshes polynomials shares".split()))
+        head = ["TOUCHSTONE-CERT 1", f"quantity {quantity}", f"counts claims={len(claims)} sections=1 lines={len(lines)}", *(f"claim {i} {c}" for i, c in enumerate(claims, 1)),
+                f"section 1 span=1-{len(lines)} {counts}", *(f"{i} {line}" for i, line in enumerate(lines, 1))]
+        self.path.write_text(signed("\n".join(head) + "\nsha256 "))
+
+    def test_what_is_written_to_deceive_is_refused(self):
+        """Lines by hand that rest on what they may not, and numbers that no arithmetic holds: an answer, never a crash."""
+        area, constant, one = "n=1 load=1/2 G=3 value=1:-1 error=1:-2", "G=3 value=1:0 error=1:-1", 1 << 64
+        grid, mesh = "G=3 bits=40 step=1:-3 points=40", f"G=3 p=0 scale=0 bits=40 kept=40 accuracy=a rise=0 {one // 100:x} "
+        panel, level = "panel 1 3 low=1:-2 high={} terms=2 rho=1000001:-24", "level 1-2 4 m=0 error=1:10 exponent=0 1 0"
+        V = "terms=2 8000000000000000 4000000000000000"
+        for why, quantity, claim, lines in (
+                ("does not rest on levels", "limit.area_constant", constant, [f"grid - 3 {grid}", panel.format("1:0"), "limit 1-2 3 claim=1 m=0 exponent=0 1"]),
+                ("a share rests on a mesh", "contact.area", area, [f"grid - 2 {grid}", "share 1 2 claim=1"]),
+                ("polynomials are missing", "contact.area", area, [f"mesh - 2 {mesh.strip()}", "share 1 2 claim=1"]),
+                ("a value rests on a grid", "contact.area", area, [f"mesh - 2 {mesh.strip()}", "value 1 2 claim=1"]),
+                ("not a rule", "contact.area", area, [f"grid - 3 {grid.replace('-3', '-60')}", panel.format("1:2"), level, "value 1,3 4 claim=1"]),
+                ("a panel is too far out", "contact.area", area, [f"grid - 3 {grid}", panel.format("1:200").replace("1000001:-24", f"{2**300 + 1:x}:-300"), level, "value 1,3 4 claim=1"]),
+                ("claim 1: is none", "contact.area", area.replace("error=1:-2", "error=1:9000"), [f"grid - 3 {grid}", panel.format("1:2"), level, "value 1,3 4 claim=1"]),
+                ("a polynomial is of another panel", "contact.area", area, [f"mesh - 3 {mesh}{2 * one:x}", f"polynomials 1 3 panel=0 middle={2 * one:x} half={one // 9:x} {V}", "share 1-2 3 claim=1"]),
+                ("not a mesh", "contact.area", area, [f"mesh - 3 {mesh}{one << 99:x}", f"polynomials 1 3 panel=0 middle={one << 197:x} half={one << 197:x} {V}", "share 1-2 3 claim=1"])):
+            self.write(quantity, [claim], lines)
+            with self.subTest(why):
+                said = check(self.path)
+                self.assertIn(said.returncode, (1, 65), said.stderr)
+                self.assertRegex(said.stdout, f"^no: .*{why}")
+
+    def test_ends_of_a_wave_that_meet_at_an_edge(self):
+        """Where the ends are continued from the middle of the wave (J with g = 1), rounding must not put one beyond the other: nothing would be integrated, and V_1 = 0 would hold."""
+        bits, G = 64, 3
+        one, tried = 1 << bits, 0
+        widest = 78 * one // 100 * 8 // 17
+        for at, h in itertools.product(range(18 * one, 18 * one + G), range(widest - 4, widest + 4)):  # middle and half of J
+            g = (h * 17 // 8 + 1) * 100 // 78 + 1
+            high, low = ((one + at - g) << bits) // (G * one), ((at - one + g) << bits) // (G * one) + 1
+            if g > one or low <= high:
+                continue
+            edges = [4 * one, low, at - h + 1, at + h - 1, 60 * one]
+            places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
+            series = [[[one, 0], [0 if p == 2 else one, 0]] for p in range(4)]
+            mesh = full_contact.Mesh(transfer.Interval.of(G), Fraction(0), bits, edges, places, series, bits, 10, 0)
+            tried += 1
+            with self.assertRaises(full_contact.Far):
+                mesh.on_interval(2, edges[2], edges[3], -8)
+        self.assertGreater(tried, 0)
 
     def mutant(self, chosen):
         """a digit, sign, bound, index or line of one line changed, and what"""
