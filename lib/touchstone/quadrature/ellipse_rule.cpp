@@ -125,7 +125,7 @@ bool EllipseProof::is_covered(double s1, double s2, double phi1, double phi2, do
 /// The upper half of the ellipse is enough: F is real on the real line. A value in the plane costs about two at nodes.
 std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved()
 {
-    constexpr double first = 2.0 / 3, second = 0.3, highest = 3, few_pieces = 20, least_saved = 16, step = 2.25;
+    constexpr double first = 2.0 / 3, second = 0.3, highest = 3, few_pieces = 30, least_saved = 16, step = 2.25;
     std::optional<Ellipse> proved;
     std::optional<double> failed;
     const auto nodes = [&](double sigma) { return bits_ * M_LN2 / (2 * sigma); };
