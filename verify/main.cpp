@@ -4,6 +4,7 @@
 #include "touchstone/oracle/baseline.hpp"
 #include "touchstone/table/format.hpp"
 #include "touchstone/table/rows.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
@@ -56,6 +57,9 @@ int guarded(const Run& run)
         return complain(usage_error, e.what());
     }
     catch (const DomainError& e) {
+        return complain(bad_input, e.what());
+    }
+    catch (const BeyondReach& e) {
         return complain(bad_input, e.what());
     }
     catch (const CorruptTable& e) {

@@ -253,6 +253,10 @@ class Words(InFolder):
         self.refuses(66, "no such file", "judge", "./none.txt", "--", *RIGHT)
         self.refuses(65, "Is a directory", "judge", "westergaard_half_width", "--baseline", self.folder, "--", *RIGHT)
 
+    def test_no_certificate_reaches_it(self):
+        self.refuses(65, "shares below 1e-14 have no certificate", "certificate", "contact.area", "n=60", "load=3", "G=2", "--out", self.folder / "f")
+        self.assertFalse((self.folder / "f").exists())
+
     def test_numbers_that_are_none(self):
         for text, why in (("1/0", "has 0 as its denominator"), ("1e-999999999999", "has an exponent beyond 1000000"), ("1e99999999", "has an exponent beyond 1000000"),
                           ("1/-3", "has a negative denominator"), ("", "is empty"), ("1e", "is not a number"), ("x/2", "is not a number"),
