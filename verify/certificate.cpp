@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone certificate`: why a value is what it is, for a checker that shares nothing with this program.
-#include "touchstone/certificate/limit_constant.hpp"
 #include "touchstone/certificate/areas.hpp"
+#include "touchstone/certificate/limit_constant.hpp"
 #include "touchstone/table/table.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"

@@ -85,7 +85,8 @@ Check beta_integral(const ex& integrand, const ex& from, const ex& to, const ex&
         const Ball value = integral(integrand, sym("xi"), from, to, at), wanted = evaluate(closed, at);
         if (value.relative_bits() < least_bits) return {Verdict::undecided, "the integral is not proved at delta = " + delta.get_str()};
         if (!value.overlaps(wanted))
-            return {Verdict::refuted, "at delta = " + delta.get_str() + " the integral is " + value.to_string(8) + ", not " + wanted.to_string(8)};
+            return {Verdict::refuted,
+                    "at delta = " + delta.get_str() + " the integral is " + value.to_string(8) + ", not " + wanted.to_string(8)};
     }
     return as_lemma({Verdict::proved, "a theorem of Euler; the printed integral by certified quadrature at four delta, to 30 bits and more"});
 }

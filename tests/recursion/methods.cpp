@@ -222,12 +222,16 @@ public:
 
 private:
     static constexpr double most_seconds = 1000; // of a mesh, which serves all areas of one G
+    static void hold(const std::string& one, const Ball& a, const std::string& other, const Ball& b)
+    {
+        CHECK_MESSAGE(a.overlaps(b), one << " " << a.to_string(15) << ", " << other << " " << b.to_string(15));
+    }
     template <class F>
     void add(const std::string& name, F enclosure)
     {
         try {
             const Ball b = enclosure();
-            for (const auto& [other, ball] : proofs_) CHECK_MESSAGE(b.overlaps(ball), name << " " << b.to_string(15) << ", " << other << " " << ball.to_string(15));
+            for (const auto& [other, ball] : proofs_) hold(name, b, other, ball);
             proofs_.emplace_back(name, b);
         }
         catch (const BeyondReach&) {
@@ -241,7 +245,7 @@ private:
             const Witness w = witness.look(p, a);
             Ball seen = w.value;
             arb_add_error(seen.get(), w.error.get());
-            CHECK_MESSAGE(seen.overlaps(proofs_.back().second), witness.name << " " << seen.to_string(15) << ", " << proofs_.back().first << " " << proofs_.back().second.to_string(15));
+            hold(witness.name, seen, proofs_.back().first, proofs_.back().second);
             ++witnesses;
         }
         catch (const BeyondReach&) {
@@ -253,7 +257,8 @@ private:
 
 } // namespace
 
-/// TOUCHSTONE_OPINIONS=SEED:SURFACES test_methods -tc='campaign*': for each of so many values of G a hundred areas, which share their meshes.
+/// TOUCHSTONE_OPINIONS=SEED:SURFACES test_methods -tc='campaign*': for each of so many values of G a hundred areas, which share
+/// their meshes.
 TEST_CASE("campaign: all proofs of an area overlap, and its witness" * doctest::skip(std::getenv("TOUCHSTONE_OPINIONS") == nullptr))
 {
     const char* set = std::getenv("TOUCHSTONE_OPINIONS");
@@ -276,6 +281,7 @@ TEST_CASE("campaign: all proofs of an area overlap, and its witness" * doctest::
             CAPTURE(p.n);
             opinions.hold(p, {8});
         }
-        MESSAGE("G=" << G.get_str() << ": " << opinions.points << " areas, " << opinions.pairs << " pairs of proofs, " << opinions.witnesses << " witnesses, " << opinions.refusals << " beyond reach");
+        MESSAGE("G=" << G.get_str() << ": " << opinions.points << " areas, " << opinions.pairs << " pairs of proofs, " << opinions.witnesses
+                     << " witnesses, " << opinions.refusals << " beyond reach");
     }
 }
