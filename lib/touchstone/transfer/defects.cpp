@@ -130,21 +130,22 @@ std::vector<double> Defects::overlaps() const
     const int count = static_cast<int>(panels.size());
     in_parallel(panels.size(), [&](std::size_t e) {
         const Panel& p = panels[e];
+        thread_local Result mine, its;
         for (const int step : {-1, 1})
             for (int n = static_cast<int>(e) + step; n >= 0 && n < count; n += step) {
                 Real low = max(p.left(), panels[n].z0), high = min(p.right(), panels[n].z1);
                 if (!(high > low)) break;
                 const Real short_of = 2 * narrowest * high - (high - low); // no narrower than points can be told apart
                 if (short_of > 0) low -= short_of * 0.5, high += short_of * 0.5;
-                for (int m = 0; m + 1 < levels; ++m) { // T V of the last is not asked for
-                    double most = 0;
-                    for (std::size_t i = 0; i < rules.own.at.size(); ++i) {
-                        const Real z = (low + high) * 0.5 + (high - low) * 0.5 * rules.own.at[i];
-                        raise(most, size_of(V.value(e, m, (z - p.centre) / p.half) - V.value(n, m, (z - panels[n].centre) / panels[n].half)));
-                    }
-                    most += V.rounding[at(e, m)] + V.rounding[at(n, m)];
-                    raise(overlap_defect[at(e, m)], margin * lebesgue * most);
+                std::vector<double> most(static_cast<std::size_t>(levels));
+                for (std::size_t i = 0; i < rules.own.at.size(); ++i) {
+                    const Real z = (low + high) * 0.5 + (high - low) * 0.5 * rules.own.at[i];
+                    V.values(e, (z - p.centre) / p.half, mine);
+                    V.values(static_cast<std::size_t>(n), (z - panels[n].centre) / panels[n].half, its);
+                    for (int m = 0; m < levels; ++m) raise(most[m], size_of(mine.value[m] - its.value[m]));
                 }
+                for (int m = 0; m + 1 < levels; ++m) // T V of the last is not asked for
+                    raise(overlap_defect[at(e, m)], margin * lebesgue * (most[m] + V.rounding[at(e, m)] + V.rounding[at(n, m)]));
             }
     });
     return overlap_defect;

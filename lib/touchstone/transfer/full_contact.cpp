@@ -19,9 +19,8 @@
 namespace touchstone::transfer {
 namespace {
 
-using Real = Extended;
-
 /// (6.6)
+template <class Real>
 Real first_area(const Pair<Real>& x)
 {
     using std::atan2, std::sqrt, std::atan;
@@ -32,6 +31,7 @@ Real first_area(const Pair<Real>& x)
 
 /// F(x; P), the share of a wave above P, from the distances to the highest and the lowest pressure: rounding noise
 /// at a square root would be halved without end by a blind grid.
+template <class Real>
 class FirstExceedance {
 public:
     FirstExceedance(const Pair<Real>& x, const Pair<Real>& G) : x_(x), G_(G), highest_(wave_from(x, G).arcs[0].hi), lowest_(wave_from(x, G).arcs[0].lo), full_(wave_from(x, G).arcs[0].kind == Arc<Real>::Kind::full) {}
@@ -58,6 +58,7 @@ private:
 };
 
 /// Functions V_0, V_1, ..., each from the one before it, on one of the two grids.
+template <class Real>
 class Levels {
 public:
     using First = std::function<Real(const Pair<Real>&)>;
@@ -106,11 +107,13 @@ private:
     std::string failure_;
 };
 
-class BlindLevels final : public Levels {
+template <class Real>
+class BlindLevels final : public Levels<Real> {
 public:
+    using typename Levels<Real>::First, typename Levels<Real>::Step, typename Levels<Real>::Mean;
     /// \param ends where V_0, V_1, ... fall to 0; empty: nowhere
-    BlindLevels(const BlindRule& rule, const Real& reach, First first, Step step, std::function<Real(long m)> ends)
-        : Levels(std::move(first), std::move(step)), rule_(rule), reach_(reach), ends_(std::move(ends))
+    BlindLevels(const BlindRule& rule, const Real& reach, First first, Step step, std::function<Extended(long m)> ends)
+        : Levels<Real>(std::move(first), std::move(step)), rule_(rule), reach_(reach), ends_(std::move(ends))
     {
     }
 
@@ -119,8 +122,8 @@ private:
     void extend() override
     {
         if (ends_) rule_.end = ends_(size());
-        if (levels_.empty()) levels_.emplace_back(rule_, reach_, first_);
-        else levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Pair<Real>& x) { return last.after(step_(x)); });
+        if (levels_.empty()) levels_.emplace_back(rule_, reach_, this->first_);
+        else levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Pair<Real>& x) { return last.after(this->step_(x)); });
     }
     std::function<Mean(const Wave<Real>&)> mean_of(long m, bool derivative) override
     {
@@ -137,12 +140,14 @@ private:
 
     BlindRule rule_;
     Real reach_;
-    std::function<Real(long)> ends_;
+    std::function<Extended(long)> ends_;
     std::list<Piecewise<Real>> levels_;
     std::map<std::pair<long, bool>, std::pair<Piecewise<Real>, Piecewise<Real>>> finals_;
 };
 
-class TrackedLevels final : public Levels {
+class TrackedLevels final : public Levels<Extended> {
+    using Real = Extended;
+
 public:
     TrackedLevels(const Ball& reach, const std::vector<SingularPoint>& points, const GradedRule& rule, First first, Step step)
         : Levels(std::move(first), std::move(step)), grid_(rule, points, reach) {}
@@ -184,9 +189,11 @@ Ball reach_of(const Ball& load, const Ball& G)
 }
 
 /// What is kept: the most recently used first.
+template <class Real>
 class Store {
 public:
-    std::shared_ptr<Levels> get(const std::string& key, const std::function<std::shared_ptr<Levels>()>& make)
+    using Kept = std::shared_ptr<Levels<Real>>;
+    Kept get(const std::string& key, const std::function<Kept()>& make)
     {
         const std::scoped_lock lock(mutex_);
         for (auto it = kept_.begin(); it != kept_.end(); ++it)
@@ -201,19 +208,33 @@ public:
 
 private:
     std::mutex mutex_;
-    std::list<std::pair<std::string, std::shared_ptr<Levels>>> kept_;
+    std::list<std::pair<std::string, Kept>> kept_;
 };
 
-Store& store()
+template <class Real>
+Store<Real>& store()
 {
-    static Store s;
+    static Store<Real> s;
     return s;
 }
+
+/// The midpoint.
+template <class Real>
+Pair<Real> rounded_pair(const Ball& b)
+{
+    const Pair<Extended> p = extended_pair(b);
+    const auto high = static_cast<Real>(p.high);
+    return {high, static_cast<Real>((p.high - Extended(high)) + p.low)};
+}
+
+/// Up to so many digits the blind grid is in binary64, with a tolerance of some fifty roundings.
+constexpr long digits_in_binary64 = 12;
 
 /// The blind grid's rule for so many digits; the finest from finest_estimate on, and for the other grid, which has a rule of its own.
 BlindRule blind_rule(Grid grid, Accuracy wanted)
 {
-    constexpr double spare_digits = 3, least_share = 0.4; // of the finest rule's digits: below, an interval would have too few points
+    constexpr double least_share = 0.4; // of the finest rule's digits: below, an interval would have too few points
+    const double spare_digits = wanted.digits <= digits_in_binary64 ? 2 : 3;
     BlindRule rule;
     const double share = std::max(least_share, (static_cast<double>(wanted.digits) + spare_digits) / -std::log10(rule.tolerance));
     if (grid == Grid::tracked || wanted.digits >= finest_estimate.digits || share >= 1) return rule;
@@ -223,45 +244,66 @@ BlindRule blind_rule(Grid grid, Accuracy wanted)
     return rule;
 }
 
-Tracking tracking(const Ball& reach, const GradedRule& rule) { return {reach, GradedGrid<Real>::generations(rule), 1e-18}; }
+/// Squares of very small loads and pressures need more than its range.
+bool binary64_will_do(Grid grid, Accuracy wanted, const Ball& smallest)
+{
+    return grid == Grid::blind && wanted.digits <= digits_in_binary64 && certainly(less(Ball::exactly(1e-100), smallest));
+}
+
+Tracking tracking(const Ball& reach, const GradedRule& rule) { return {reach, GradedGrid<Extended>::generations(rule), 1e-18}; }
 
 /// B_0, B_1, ... of chain.hpp
-std::shared_ptr<Levels> areas_of(Grid grid, const Ball& G, const Ball& load, const BlindRule& blind)
+template <class Real>
+std::shared_ptr<Levels<Real>> areas_of(Grid grid, const Ball& G, const Ball& load, const BlindRule& blind)
 {
     const Ball heaviest = certainly(less(load, Ball(10))) ? Ball(10) : load; // loads up to 10 share a grid
     // what lies below sqrt(load) 1e-17 reaches B(load) with a weight of less than 1e-34
     const double magnitude = static_cast<double>(arf_abs_bound_lt_2exp_si(arb_midref(load.get()))) * 0.30103 / 2;
     const int decade = magnitude > -3 ? -20 : -20 - 10 * static_cast<int>(-magnitude / 10 + 1);
     const Ball reach = reach_of(heaviest, G);
-    return store().get(fmt::format("areas {} {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade, blind.tolerance), [&]() -> std::shared_ptr<Levels> {
-        const auto step = [g = extended_pair(G)](const Pair<Real>& x) { return wave_from(x, g); };
+    const std::string key = fmt::format("areas {} {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade, blind.tolerance);
+    return store<Real>().get(key, [&]() -> std::shared_ptr<Levels<Real>> {
+        const auto step = [g = rounded_pair<Real>(G)](const Pair<Real>& x) { return wave_from(x, g); };
         const double smallest = std::pow(10.0, decade);
-        if (grid == Grid::blind) {
-            BlindRule rule = blind;
-            rule.smallest = smallest;
-            return std::make_shared<BlindLevels>(rule, extended_pair(reach).high, first_area, step, nullptr);
-        }
-        const GradedRule rule{.smallest = smallest};
-        return std::make_shared<TrackedLevels>(reach, area_points(G, tracking(reach, rule)), rule, first_area, step);
+        if constexpr (std::is_same_v<Real, Extended>)
+            if (grid == Grid::tracked) {
+                const GradedRule rule{.smallest = smallest};
+                return std::make_shared<TrackedLevels>(reach, area_points(G, tracking(reach, rule)), rule, first_area<Real>, step);
+            }
+        BlindRule rule = blind;
+        rule.smallest = smallest;
+        return std::make_shared<BlindLevels<Real>>(rule, rounded_pair<Real>(reach).high, first_area<Real>, step, nullptr);
     });
 }
 
 /// E_1, E_2, ...: E_k(x) is the share of lambda_0 with p_{k-1}/p*_k > x.
-std::shared_ptr<Levels> exceedances_of(Grid grid, const Ball& G, const Ball& load, const BlindRule& blind)
+template <class Real>
+std::shared_ptr<Levels<Real>> exceedances_of(Grid grid, const Ball& G, const Ball& load, const BlindRule& blind)
 {
-    return store().get(fmt::format("exceedances {} {} {} {}", static_cast<int>(grid), G.to_string(40), load.to_string(40), blind.tolerance), [&]() -> std::shared_ptr<Levels> {
+    const std::string key = fmt::format("exceedances {} {} {} {}", static_cast<int>(grid), G.to_string(40), load.to_string(40), blind.tolerance);
+    return store<Real>().get(key, [&]() -> std::shared_ptr<Levels<Real>> {
         const Ball reach = reach_of(load, G);
-        const Pair<Real> g = extended_pair(G);
-        const FirstExceedance first(extended_pair(load), g);
+        const Pair<Real> g = rounded_pair<Real>(G);
+        const FirstExceedance<Real> first(rounded_pair<Real>(load), g);
         const auto step = [g](const Pair<Real>& y) { return wave_to(product(g, y), false); };
         const auto end = [load, G](long m) { // x_{m+1}, (5.6)
             const WorkingPrecision bits(256);
             return extended_pair(peaks::iterate(m, load, G)).high;
         };
-        if (grid == Grid::blind) return std::make_shared<BlindLevels>(blind, extended_pair(reach).high, first, step, end);
-        const GradedRule rule{.tolerance = 1e-18}; // many more points than the areas have
-        return std::make_shared<TrackedLevels>(reach, exceedance_points(load, G, tracking(reach, rule)), rule, first, step);
+        if constexpr (std::is_same_v<Real, Extended>)
+            if (grid == Grid::tracked) {
+                const GradedRule rule{.tolerance = 1e-18}; // many more points than the areas have
+                return std::make_shared<TrackedLevels>(reach, exceedance_points(load, G, tracking(reach, rule)), rule, first, step);
+            }
+        return std::make_shared<BlindLevels<Real>>(blind, rounded_pair<Real>(reach).high, first, step, end);
     });
+}
+
+Ball pow_ui(const Ball& x, long n)
+{
+    Ball power;
+    arb_pow_ui(power.get(), x.get(), static_cast<ulong>(n), WorkingPrecision::bits());
+    return power;
 }
 
 constexpr long most_scales = 100; ///< some seconds each
@@ -277,10 +319,11 @@ void require_reach(long n, const Ball& load, const Ball& G)
 /// What rounding does to a sum of n levels, measured (full_contact.md): the differences of the two grids are 3e-19 on average; and what the
 /// last terms of the series change at this very wave, noise and what they do not resolve next to a singular point included. A coarser grid leaves
 /// its tolerance at each level.
-Witness estimate(const Levels::Mean& mean, long n, const BlindRule& blind)
+template <class Mean>
+Witness estimate(const Mean& mean, long n, const BlindRule& blind)
 {
     const Ball exact = exact_ball(mean.value);
-    const double rounding = 5e-19 + 1e-19 * std::sqrt(static_cast<double>(n));
+    const double rounding = (5 + std::sqrt(static_cast<double>(n))) * static_cast<double>(std::numeric_limits<decltype(mean.value)>::epsilon());
     const double levels = blind.tolerance > BlindRule().tolerance ? 4 * blind.tolerance * static_cast<double>(n + 1) : 0;
     return {exact, abs(exact) * Ball::exactly(rounding + levels) + 4 * abs(exact_ball(mean.change))};
 }
@@ -291,29 +334,35 @@ Witness estimated_area(Grid grid, long n, const Ball& load, const Ball& G, Accur
 {
     const WorkingPrecision precision(256);
     require_reach(n, load, G);
-    const Pair<Real> x = extended_pair(load);
     const BlindRule blind = blind_rule(grid, wanted);
-    return estimate(n == 0 ? Levels::Mean{first_area(x), Real(0)} : areas_of(grid, G, load, blind)->mean(n - 1, wave_from(x, extended_pair(G)), false), n, blind);
+    const auto in = [&]<class Real>(Real) {
+        const Pair<Real> x = rounded_pair<Real>(load);
+        using Mean = typename Levels<Real>::Mean;
+        return estimate(n == 0 ? Mean{first_area(x), Real(0)} : areas_of<Real>(grid, G, load, blind)->mean(n - 1, wave_from(x, rounded_pair<Real>(G)), false), n, blind);
+    };
+    return binary64_will_do(grid, wanted, load) ? in(double{}) : in(Extended{});
 }
 
 Witness estimated_exceedance(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G, Accuracy wanted)
 {
-    const BlindRule blind = blind_rule(grid, wanted);
     const WorkingPrecision precision(256);
     require_reach(n, load, G);
-    Ball unit;
-    arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-    return estimate(exceedances_of(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), false), false), n, blind);
+    const BlindRule blind = blind_rule(grid, wanted);
+    const Ball P = p / pow_ui(G, n);
+    const auto in = [&]<class Real>(Real) {
+        return estimate(exceedances_of<Real>(grid, G, load, blind)->mean(n - 1, wave_to(rounded_pair<Real>(P), false), false), n, blind);
+    };
+    return binary64_will_do(grid, wanted, certainly(less(P, load)) ? P : load) ? in(double{}) : in(Extended{});
 }
 
+/// In 64 bits always: a derivative makes rounding large.
 Witness estimated_density(Grid grid, long n, const Ball& p, const Ball& load, const Ball& G, Accuracy wanted)
 {
-    const BlindRule blind = blind_rule(grid, wanted);
     const WorkingPrecision precision(256);
     require_reach(n, load, G);
-    Ball unit;
-    arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), WorkingPrecision::bits());
-    const Witness slope = estimate(exceedances_of(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n, blind);
+    const BlindRule blind = blind_rule(grid, wanted);
+    const Ball unit = pow_ui(G, n);
+    const Witness slope = estimate(exceedances_of<Extended>(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n, blind);
     return {-slope.value / unit, slope.error / unit};
 }
 

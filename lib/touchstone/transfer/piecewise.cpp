@@ -71,7 +71,7 @@ const GaussRule<Real>& gauss_rule(int n)
 
     const WorkingPrecision precision(256);
     const auto N = static_cast<std::size_t>(n);
-    const auto real = [](const Ball& b) { return extended_pair(b).high; };
+    const auto real = [](const Ball& b) { return static_cast<Real>(extended_pair(b).high); };
     std::vector<Ball> x, w; // on [-1, 1], ascending
     for (int i = n - 1; i >= 0; --i) {
         Ball node, weight;
@@ -189,24 +189,56 @@ void Piecewise<Real>::sum_moments()
     }
 }
 
+namespace {
+
+/// P_{k+1} = (2k+1)/(k+1) z P_k - k/(k+1) P_{k-1}
+template <class Real>
+struct LegendreRatios {
+    static constexpr int most = 256;
+    std::vector<Real> up, down;
+    LegendreRatios()
+    {
+        for (int k = 0; k < most; ++k) up.push_back(Real(2 * k + 1) / (k + 1)), down.push_back(Real(k) / (k + 1));
+    }
+};
+
+/// Clenshaw's recurrence, at some points at once: one alone waits for each of its own sums.
+template <std::size_t points, class Real>
+void legendre_series(const Real* c, std::size_t terms, const Real* t, Real* out)
+{
+    static const LegendreRatios<Real> ratios;
+    Real z[points], b1[points] = {}, b2[points] = {};
+    for (std::size_t i = 0; i < points; ++i) z[i] = 2 * t[i] - 1;
+    for (std::size_t k = terms; k-- > 0;) {
+        const Real up = ratios.up[k], down = ratios.down[k + 1], here = c[k];
+        for (std::size_t i = 0; i < points; ++i) {
+            const Real b = (here - down * b2[i]) + (up * z[i]) * b1[i];
+            b2[i] = b1[i];
+            b1[i] = b;
+        }
+    }
+    for (std::size_t i = 0; i < points; ++i) out[i] = b1[i];
+}
+
+} // namespace
+
 template <class Real>
 Real Piecewise<Real>::series(const Node& node, const Real& t) const
 {
-    const Real z = 2 * t - 1;
-    const Real* c = &coefficients_[node.data];
-    Real p0 = 1, p1 = z, sum = c[0] + c[1] * z;
-    static const std::vector<Real> ratios = [] {
-        std::vector<Real> r;
-        for (int k = 0; k < 256; ++k) r.push_back(k < 2 ? Real(0) : Real(k - 1) / k);
-        return r;
-    }();
-    for (int k = 2; k < rule_.points; ++k) {
-        const Real zp = z * p1, p2 = zp + ratios[static_cast<std::size_t>(k)] * (zp - p0);
-        sum += c[k] * p2;
-        p0 = p1;
-        p1 = p2;
-    }
+    Real sum;
+    legendre_series<1>(&coefficients_[node.data], static_cast<std::size_t>(rule_.points), &t, &sum);
     return sum;
+}
+
+template <class Real>
+void Piecewise<Real>::series(const Node& node, const std::vector<Real>& t, std::vector<Real>& out) const
+{
+    constexpr std::size_t together = std::is_same_v<Real, double> ? 8 : 2; // as many as there are registers for
+    out.resize(t.size());
+    std::size_t i = 0;
+    for (; i + together <= t.size(); i += together)
+        legendre_series<together>(&coefficients_[node.data], static_cast<std::size_t>(rule_.points), &t[i], &out[i]);
+    for (; i < t.size(); ++i) out[i] = series(node, t[i]);
 }
 
 template <class Real>
@@ -281,24 +313,34 @@ template <class Real>
 Real Piecewise<Real>::near_leaf(const Node& node, const Arc<Real>& arc) const
 {
     const Real a = node.left, b = node.left + node.width;
+    const std::size_t count = angle_->nodes.size();
+    thread_local std::vector<Real> weight, local, V;
+    weight.resize(count);
+    local.resize(count);
+    const auto mean = [&] {
+        series(node, local, V);
+        Real sum = 0;
+        for (std::size_t q = 0; q < count; ++q) sum += angle_->weights[q] * weight[q] * V[q];
+        return sum;
+    };
     Real total = 0;
     const auto over_angle = [&](bool from_lo, const Real& first, const Real& last) {
         // y - a = offset +- the distance from that end
         const Real from = arc.angle(first), to = arc.angle(last), offset = from_lo ? Real(-arc.above_lo(a)) : arc.below_hi(a);
-        Real sum = 0;
-        for (std::size_t q = 0; q < angle_->nodes.size(); ++q) {
+        for (std::size_t q = 0; q < count; ++q) {
             const Real d = arc.distance(from + (to - from) * angle_->nodes[q]), beyond = from_lo ? Real(offset + d) : Real(offset - d);
-            sum += angle_->weights[q] * arc.angular_density(a + beyond, (1 - a) - beyond) * series(node, beyond / node.width);
+            weight[q] = arc.angular_density(a + beyond, (1 - a) - beyond);
+            local[q] = beyond / node.width;
         }
-        total += (to - from) * sum;
+        total += (to - from) * mean();
     };
     const auto over_distance_from_one = [&](const Real& first, const Real& last) {
-        Real sum = 0;
-        for (std::size_t q = 0; q < angle_->nodes.size(); ++q) {
+        for (std::size_t q = 0; q < count; ++q) {
             const Real d = first + (last - first) * angle_->nodes[q], y = 1 - d;
-            sum += angle_->weights[q] * arc.density(y, Real(1), arc.above_lo(y), d) * series(node, 1 - d / node.width);
+            weight[q] = arc.density(y, Real(1), arc.above_lo(y), d);
+            local[q] = 1 - d / node.width;
         }
-        total += (last - first) * sum;
+        total += (last - first) * mean();
     };
     arc.stretches(a, b, over_angle, over_distance_from_one);
     return total;
@@ -338,7 +380,7 @@ Real Piecewise<Real>::after(const Wave<Real>& wave) const
     return total;
 }
 
-template const GaussRule<Extended>& gauss_rule<Extended>(int);
 template class Piecewise<Extended>;
+template class Piecewise<double>;
 
 } // namespace touchstone::transfer

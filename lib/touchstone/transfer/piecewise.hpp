@@ -65,6 +65,7 @@ private:
     Real near_leaf(const Node&, const Arc<Real>&) const;
     void sum_moments();
     Real series(const Node&, const Real& t) const;
+    void series(const Node&, const std::vector<Real>& t, std::vector<Real>& out) const;
 
     BlindRule rule_;
     const GaussRule<Real>* gauss_;
@@ -77,5 +78,6 @@ private:
 };
 
 extern template class Piecewise<Extended>;
+extern template class Piecewise<double>;
 
 } // namespace touchstone::transfer

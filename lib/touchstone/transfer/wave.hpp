@@ -227,7 +227,7 @@ template <class Real>
 Wave<Real> wave_to(Pair<Real> P, bool moves)
 {
     using std::ldexp;
-    if (P.high <= 0) P = {ldexp(Real(1), -3000), Real(0)}; // P = 0 has 1/sqrt(1 - x) at x = 1, which no angle removes; sqrt(P) is what is left
+    if (P.high <= 0) P = {ldexp(Real(1), std::numeric_limits<Real>::min_exponent / 5), Real(0)}; // P = 0 has 1/sqrt(1 - x) at x = 1, which no angle removes; sqrt(P) is what is left
     Wave<Real> wave;
     Arc<Real>& arc = wave.arcs[0];
     arc.kind = Arc<Real>::Kind::needed_full;
