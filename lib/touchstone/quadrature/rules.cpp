@@ -59,7 +59,7 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long 
         ++c.evaluations;
         // a box across which f varies in its first digits needs few bits (beside a step each bit tells on which side the box is)
         constexpr slong least = 64, spare = 40;
-        const slong enough = std::max(least, acb_rel_accuracy_bits(z) + spare);
+        const slong enough = std::max(least, std::min(acb_rel_accuracy_bits(z), working) + spare);
         const WorkingPrecision here(c.with_kinks ? working : std::min(working, enough));
         if (order == 0 && c.in_real_numbers && arb_is_zero(acb_imagref(z)) != 0) {
             Ball x;
