@@ -8,10 +8,11 @@ D_m >= |V_m - T V_(m-1)|, D_0 >= |V_0 - B_0|. As T is positive, |B_n - T V_(n-1)
 
 Fixed point: an integer stands for that many units 2^-bits. Bounds are fractions or integers rounded up.
 """
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from fractions import Fraction
 from functools import lru_cache
 from math import isqrt
+from operator import mul
 
 import intervals as iv
 from intervals import Interval
@@ -24,6 +25,7 @@ MOST_INTERVALS = 2000       # of one panel
 CONTINUED = 8               # a polynomial that is continued is at most 2^CONTINUED times sum |c_k|
 HIGHEST = 1 << 16           # ratios: cos theta at an edge y is known within some y units, and (L) counts 2^8 roots of a unit for that
 BEYOND = 14                 # a panel is within middle +- half but for 2^-BEYOND half, so that |T_k| <= 2 there, k < 64
+SPARE_BITS = 40             # of a lane: sums of a row are that much larger than the largest coefficient at most, else the line is refused
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
@@ -140,11 +142,9 @@ def cosine(x):
 
 def quarters(A):
     """a number of quarters of log2, rho <= 2^(quarters/4), for rho + 1/rho = 2 A, A in units 2^-32: |T_k| <= rho^k on that ellipse"""
-    rho, j = A + isqrt(max(0, A * A - (1 << 64))) + 2, 0
-    while QUARTERS[j] < rho:
-        j += 1
-        if j == len(QUARTERS):
-            raise Far
+    j = bisect_left(QUARTERS, A + isqrt(max(0, A * A - (1 << 64))) + 2)
+    if j == len(QUARTERS):
+        raise Far
     return j
 
 
@@ -180,6 +180,10 @@ class Mesh:
             raise Refused("a polynomial is of another panel")
         if (edges[-1] + self.one) << bits > (self.G - 1) * edges[-1]:
             raise Refused("ratios leave the mesh")
+        # The levels side by side in one integer, so that one product serves all of them (Kronecker's substitution).
+        self.sizes = [[max(map(abs, c)) for c in zip(*of_panel)] for of_panel in series]
+        self.lane = bits + max(map(max, self.sizes)).bit_length() + SPARE_BITS
+        self.packed = [[sum(c[k] << m * self.lane for m, c in enumerate(of_panel)) for k in range(self.terms)] for of_panel in series]
         self.lg = [[self.log_growth(p, j) for j in range(len(QUARTERS))] for p in range(len(series))]
         self.largest = max(lg[0] for lg in self.lg)
         self.round = self.rounding()
@@ -188,7 +192,7 @@ class Mesh:
     def log_growth(self, p, j):
         """log2, above, of sum |c_k| 2^(k j/4), the largest of all levels"""
         powers = [((QUARTERS[j] + 1) ** k >> 32 * k) + 1 for k in range(self.terms)]
-        return max(sum(map(int.__mul__, map(abs, c), powers)) for c in self.series[p]).bit_length() - self.kept
+        return max(sum(map(mul, map(abs, c), powers)) for c in self.series[p]).bit_length() - self.kept
 
     def rounding(self):
         """(L): of V where it is evaluated, in one row, and of the ends of pieces"""
@@ -215,7 +219,7 @@ class Mesh:
     def values(self, p, z):
         """V_m there, all m, in units 2^-(bits + kept)"""
         T = self.powers(self.local(p, z))
-        return [sum(map(int.__mul__, c, T)) for c in self.series[p]] if p >= 0 else [0] * self.levels
+        return [sum(map(mul, c, T)) for c in self.series[p]] if p >= 0 else [0] * self.levels
 
     # ---- T V at a point
 
@@ -235,16 +239,24 @@ class Mesh:
         """T V_m at x, all m, in units 2^-(bits + kept), with the polynomials of the panels low and high continued to the ends of the wave;
         low = -1: 0 there"""
         a = self.trig.pi if x >= self.one and low >= 0 else self.theta(x, self.edges[max(low, 0)])
-        totals = [0] * self.levels
+        total = most = 0
         for p in range(max(low, 0), high + 1):
             b = self.theta(x, self.edges[p + 1]) if p < high else 0
             if b < a:
                 sums = [0] * self.terms
                 self.piece(x, p, b, a, sums)
-                for m, c in enumerate(self.series[p]):
-                    totals[m] += sum(map(int.__mul__, c, sums))
+                total += sum(map(mul, self.packed[p], sums))
+                most += sum(map(mul, self.sizes[p], map(abs, sums)))
                 a = b
-        return [(t << self.bits) // self.trig.pi for t in totals]
+        if most >> self.lane - 1:
+            raise Refused("the sums of a row are too large")
+        return [(t << self.bits) // self.trig.pi for t in self.unpacked(total)]
+
+    def unpacked(self, total):
+        """sum t_m 2^(m lane), |t_m| < 2^(lane - 1)"""
+        lane, half = self.lane, 1 << self.lane - 1
+        total += sum(half << m * lane for m in range(self.levels))
+        return [(total >> m * lane & 2 * half - 1) - half for m in range(self.levels)]
 
     def exact_row(self, x):
         low = self.panel(self.least(x)) if x > self.one else -1

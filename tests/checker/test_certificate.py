@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from fractions import Fraction
 
 parser = argparse.ArgumentParser()
@@ -279,6 +280,23 @@ class Certificates(unittest.TestCase):
             with self.assertRaises(full_contact.Far):
                 mesh.on_interval(2, edges[2], edges[3], -8)
         self.assertGreater(tried, 0)
+
+    def test_levels_packed_into_one_integer_are_those_of_each(self):
+        bits, chosen = 64, random.Random(20261123)
+        one, terms = 1 << bits, 6
+        edges = [one // 8 * k for k in (1, 3, 8, 16, 24)]
+        places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
+        series = [[[chosen.randrange(-one, one) >> 2 * k for k in range(terms)] for _ in range(5)] for _ in places]
+
+        def mesh(levels):
+            return full_contact.Mesh(transfer.Interval.of(3), Fraction(0), bits, edges, places, [[p[m] for m in levels] for p in series], bits, 10, 0)
+        for at in (one // 3, one // 2, 3 * one // 2, 2 * one):
+            low, high = 0, len(places) - 1
+            packed = mesh(range(5)).row(at, low, high)
+            self.assertEqual(packed, [mesh([m]).row(at, low, high)[0] for m in range(5)])
+        self.assertLess(min(packed), 0)
+        with unittest.mock.patch.object(full_contact, "SPARE_BITS", -40), self.assertRaises(full_contact.Refused):
+            mesh(range(5)).row(at, low, high)
 
     def mutant(self, chosen):
         """a digit, sign, bound, index or line of one line changed, and what"""
