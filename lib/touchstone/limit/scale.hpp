@@ -13,7 +13,7 @@ namespace touchstone::limit {
 long least_scale(transfer::Scheme, const std::function<Ball()>& G, const std::function<Ball()>& load, const Rational& tolerance);
 
 /// The second eigenvalue of T over its first, 1/G, for G > 2: the limit of (h_{n+1} - h_n)/(h_n - h_{n-1}), seen at a scale n where it has settled.
-/// It is at most 1/2 where G^2 >= 6 (theorem 2), and nothing else about it is proven.
+/// An estimate, that looks again at second_eigenvalue.hpp and shares the wave with it and nothing else.
 Witness gap(transfer::Scheme, const std::function<Ball()>& G, const Rational& load);
 
 } // namespace touchstone::limit

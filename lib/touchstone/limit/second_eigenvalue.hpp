@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The ratio at which the fractal limit is approached, with proof: docs/limit.md, theorem 8.
+#pragma once
+
+#include "touchstone/scalar/accuracy.hpp"
+
+#include <functional>
+#include <string>
+
+namespace touchstone::limit {
+
+struct Eigenfunction;
+
+/// What is proven about D (eigenfunction.hpp) by a function w near its first eigenfunction.
+struct EigenvalueProof {
+    Ball lambda;    ///< (D w)/w at one place
+    Ball defect;    ///< at least sup |(D w)' - lambda w'|/W
+    Ball coupling;  ///< at least |(D k)| there, for every k that is 0 there and has |k'| <= W
+    Ball remainder; ///< at least the norm of D on those k, less their part along w
+};
+
+/// The four numbers for any w; nothing is assumed of it. G > 2.
+/// \throws BeyondReach if w is not analytic enough about the real line for its rule to be proven
+EigenvalueProof prove_eigenvalue(const Ball& G, const Eigenfunction& w, Accuracy);
+
+/// The second eigenvalue of T over its first, 1/G, for G > 2: simple and real, all others smaller. \throws BeyondReach where that is not proven,
+/// which it is from G = 2.2 on (next to 2.17 two eigenvalues meet, and below they are complex)
+Ball second_eigenvalue(const std::function<Ball()>& G, Accuracy);
+/// One line for a person.
+std::string second_eigenvalue_certificate(const std::function<Ball()>& G, Accuracy);
+/// (1 - m_0(1)/G^2)/2, m_0 of area_series.hpp, which is off by about G^-4: what looks again where G is large.
+Witness second_eigenvalue_to_first_order(const Ball& G);
+
+} // namespace touchstone::limit
