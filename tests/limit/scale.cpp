@@ -117,11 +117,12 @@ TEST_CASE("exceedances far beyond are those of the limiting distribution")
     CHECK(limit::no_far_exceedance({200, own_units(Rational(299, 100))}, Ball(G)).empty());
 }
 
-TEST_CASE("the ratio of approach is near 1/2 for large G, the Hertzian value, and below it; it claims no proof")
+TEST_CASE("the ratio of approach is near 1/2 for large G, the Hertzian value, and below it")
 {
     const Evaluation e = eval("limit.gap", {{"G", 200}}, 8);
-    CHECK(e.status == Status::estimated);
-    CHECK_FALSE(e.proven);
+    CHECK(e.status == Status::certified);
+    REQUIRE(e.second_look);
+    CHECK(e.second_look->agrees);
     // first order in 4/G^2: |ds'/ds| is (1 - x u^2 + ...)/2, x = 4w/G^2, E[u^2] = 1/4, E[w] = m_0(1)
     const WorkingPrecision precision(72);
     const Ball small(Rational(1, 10'000)), first = (1 - limit::hertzian_moment(Ball(1)) / 4 * small) / 2;

@@ -7,6 +7,7 @@
 #include "touchstone/limit/limit_law.hpp"
 #include "touchstone/limit/poisson.hpp"
 #include "touchstone/limit/scale.hpp"
+#include "touchstone/limit/second_eigenvalue.hpp"
 #include "touchstone/paper/archard_constants.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,9 @@ using transfer::Scheme;
 
 const Rational lowest_G(102, 100);               ///< ratios up to 1/(G - 1) are met: the mesh grows with that
 const Rational nearest_G(2'000'001, 1'000'000); ///< above 2, where the grids of transfer::area would grow without end
+const Rational lowest_G_of_gap(22, 10);          ///< next to 2.17 the second and the third eigenvalue meet
+constexpr long most_digits_of_gap = 25;
+constexpr long spare_digits_of_gap = 2;          ///< what the distance of the other eigenvalues costs
 const Rational large_G(5000);                    ///< where few terms of the series carry 30 digits
 const char* const shared = "the rate of approach; grid, form, rule and arithmetic are others";
 
@@ -157,12 +161,33 @@ Plan plan_of_scale(const Inputs& in)
 Plan plan_of_gap(const Inputs& in)
 {
     Plan result;
-    const bool served = in.compare_G(nearest_G) >= 0 && in.compare_G(large_G) < 0;
-    result.refusal = served ? "no proof: at most 1/2 where G^2 >= 6 is all that is proven" : "estimated for 2.000001 <= G < 5000 only";
-    if (!served) return result;
-    result.witnesses.push_back({"differences-from-1/2", [=](Accuracy) { return limit::gap(Scheme::force_weighted, G_of(in), Rational(1, 2)); }});
-    result.witnesses.push_back({"differences-from-1/7", [=](Accuracy) { return limit::gap(Scheme::area, G_of(in), Rational(1, 7)); }});
+    const auto differences = [in](Accuracy) { return limit::gap(Scheme::force_weighted, G_of(in), Rational(1, 2)); };
+    if (in.compare_G(lowest_G_of_gap) < 0) {
+        const bool served = in.compare_G(nearest_G) >= 0;
+        result.refusal = served ? "no proof: the second eigenvalue is proven for G >= 2.2 only" : "proven for G >= 2.2 and estimated for G >= 2.000001 only";
+        if (!served) return result;
+        result.witnesses.push_back({"differences-from-1/2", differences});
+        result.witnesses.push_back({"differences-from-1/7", [=](Accuracy) { return limit::gap(Scheme::area, G_of(in), Rational(1, 7)); }});
+        return result;
+    }
+    result.most_digits = most_digits_of_gap;
+    result.refusal = "the polynomials that more digits take would be too long";
+    result.dear = true;
+    result.proofs.push_back({"eigenfunction", [=](Accuracy a) { return limit::second_eigenvalue(G_of(in), {a.digits + spare_digits_of_gap}); }});
+    if (in.compare_G(large_G) < 0)
+        result.own_witness = Look{"differences-from-1/2", differences};
+    else
+        result.own_witness = Look{"first-order", [=](Accuracy) {
+                                      const WorkingPrecision bits(256);
+                                      return limit::second_eigenvalue_to_first_order(in.G_ball());
+                                  }};
+    result.shares = "the wave (2.4)";
     return result;
+}
+
+std::string explain_gap(const Inputs& in, long digits)
+{
+    return in.compare_G(lowest_G_of_gap) < 0 ? std::string() : limit::second_eigenvalue_certificate(G_of(in), {digits + spare_digits_of_gap});
 }
 
 } // namespace
@@ -207,15 +232,18 @@ void add_limit(std::vector<Quantity>& all)
     all.push_back({.name = "limit.gap",
                    .equation = "7.21",
                    .unit = "1",
-                   .domain = "G > 1; estimated for 2.000001 <= G < 5000",
+                   .domain = "G > 1; certified for G >= 2.2, estimated from 2.000001",
                    .inputs = {"G"},
                    .description = "second eigenvalue of one wave's operator over its first, 1/G: by what the distance from the limit shrinks at each scale",
                    .check = require_surface,
                    .exact = {},
                    .routes = {},
+                   .explain = explain_gap,
                    .costly = true,
                    .plan = [](const Inputs& in, Accuracy) { return plan_of_gap(in); },
-                   .certified = {{"2.000001 <= G < 5000", "15", "", "", ""}}});
+                   .certified = {{"2.2 <= G < 5000", fmt::format("{}", most_digits_of_gap), "eigenfunction", "witness differences-from-1/2", "the wave (2.4)"},
+                                 {"G >= 5000", fmt::format("{}", most_digits_of_gap), "eigenfunction", "witness first-order", "the wave (2.4)"},
+                                 {"2.000001 <= G < 2.2", "15", "", "", ""}}});
 
     add_limiting_distributions(all);
     add_distance_from_limit(all);

@@ -431,7 +431,7 @@ Rows limit_full_grid()
 }
 
 Rows limit_ratio_grid() { return as_rows({2.05, second_G, figure_5_G, 4, 10, 100, 1000, 1e4, 1e6}); }
-Rows limit_gap_grid() { return as_rows({2.5, 3, figure_5_G, 4, 10, 100}); }
+Rows limit_gap_grid() { return as_rows({2.2, second_G, 2.5, 3, figure_5_G, 4, 10, 100, 1e4, 1e6}); }
 
 /// Pressures in p*_n; at p = G/5 and G, contacts of the next scale leave the Hertzian range, and are full.
 Rows limit_exceedance_grid()
@@ -528,7 +528,7 @@ static const std::vector<TableSpec>& grids()
         {"limit_distance", "limit.distance", 3, limit_distance_grid, true},
         {"limit_segments", "limit.segments", 8, limit_segments_grid, true},
         {"limit_scale", "limit.scale", 20, limit_scale_grid, true},
-        {"limit_gap", "limit.gap", 10, limit_gap_grid, true},
+        {"limit_gap", "limit.gap", 15, limit_gap_grid, true},
         {"segments_max_half_width", "segments.max_half_width", digits, max_half_width_grid},
     };
     return all;
