@@ -177,7 +177,7 @@ std::vector<Ball> chebyshev_derivative(const std::vector<Ball>& c)
 
 Eigenfunction approximate_eigenfunction(const Ball& G, Accuracy wanted)
 {
-    const double lowest = 2 * (std::log(arf_get_d(arb_midref(G.get()), ARF_RND_NEAR)) - M_LN2), sigma = highest_sigma(wanted);
+    const double lowest = arf_get_d(arb_midref((2 * log(G / 2)).get()), ARF_RND_NEAR), sigma = highest_sigma(wanted); // G may be beyond binary64
     constexpr double enough = 1e-9; // the interval is to hold log s of the smallest s
     Eigenfunction w{std::log(lowest) - enough, std::log(lowest + sigma) + enough, {}, {}};
     const double rate = std::asinh(2 * strip / (w.high - w.low)), digits = static_cast<double>(wanted.digits + 2) * M_LN10;
