@@ -234,7 +234,7 @@ void add_limit(std::vector<Quantity>& all)
                    .unit = "1",
                    .domain = "G > 1; certified for G >= 2.2, estimated from 2.000001",
                    .inputs = {"G"},
-                   .description = "second eigenvalue of one wave's operator over its first, 1/G: by what the distance from the limit shrinks at each scale",
+                   .description = "second eigenvalue of one wave's operator over its first, 1/G: by what, in general, the distance from the limit shrinks at each scale",
                    .check = require_surface,
                    .exact = {},
                    .routes = {},

@@ -2,6 +2,7 @@
 #include "touchstone/limit/eigenfunction.hpp"
 
 #include "touchstone/quadrature/ellipse_rule.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/parallel.hpp"
 
 #include <algorithm>
@@ -135,8 +136,9 @@ void inverse_iteration(Matrix& C, const Ball& start, std::vector<Ball>& c)
 
 double highest_sigma(Accuracy a)
 {
+    constexpr long fewest = 5; // ratios there are to be so small that the noise can be cut off
     // what is cut off is exp(-3/2 sigma) at most
-    return 12 + 1.6 * static_cast<double>(a.digits);
+    return 12 + 1.6 * static_cast<double>(std::max(a.digits, fewest));
 }
 
 std::vector<double> panels_of_noise(double sigma)
@@ -181,6 +183,7 @@ Eigenfunction approximate_eigenfunction(const Ball& G, Accuracy wanted)
     constexpr double enough = 1e-9; // the interval is to hold log s of the smallest s
     Eigenfunction w{std::log(lowest) - enough, std::log(lowest + sigma) + enough, {}, {}};
     const double rate = std::asinh(2 * strip / (w.high - w.low)), digits = static_cast<double>(wanted.digits + 2) * M_LN10;
+    if (!(rate > 0)) throw BeyondReach("G is too large for the eigenfunction to be looked for");
     const auto terms = static_cast<std::size_t>(digits / rate) + spare_terms;
     const long nodes = static_cast<long>(digits / 1.4) + spare_terms; // exp(-2 sigma n) with the ellipse of the proof
     Matrix C(static_cast<slong>(terms), static_cast<slong>(terms));

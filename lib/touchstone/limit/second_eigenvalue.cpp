@@ -80,7 +80,12 @@ Ball rho_of(const ComplexBall& t)
     return upper_ball(axis + sqrt(axis * axis - 1));
 }
 
-Ball larger(const Ball& a, const Ball& b) { return arb_gt(a.get(), b.get()) ? a : b; }
+/// At least both.
+Ball larger(const Ball& a, const Ball& b)
+{
+    const Ball x = upper_ball(a), y = upper_ball(b); // exact, so that one of them is
+    return !x.is_finite() || arb_gt(x.get(), y.get()) ? x : y;
+}
 
 /// (D w)' and D w, proven: what is integrated is analytic in tau and s on ellipses about the panels of tau and about [low, high] of log s.
 class Derivative {
@@ -93,7 +98,8 @@ public:
         for (std::size_t j = 0; j + 1 < panels.size(); ++j) add_panel(j, tolerance);
         cut_off(G);
     }
-    /// (D w)'(s), s in [exp(low), exp(high)]; low <= log log(G^2/4)
+    /// (D w)'(s) where s >= log(G^2/4), s <= exp(high). A little below, from exp(low) on, it encloses what the rule is of, which is all that
+    /// interpolation asks of it.
     Ball slope(const Ball& s) const { return within(sum(s, true), error_ + slope_beyond_); }
     Ball value(const Ball& s) const { return within(sum(s, false), error_ + value_beyond_); }
     /// At least |(D w)' - lambda w'| on the ellipse about all log s, without what was cut off.
@@ -288,7 +294,7 @@ private:
 class Remainder {
 public:
     Remainder(const Ball& G, const Eigenfunction& w_, const Rows& rows_, const Ball& per_slope_, slong bits_)
-        : w(w_), rows(rows_), bits(bits_), lowest(2 * log(G / 2)), per_slope(per_slope_), bend(chebyshev_derivative(w.slope)),
+        : w(w_), rows(rows_), bits(bits_), lowest(2 * log(G / 2)), per_slope(per_slope_), bend(derivative_of_slope()),
           third(size_on_ellipse(chebyshev_derivative(bend), Ball(1)))
     {
     }
@@ -313,6 +319,13 @@ public:
     }
 
 private:
+    /// To the precision of w: Clenshaw's recurrence would multiply what 64 bits leave by powers of 2.
+    std::vector<Ball> derivative_of_slope() const
+    {
+        const WorkingPrecision precision(bits);
+        return chebyshev_derivative(w.slope);
+    }
+
     struct Interval {
         double from, to, bound;
         bool operator<(const Interval& o) const { return bound < o.bound; }
@@ -374,6 +387,7 @@ Ball largest_defect(const Derivative& D, const Eigenfunction& w, const Ball& lam
         const Ball t = -Traits::cos_pi(Ball(static_cast<long>(i)) / Ball(n)), s = exp((Ball::exactly(w.high) + Ball::exactly(w.low)) / 2 + t / w.stretch());
         values[i] = D.slope(s) - lambda * chebyshev_sum(w.slope, t) * w.stretch() / s;
     });
+    // The values' balls hold what was cut off too, and so does that of their mean, the coefficient of T_0: its upper end pays for it between the nodes.
     Ball sum = off(n);
     for (long k = 0; k <= n; ++k) { // the coefficient of T_k
         Ball c(0);
