@@ -52,24 +52,10 @@ std::vector<Ball> chebyshev(const Ball& t, std::size_t n)
     return T;
 }
 
-struct Noise {
-    Ball square, log_cosh, weight; ///< tanh^2 tau, log cosh tau, (4/pi) sech^3 tau times the rule's weight
-};
-
 std::vector<Noise> noise(const std::vector<double>& panels, long nodes)
 {
     std::vector<Noise> all;
-    const auto rule = quadrature::GaussNodes::get(nodes, WorkingPrecision::bits());
-    for (std::size_t j = 0; j + 1 < panels.size(); ++j) {
-        const Ball half = (Ball::exactly(panels[j + 1]) - Ball::exactly(panels[j])) / 2, centre = (Ball::exactly(panels[j + 1]) + Ball::exactly(panels[j])) / 2;
-        for (const auto& node : rule->entries())
-            for (const int sign : {1, -1}) {
-                if (sign < 0 && node.z.contains_zero()) continue;
-                Ball cosh;
-                arb_cosh(cosh.get(), (centre + sign * half * node.z).get(), WorkingPrecision::bits());
-                all.push_back({1 - 1 / (cosh * cosh), log(cosh), 4 / Traits::pi() * half * node.weight / (cosh * cosh * cosh)});
-            }
-    }
+    for (std::size_t j = 0; j + 1 < panels.size(); ++j) add_noise(all, Ball::exactly(panels[j]), Ball::exactly(panels[j + 1]), nodes);
     return all;
 }
 
@@ -151,6 +137,19 @@ std::vector<double> panels_of_noise(double sigma)
     if (last - ends[ends.size() - 2] < first / 2) ends.erase(ends.end() - 2);
     ends.back() = std::acosh(std::exp(sigma / 2)) * (1 - 1e-12);
     return ends;
+}
+
+void add_noise(std::vector<Noise>& all, const Ball& from, const Ball& to, long nodes)
+{
+    const Ball half = (to - from) / 2, centre = (to + from) / 2;
+    const auto rule = quadrature::GaussNodes::get(nodes, WorkingPrecision::bits());
+    for (const auto& node : rule->entries())
+        for (const int sign : {1, -1}) {
+            if (sign < 0 && node.z.contains_zero()) continue;
+            Ball cosh;
+            arb_cosh(cosh.get(), (centre + sign * half * node.z).get(), WorkingPrecision::bits());
+            all.push_back({1 - 1 / (cosh * cosh), log(cosh), 4 / Traits::pi() * half * node.weight / (cosh * cosh * cosh)});
+        }
 }
 
 Ball chebyshev_sum(const std::vector<Ball>& c, const Ball& t)

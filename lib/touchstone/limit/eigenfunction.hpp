@@ -36,6 +36,13 @@ struct Eigenfunction {
 /// `highest_sigma` + log(G^2/4), just there.
 std::vector<double> panels_of_noise(double highest_sigma);
 
+/// A node of the rule for E.
+struct Noise {
+    Ball square, log_cosh, weight; ///< tanh^2 tau, log cosh tau, (4/pi) sech^3 tau times the rule's weight
+};
+/// Appends Gauss and Legendre's nodes for tau in [from, to].
+void add_noise(std::vector<Noise>& all, const Ball& from, const Ball& to, long nodes);
+
 /// The largest s - log(G^2/4) on which a function is looked at.
 double highest_sigma(Accuracy);
 

@@ -3,7 +3,6 @@
 
 #include "touchstone/limit/area_series.hpp"
 #include "touchstone/limit/eigenfunction.hpp"
-#include "touchstone/quadrature/ellipse_rule.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/scalar/refusal.hpp"
@@ -198,20 +197,13 @@ private:
             if ((n += 4) > most_nodes) throw BeyondReach("the eigenfunction grows too fast on the ellipses");
         }
         error_ += off();
-        const auto rule = quadrature::GaussNodes::get(n, WorkingPrecision::bits());
-        for (const auto& node : rule->entries())
-            for (const int sign : {1, -1}) {
-                if (sign < 0 && node.z.contains_zero()) continue;
-                Ball cosh;
-                arb_cosh(cosh.get(), (centre + sign * half * node.z).get(), WorkingPrecision::bits());
-                nodes.push_back({1 - 1 / (cosh * cosh), log(cosh), 4 / Traits::pi() * half * node.weight / (cosh * cosh * cosh)});
-            }
+        add_noise(nodes, Ball::exactly(panels[j]), Ball::exactly(panels[j + 1]), n);
     }
 
     Ball sum(const Ball& s, bool of_slope) const
     {
         Ball total(0);
-        for (const Node& n : nodes) {
+        for (const Noise& n : nodes) {
             const Step<Ball> step(log_half_G, s, n.square, n.log_cosh);
             const Ball t = w.place(step.next), here = chebyshev_sum(w.value, t);
             if (of_slope)
@@ -222,14 +214,11 @@ private:
         return total;
     }
 
-    struct Node {
-        Ball square, log_cosh, weight;
-    };
     const Eigenfunction& w;
     const Ball log_half_G;
     const std::vector<double> panels;
     const Ball sigma_of_s;
-    std::vector<Node> nodes;
+    std::vector<Noise> nodes;
     Ball error_{0}, all_{0}, slope_beyond_, value_beyond_;
 };
 
