@@ -47,6 +47,17 @@ TEST_CASE("K_n descends to K_inf at the rate the recursion gives")
     CHECK(certainly(less(abs(rate - 1), power_of_two<Ball>(-90))));
 }
 
+TEST_CASE("both routes agree, tightly, where fixed-point units grow by whole words and exponents come in several blocks")
+{
+    for (const slong bits : {4000L, 12000L}) {
+        const WorkingPrecision precision(bits);
+        const Ball a = archard::K_gamma_product(archard::infinity), b = archard::K_eta_series(archard::infinity);
+        CHECK(a.overlaps(b));
+        CHECK(a.relative_bits() > bits);
+        CHECK(b.relative_bits() > bits);
+    }
+}
+
 TEST_CASE("huge n costs no more and is told from the limit")
 {
     const WorkingPrecision precision(128);

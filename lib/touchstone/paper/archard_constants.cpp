@@ -27,61 +27,146 @@ void widen(Ball& b, slong exponent)
 /// 1 - 2^{-k (n - m)}, the share of the geometric sum over all i >= m that i < n takes.
 Ball finite_share(long k, long n, long m) { return n < 0 ? Ball(1) : 1 - dyadic(-k * (n - m)); }
 
-/// eta(2), ..., eta(last), the k-th to about 2^-(bits - k step): in fixed point, the k-th sum in units of
-/// 2^-(F - k step). A term loses less than one unit to each of two truncations, the first divided by
-/// (j + 1) 2^step at the next k: in all below 4 units, so a sum of N terms is within 4N units.
-std::vector<Ball> eta_values(long last, slong bits, slong step)
+/// eta(first), ..., eta(last), the k-th to about 2^-(bits - (k - first) step), by the accelerated sum of archard::eta,
+/// whose c_j and d are integers: d eta(k) = sum_{j<N} c_j/(j + 1)^k. In fixed point, `group` exponents at a time:
+/// u = c_j/(j + 1)^(first + group t + group - 1) gives those with k = first + group t + r as u (j + 1)^(group - 1 - r), so that
+/// a term costs one division by (j + 1)^group, which fits into a word, and `group` products instead of `group` divisions.
+/// Units are 2^-guard for t = 0 and 2^(64 drop) times larger at each next t. u is within 4 of them: its error is divided by
+/// (j + 1)^group 2^(64 drop) and joined by two truncations, neither of which happens when that divisor is 1.
+/// So a sum of N terms is within 4 N N^(group - 1) units.
+void eta_block(std::vector<Ball>& eta, long first, long last, slong bits, slong step)
 {
-    const slong F = bits + 32;
     const long N = static_cast<long>(static_cast<double>(bits) / 2.5431) + 2; // log2(3 + sqrt 8) > 2.5431
-    // c_j of the accelerated sum, integers (archard::eta has the same recurrence)
+    const slong size_of_N = static_cast<slong>(FLINT_BIT_COUNT(N));
+    const long group = std::max(1L, 63 / size_of_N);
+    const auto drop = static_cast<mp_bitcnt_t>(group * step / 64);
+    const slong guard = group * size_of_N + 8;
     Integer before = 1, d = 3;
     for (long j = 1; j < N; ++j) {
         Integer next = 6 * d - before;
         before = std::move(d);
         d = std::move(next);
     }
-    std::vector<Integer> sums(static_cast<std::size_t>(last + 1));
-    Integer b = -1, c = -d, term;
+    std::vector<Integer> sums(static_cast<std::size_t>(last - first + group));
+    std::vector<unsigned long> powers(static_cast<std::size_t>(group + 1));
+    Integer b = -1, c = -d, u, power;
     for (long j = 0; j < N; ++j) {
         c = b - c;
-        mpz_mul_2exp(term.get_mpz_t(), c.get_mpz_t(), static_cast<mp_bitcnt_t>(F));
-        mpz_tdiv_q(term.get_mpz_t(), term.get_mpz_t(), d.get_mpz_t());
-        for (long k = 1; k <= last && term != 0; ++k) {
-            if (step < 40) mpz_tdiv_q_ui(term.get_mpz_t(), term.get_mpz_t(), static_cast<unsigned long>(j + 1) << step);
-            else {
-                mpz_tdiv_q_2exp(term.get_mpz_t(), term.get_mpz_t(), static_cast<mp_bitcnt_t>(step));
-                mpz_tdiv_q_ui(term.get_mpz_t(), term.get_mpz_t(), static_cast<unsigned long>(j + 1));
-            }
-            sums[static_cast<std::size_t>(k)] += term;
+        powers[0] = 1;
+        for (std::size_t r = 1; r < powers.size(); ++r) powers[r] = powers[r - 1] * static_cast<unsigned long>(j + 1);
+        mpz_mul_2exp(u.get_mpz_t(), c.get_mpz_t(), static_cast<mp_bitcnt_t>(guard));
+        mpz_ui_pow_ui(power.get_mpz_t(), static_cast<unsigned long>(j + 1), static_cast<unsigned long>(first + group - 1));
+        mpz_tdiv_q(u.get_mpz_t(), u.get_mpz_t(), power.get_mpz_t());
+        for (std::size_t k = 0; k + static_cast<std::size_t>(group) <= sums.size() && u != 0; k += static_cast<std::size_t>(group)) {
+            for (std::size_t r = 0; r < static_cast<std::size_t>(group); ++r)
+                mpz_addmul_ui(sums[k + r].get_mpz_t(), u.get_mpz_t(), powers[static_cast<std::size_t>(group) - 1 - r]);
+            mpz_tdiv_q_2exp(u.get_mpz_t(), u.get_mpz_t(), 64 * drop);
+            mpz_tdiv_q_ui(u.get_mpz_t(), u.get_mpz_t(), powers.back());
         }
-        b = b * (2 * (Integer(j) + N) * (Integer(j) - N)) / ((2 * Integer(j) + 1) * (Integer(j) + 1));
+        b *= 2 * (N + j) * (j - N);
+        b /= (2 * j + 1) * (j + 1); // exactly
     }
-    std::vector<Ball> eta(sums.size());
-    for (long k = 2; k <= last; ++k) {
+    for (long k = first; k <= last; ++k) {
         Ball& value = eta[static_cast<std::size_t>(k)];
-        value = Ball(Rational(sums[static_cast<std::size_t>(k)]));
-        arb_mul_2exp_si(value.get(), value.get(), k * step - F);
-        widen(value, k * step - F + 2 + static_cast<slong>(mpz_sizeinbase(Integer(N).get_mpz_t(), 2)));
+        value = Ball(Rational(sums[static_cast<std::size_t>(k - first)]));
+        widen(value, 2 + group * size_of_N);
+        arb_mul_2exp_si(value.get(), value.get(), static_cast<slong>(64 * drop) * ((k - first) / group) - guard);
+        value /= Ball(Rational(d));
         widen(value, 1 - static_cast<slong>(std::floor(2.5431 * static_cast<double>(N))));
     }
+}
+
+/// eta(2), ..., eta(last), the k-th to about 2^-(bits - k step), in blocks with as many terms as the first of a block needs.
+std::vector<Ball> eta_values(long last, slong bits, slong step)
+{
+    std::vector<Ball> eta(static_cast<std::size_t>(last + 1));
+    const long block = last / 5 + 8;
+    for (long first = 2; first <= last; first += block)
+        eta_block(eta, first, std::min(last, first + block - 1), bits - (first - 2) * step, step);
     return eta;
 }
 
-/// zeta(2), ..., zeta(last), the k-th to about 2^-(bits - k step), a block of equal precision at a time.
+/// x as an integer number of 2^-F, towards zero. The radius of x is at most 2^-F, or the answer is false.
+bool to_fixed_point(Integer& result, const Ball& x, slong F)
+{
+    if (mag_cmp_2exp_si(arb_radref(x.get()), -F) > 0) return false;
+    fmpz_t units;
+    fmpz_init(units);
+    arf_get_fmpz_fixed_si(units, arb_midref(x.get()), -F);
+    fmpz_get_mpz(result.get_mpz_t(), units);
+    fmpz_clear(units);
+    return true;
+}
+
+/// zeta(2), ..., zeta(last), the k-th to about 2^-(bits - k step): the even ones are Bernoulli numbers times powers of pi,
+/// the odd ones by Ramanujan's formula (Berndt, Rocky Mountain J. Math. 7, 1977, theorem 2.2): for s = 2n + 1 > 1 and alpha beta = pi^2,
+///     alpha^-n (zeta(s)/2 + S(alpha)) - (-beta)^-n (zeta(s)/2 + S(beta)) = -2^(2n) sum_{j=0}^{n+1} (-1)^j b_j b_{n+1-j} alpha^(n+1-j) beta^j,
+/// S(alpha) = sum_k k^-s/(e^(2 alpha k) - 1), b_j = B_2j/(2j)! = -(-1)^j 2 zeta(2j)/(2 pi)^(2j), zeta(0) = -1/2.
+/// At alpha = pi with odd n, and for even n from its derivative there, with h = n + 1, x_k = 1/(e^(2 pi k) - 1), X_s = sum x_k k^-s
+/// and Y_s = sum x_k (1 + x_k) k^-s:
+///     zeta(s) = -2 X_s - (1/pi) sum_{j=0}^h (-1)^j zeta(2j) zeta(2h - 2j)                         s = 3, 7, 11, ...
+///     zeta(s) = -2 X_s - (4 pi/n) Y_{s-1} + (2/(n pi)) sum_{j=0}^h (-1)^j j zeta(2j) zeta(2h - 2j)    s = 5, 9, 13, ...
+/// X and Y in fixed point as in eta_values: u = x_k/k^(4t+3) gives s = 4t + 3 and, times k^2, 4t + 1.
+/// The terms k > N of either sum are below 1.01 e^(-2 pi (N+1)) together.
 std::vector<Ball> zeta_values(long last, slong bits, slong step)
 {
-    constexpr long block = 16;
-    std::vector<Ball> zeta(static_cast<std::size_t>(last + 1));
-    for (long first = 2; first <= last; first += block) { // first is even, like block
-        const long size = std::min(block, last - first + 1);
-        arb_ptr values = _arb_vec_init(size);
-        const slong precision = std::max<slong>(bits - first * step, 64);
-        for (long k = first; k < first + size; k += 2) // even ones are Bernoulli numbers times powers of pi
-            arb_zeta_ui_bernoulli(zeta[static_cast<std::size_t>(k)].get(), static_cast<ulong>(k), precision);
-        arb_zeta_ui_vec_odd(values, static_cast<ulong>(first + 1), size / 2, precision);
-        for (long k = 0; k < size / 2; ++k) arb_swap(zeta[static_cast<std::size_t>(first + 1 + 2 * k)].get(), values + k);
-        _arb_vec_clear(values, size);
+    std::vector<Ball> zeta(static_cast<std::size_t>(last + 2));
+    const long N = static_cast<long>(static_cast<double>(bits) / 9.0647) + 2; // log2 e^(2 pi) > 9.0647
+    const slong size_of_N = static_cast<slong>(FLINT_BIT_COUNT(N));
+    const slong F = bits + 3 * size_of_N + 8;
+    const auto drop = static_cast<mp_bitcnt_t>(4 * step / 64);
+    std::vector<Integer> X(static_cast<std::size_t>(last + 4)), Y(X.size());
+    Integer u, v;
+    Ball q, q_to_k(1);
+    {
+        const WorkingPrecision precision(F + 32);
+        q = exp(-2 * pi<Ball>());
+    }
+    for (long k = 1; k <= N; ++k) {
+        const WorkingPrecision precision(std::max<slong>(64, F + 32 - 9 * k));
+        q_to_k *= q;
+        const Ball x = q_to_k / (1 - q_to_k);
+        if (!to_fixed_point(u, x, F) || !to_fixed_point(v, x * (1 + x), F)) return zeta;
+        const auto square = static_cast<unsigned long>(k) * static_cast<unsigned long>(k);
+        mpz_tdiv_q_ui(u.get_mpz_t(), u.get_mpz_t(), square * static_cast<unsigned long>(k));
+        for (long s = 0; s <= last && (u != 0 || v != 0); s += 4) {
+            X[static_cast<std::size_t>(s + 3)] += u;
+            mpz_addmul_ui(X[static_cast<std::size_t>(s + 1)].get_mpz_t(), u.get_mpz_t(), square);
+            Y[static_cast<std::size_t>(s)] += v;
+            for (Integer* term : {&u, &v}) {
+                mpz_tdiv_q_2exp(term->get_mpz_t(), term->get_mpz_t(), 64 * drop);
+                mpz_tdiv_q_ui(term->get_mpz_t(), term->get_mpz_t(), square * square);
+            }
+        }
+    }
+    const auto sum = [&](const Integer& units, long s) {
+        Ball value{Rational(units)};
+        widen(value, 3 * size_of_N + 3); // 4 N units of u, times k^2; the terms after N are less than 1
+        arb_mul_2exp_si(value.get(), value.get(), static_cast<slong>(64 * drop) * (s / 4) - F);
+        return value;
+    };
+
+    const long h_last = (last + 1) / 2;
+    std::vector<Ball> Z(static_cast<std::size_t>(h_last + 1)), alternating(Z.size()), weighted(Z.size());
+    for (long j = 0; j <= h_last; ++j) {
+        Ball& value = Z[static_cast<std::size_t>(j)];
+        if (j == 0) value = Ball(-1) / 2;
+        else arb_zeta_ui_bernoulli(value.get(), static_cast<ulong>(2 * j), std::max<slong>(64, bits + 32 - 2 * (j - 1) * step));
+        if (j > 0 && 2 * j <= last) zeta[static_cast<std::size_t>(2 * j)] = value;
+        alternating[static_cast<std::size_t>(j)] = j % 2 == 0 ? value : -value;
+        arb_mul_si(weighted[static_cast<std::size_t>(j)].get(), alternating[static_cast<std::size_t>(j)].get(), j, bits + 32);
+    }
+    static_assert(sizeof(Ball) == sizeof(arb_struct)); // so that a vector of balls is a vector of Arb's
+    for (long s = 3; s <= last; s += 2) {
+        const WorkingPrecision precision(std::max<slong>(64, bits + 32 - s * step));
+        const long n = (s - 1) / 2, h = n + 1;
+        const auto& left = n % 2 == 1 ? alternating : weighted;
+        Ball closed;
+        arb_dot(closed.get(), nullptr, 0, left.front().get(), 1, Z[static_cast<std::size_t>(h)].get(), -1, h + 1, WorkingPrecision::bits());
+        Ball value = -2 * sum(X[static_cast<std::size_t>(s)], s);
+        if (n % 2 == 1) value -= closed / pi<Ball>();
+        else value += 2 * closed / (n * pi<Ball>()) - 4 * pi<Ball>() / n * sum(Y[static_cast<std::size_t>(s - 1)], s);
+        zeta[static_cast<std::size_t>(s)] = std::move(value);
     }
     return zeta;
 }
@@ -93,10 +178,18 @@ Ball K_gamma_product(long n)
     const slong target = WorkingPrecision::bits();
     const WorkingPrecision precision(target + guard_bits);
     const slong bits = target + guard_bits;
-    const long m = std::max(4L, static_cast<long>(0.3 * std::sqrt(static_cast<double>(bits))));
+    const long m = std::max(4L, static_cast<long>(0.25 * std::sqrt(static_cast<double>(bits))));
     const long direct = n < 0 ? m : std::min(n, m);
-    Ball K = 2 / pi<Ball>();
-    for (long i = 0; i < direct; ++i) K *= step(delta<Ball>(i));
+    // With x_i = 2^-(i+2), b_i = Gamma(3/2 - x_i) and a_i = Gamma(2 - x_i) the factor is 2^(1 - x_{i-1}) b_i/(sqrt(pi) a_i), and by the
+    // duplication formula a_i b_i = 2^(x_{i-1} - 2) sqrt(pi) (2 - x_{i-1}) a_{i-1}, from a_{-1} = sqrt(pi)/2.
+    const Ball root_pi = sqrt(pi<Ball>());
+    Ball K = 2 / pi<Ball>(), a = root_pi / 2, power = sqrt(Ball(2)); // 2^x_{i-1}
+    for (long i = 0; i < direct; ++i) {
+        const Ball b = gamma_function(Ball(Rational(3, 2)) - dyadic(-(i + 2)));
+        a *= power * root_pi * (2 - dyadic(-(i + 1))) / (4 * b);
+        K *= 2 * b / (power * root_pi * a);
+        power = sqrt(power);
+    }
     if (direct == n) return K;
 
     // log step as a power series in x = 2^-(i+2): -x + sum_{k>=2} e_k x^k/k,
@@ -120,7 +213,7 @@ Ball K_eta_series(long n)
     const slong target = WorkingPrecision::bits();
     const WorkingPrecision precision(target + guard_bits);
     const slong bits = target + guard_bits;
-    const long m = std::max(5L, static_cast<long>(0.5 * std::sqrt(static_cast<double>(bits))));
+    const long m = std::max(5L, static_cast<long>(0.35 * std::sqrt(static_cast<double>(bits))));
     const long direct = n < 0 ? m : std::min(n, m);
     Ball K = 2 / pi<Ball>();
     Ball before = gamma_function(Ball(Rational(3, 2))); // a_{-1}, x_{-1} = 1/2

@@ -4,7 +4,7 @@
 /// that share neither series nor Gamma arguments. The bare product needs 3.3 factors for each digit
 /// of K_inf; both routes take about sqrt(bits) factors directly and sum the rest in closed form.
 ///
-/// Cost for d digits: about d^2.4 from 1000 to 10 000 digits, measured by tests/bench/archard_constants.cpp.
+/// Cost for d digits: about d^2.3 from 1000 to 10 000 digits, measured by tests/bench/archard_constants.cpp.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
@@ -15,10 +15,10 @@ namespace touchstone::archard {
 inline constexpr long infinity = -1;
 
 /// K_n (n >= 0, or `infinity`) to about the working precision.
-/// Route: m factors (7.13) with two Gamma functions each; the others through the Taylor series of
-/// log Gamma at 3/2 and 2. The k-th coefficient of log step in x = 2^-(i+2) is, for k >= 2,
-/// (zeta(k, 3/2) - zeta(k, 2))/k (Riemann's zeta, from Arb), an alternating sum below (2/3)^k/k,
-/// which bounds what is left out; the first is -1.
+/// Route: m factors (7.13) with one Gamma function each, Gamma(3/2 - 2^-(i+2)), the other by the duplication formula; the
+/// factors after them through the Taylor series of log Gamma at 3/2 and 2. The k-th coefficient of log step in x = 2^-(i+2) is,
+/// for k >= 2, (zeta(k, 3/2) - zeta(k, 2))/k, an alternating sum below (2/3)^k/k, which bounds what is left out; the first is -1.
+/// Riemann's zeta is for even k a Bernoulli number times pi^k, for odd k by Ramanujan's formula, whose sums shrink like e^(-2 pi n).
 Ball K_gamma_product(long n);
 
 /// The same by the duplication formula and Dirichlet's eta. Route: m factors as
