@@ -9,6 +9,7 @@ import argparse
 import hashlib
 import re
 import sys
+import time
 from fractions import Fraction
 from math import gcd
 
@@ -20,6 +21,7 @@ from transfer import Refused
 
 SMALLEST_STEP = Fraction(1, 1 << 16)  # of a rule: exp(-1/step) is a number one can write
 LONGEST_FILE, LONGEST_WORD, MOST_PANELS, MOST_PANELS_OF_A_MESH = 1 << 28, 4096, 64, 4096
+PATIENCE = 20  # seconds
 MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024}
 
 
@@ -131,12 +133,19 @@ class Replay:
     def __init__(self, certificate, first, last):
         self.certificate, self.first, self.last = certificate, first, last
         self.known, self.until, self.rules, self.rows, self.proved = {}, {}, {}, {}, set()
-        self.number = 0
+        self.number, self.said = 0, time.monotonic()
         for words in certificate.lines:
             self.number += 1
+            self.progress()
             self.line(words)
         need(not self.known, f"line {min(self.known, default=0)}: the last line said to refer to it does not", Refused)
         need(len(self.proved) == len(certificate.claims), "a claim is proved by no line", Refused)
+
+    def progress(self, part=""):
+        """on stderr, where there was nothing to read for a while"""
+        if time.monotonic() - self.said > PATIENCE:
+            self.said = time.monotonic()
+            print(f"line {self.number} of {self.certificate.count}", part, file=sys.stderr, flush=True)
 
     def line(self, words):
         need(len(words) > 4 and words[0] == str(self.number) and words[1] in FORMS, f"line {self.number}: is not a line of that number")
@@ -270,7 +279,7 @@ class Replay:
                 Interval.bits = bits + 128
                 pressure = p / power_of(base, degree, scale)  # in p*_n, whatever the scale is
                 made = full_contact.Mesh(root_of(base, degree), pressure, bits, edges, [b[3] for b in below], [b[4] for b in below], kept, accuracy, rise)
-                self.rules = {key: (made, made.effects())}  # of one mesh at a time
+                self.rules = {key: (made, made.effects(self.progress))}  # of one mesh at a time
             made, effects = self.rules[key]
             low, high = made.value(n, load, effects)
             need(value - error <= low and high <= value + error, "the claim is not proved", Refused)

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""check.py [--limit N] [--certificate FILE]... TABLE...: recomputes every row of closed form in canonical tables and says how many it confirms.
+"""check.py [--limit N] [--certificate FILE]... [--coverage FILE] TABLE...: recomputes every row of closed form in canonical tables and says how many it confirms.
 
 A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and
 an error of 0 only if the value is found to be exactly what is printed. Areas, counts of segments and C(G) are confirmed by certificates too, which are
-proved first (certificate.py). `digits` are confirmed in every row that is right or has a certificate. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
+proved first (certificate.py). `digits` are confirmed in every row that is right or has a certificate. --coverage keeps, for `touchstone table`,
+what was found of each table, with the sha256 of its rows. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
 """
 import argparse
 import hashlib
 import json
+import os
 import sys
 from math import inf
 from fractions import Fraction
@@ -117,13 +119,31 @@ def verdict(form, row, names, binary64):
     return "undecided", len(str(int(abs(value) / off))) - 1 if off else 0
 
 
+def keep(path, found):
+    """the entries of these tables renewed in the file of coverage, the others as they are, a line each"""
+    try:
+        with open(path, encoding="ascii") as file:
+            known = {entry["table"]: entry for entry in json.load(file)}
+    except FileNotFoundError:
+        known = {}
+    except (OSError, ValueError, TypeError, KeyError) as reason:
+        raise Unreadable(f"{path}: not a file of coverage: {reason}") from None
+    known |= {entry["table"]: entry for entry in found}
+    with open(path + ".new", "w", encoding="ascii") as file:
+        file.write("[\n" + ",\n".join(json.dumps(known[name]) for name in sorted(known)) + "\n]\n")
+    os.replace(path + ".new", path)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--limit", type=int, help="check at most N rows of a table, evenly spread")
     parser.add_argument("--certificate", action="append", default=[], metavar="FILE", help="of areas, proved first")
+    parser.add_argument("--coverage", metavar="FILE", help="keep there what was found of whole tables")
     parser.add_argument("tables", nargs="+")
     arguments = parser.parse_args()
-    worst = 0
+    if arguments.coverage and arguments.limit:
+        parser.error("--coverage is of whole tables: no --limit")
+    worst, found = 0, []
     try:
         forms = with_certificates(closed_forms.FORMS, arguments.certificate)
     except (certificate.Malformed, certificate.Refused) as why:
@@ -141,11 +161,11 @@ def main():
             worst = max(worst, 65)
             continue
         step = max(1, -(-len(rows) // arguments.limit)) if arguments.limit else 1
-        count, least, none = {}, inf, True
+        count, least, none, confirmed = {}, inf, True, 0
         for number, row in enumerate(rows[::step]):
             said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
             count[said] = count.get(said, 0) + 1
-            least, none = min(least, digits or inf), none and not digits
+            least, none, confirmed = min(least, digits or inf), none and not digits, confirmed + bool(digits)
             if said in ("wrong", "unreadable") or said == "undecided" and not digits:
                 print(f"{path}: row {number * step + 1}: {said}: {row}", file=sys.stderr)
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)
@@ -154,6 +174,14 @@ def main():
         print(f"{header['name']:30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {'-' if none else 'exact' if least == inf else least:>6}", flush=True)
         if wrong:
             worst = max(worst, 1)
+        found.append({"table": header["name"], "rows": asked, "confirmed": confirmed, "all_digits": right, "wrong": wrong,
+                      "digits": None if least == inf else least, "sha256": header["sha256"]})
+    if arguments.coverage:
+        try:
+            keep(arguments.coverage, found)
+        except (Unreadable, OSError) as reason:
+            print(f"check.py: {reason}", file=sys.stderr)
+            worst = max(worst, 65)
     return worst
 
 

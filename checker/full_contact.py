@@ -11,12 +11,12 @@ Fixed point: an integer stands for that many units 2^-bits. Bounds are fractions
 from bisect import bisect_left, bisect_right
 from fractions import Fraction
 from functools import lru_cache
-from math import isqrt
+from math import factorial, isqrt
 from operator import mul
 
 import intervals as iv
 from intervals import Interval
-from transfer import Refused, fixed
+from transfer import Refused, chebyshev, fixed
 
 RHO = 4                     # the ellipses on which the defects are bounded: their half axis is REACH half widths
 REACH = Fraction(17, 8)     # (RHO + 1/RHO)/2
@@ -25,7 +25,10 @@ MOST_INTERVALS = 2000       # of one panel
 CONTINUED = 8               # a polynomial that is continued is at most 2^CONTINUED times sum |c_k|
 HIGHEST = 1 << 16           # ratios: cos theta at an edge y is known within some y units, and (L) counts 2^8 roots of a unit for that
 BEYOND = 14                 # a panel is within middle +- half but for 2^-BEYOND half, so that |T_k| <= 2 there, k < 64
-SPARE_BITS = 40             # of a lane: sums of a row are that much larger than the largest coefficient at most, else the line is refused
+SPARE_BITS = 24             # of a lane: sums of a row are that much larger than the largest coefficient at most, else the line is refused
+FAR = (4, 7, 12)            # powers rho = 2^FAR of larger ellipses: what panels far from the ends of a wave give needs fewer points
+WORK = 46                   # bits of Chebyshev's polynomials beyond the accuracy: 14 for MOST_NODES, 12 for terms^2, 8 for CONTINUED
+MOST_NODES = 1 << 14        # in a row
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
@@ -45,26 +48,17 @@ class Trigonometry:
         self.pi = fixed(iv.pi(), bits)
         self.arctan = [fixed(iv.arctan(Interval.of(Fraction(i, 64))), bits) for i in range(65)]
         self.of_pieces = [(fixed(cosine(Fraction(i, 32)), bits), fixed(sine(Fraction(i, 32)), bits)) for i in range(102)]
+        self.inverse = [self.one // factorial(k) for k in range(bits + 4)]
+        self.enough = next(k for k in range(2, bits + 2, 2) if not self.inverse[k] >> 2 * k)  # (1/4)^k/k! is below a unit
         self.rules = {}
 
     def small(self, a):
         """cos a, sin a, |a| <= 1/4"""
         bits, square = self.bits, a * a >> self.bits
-        term, c, k = self.one, self.one, 0
-        while term:
-            k += 2
-            term = -(term * square >> bits) // (k * (k - 1))
-            c += term
-            if -1 <= term <= 1:
-                break
-        term, s, k = a, a, 1
-        while term:
-            k += 2
-            term = -(term * square >> bits) // (k * (k - 1))
-            s += term
-            if -1 <= term <= 1:
-                break
-        return c, s
+        c = s = 0  # by Horner's rule; what is left out is below the first power that is below a unit
+        for k in range(min(self.enough, 2 * (bits // (bits - square.bit_length())) + 2), 0, -2):
+            c, s = self.inverse[k] - (square * c >> bits), self.inverse[k + 1] - (square * s >> bits)
+        return self.one - (square * c >> bits), a - (a * (square * s >> bits) >> bits)
 
     def cos_sin(self, a):
         """0 <= a <= pi"""
@@ -167,6 +161,8 @@ class Mesh:
     def __init__(self, G, pressure, bits, edges, places, series, kept, accuracy, rise):
         self.trig = Trigonometry(bits)
         self.bits, self.one, self.kept, self.accuracy = bits, 1 << bits, kept, accuracy
+        self.work = min(bits, accuracy + WORK)  # a polynomial needs fewer bits than the root at an end of a wave
+        self.unit, self.spread = 1 << self.work + kept, {}
         self.edges, self.places, self.series = edges, places, series
         self.levels, self.terms, self.points = len(series[0]), len(series[0][0]), {}
         self.lift = [m * rise // 16 for m in range(self.levels)]
@@ -176,18 +172,18 @@ class Mesh:
         rising = 0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:]))
         if not rising or not self.one <= edges[-1] <= HIGHEST * self.one or any(half <= 0 for _, half in places):
             raise Refused("not a mesh")
-        if any(abs(self.local(p, y * y >> bits)) > self.one + (self.one >> BEYOND) for p in range(len(places)) for y in edges[p:p + 2]):
+        if any(abs(self.local(p, y * y >> bits)) > (1 << self.work) + (1 << self.work >> BEYOND) for p in range(len(places)) for y in edges[p:p + 2]):
             raise Refused("a polynomial is of another panel")
         if (edges[-1] + self.one) << bits > (self.G - 1) * edges[-1]:
             raise Refused("ratios leave the mesh")
         # The levels side by side in one integer, so that one product serves all of them (Kronecker's substitution).
         self.sizes = [[max(map(abs, c)) for c in zip(*of_panel)] for of_panel in series]
-        self.lane = bits + max(map(max, self.sizes)).bit_length() + SPARE_BITS
+        self.lane = self.work + max(map(max, self.sizes)).bit_length() + SPARE_BITS
         self.packed = [[sum(c[k] << m * self.lane for m, c in enumerate(of_panel)) for k in range(self.terms)] for of_panel in series]
         self.lg = [[self.log_growth(p, j) for j in range(len(QUARTERS))] for p in range(len(series))]
         self.largest = max(lg[0] for lg in self.lg)
         self.round = self.rounding()
-        self.quadrature = 3 * Fraction(1, 2 ** (accuracy + 4))
+        self.quadrature = Fraction(1, 2 ** (accuracy + 6))
 
     def log_growth(self, p, j):
         """log2, above, of sum |c_k| 2^(k j/4), the largest of all levels"""
@@ -197,9 +193,10 @@ class Mesh:
     def rounding(self):
         """(L): of V where it is evaluated, in one row, and of the ends of pieces"""
         wide = (self.edges[-1] >> self.bits) + 2
-        slope = max(Fraction(2) ** lg[0] * (1 + (64 * wide * wide << self.bits) // half) for lg, (_, half) in zip(self.lg, self.places))
+        slope = max(Fraction(2) ** lg[0] * (64 * wide * wide + 1) / half for lg, (_, half) in zip(self.lg, self.places))
+        floors = Fraction(2) ** (self.largest - self.work) * MOST_NODES
         ends = Fraction(len(self.series) + 2, 2 ** (self.bits // 2 - 8)) * 2**max(0, self.largest)
-        return slope * self.terms**2 * Fraction(2) ** (CONTINUED + 2 - self.bits) + ends
+        return (4 * slope + floors) * self.terms**2 * 2**CONTINUED + ends
 
     def panel(self, y):
         """the panel of y, -1 below the first"""
@@ -207,18 +204,11 @@ class Mesh:
 
     def local(self, p, z):
         middle, half = self.places[p]
-        return ((z - middle) << self.bits) // half
-
-    def powers(self, t):
-        """T_k(t)"""
-        u = [self.one, t]
-        for _ in range(2, self.terms):
-            u.append((2 * t * u[-1] >> self.bits) - u[-2])
-        return u[:self.terms]
+        return ((z - middle) << self.work) // half
 
     def values(self, p, z):
-        """V_m there, all m, in units 2^-(bits + kept)"""
-        T = self.powers(self.local(p, z))
+        """V_m there, all m, in units 2^-(work + kept)"""
+        T = chebyshev(self.local(p, z), 1 << self.work, self.terms, self.work)
         return [sum(map(mul, c, T)) for c in self.series[p]] if p >= 0 else [0] * self.levels
 
     # ---- T V at a point
@@ -235,19 +225,23 @@ class Mesh:
     def most(self, x):
         return ((x + self.one) << self.bits) // self.G if x >= self.one else (2 * isqrt(x << self.bits) << self.bits) // self.G
 
-    def row(self, x, low, high):
-        """T V_m at x, all m, in units 2^-(bits + kept), with the polynomials of the panels low and high continued to the ends of the wave;
-        low = -1: 0 there"""
-        a = self.trig.pi if x >= self.one and low >= 0 else self.theta(x, self.edges[max(low, 0)])
-        total = most = 0
-        for p in range(max(low, 0), high + 1):
-            b = self.theta(x, self.edges[p + 1]) if p < high else 0
+    def row(self, x, low, high, aim, panels=None):
+        """T V_m at x, all m, in units 2^-(work + kept), with the polynomials of the panels low and high continued to the ends of the wave;
+        low = -1: 0 there. Off by 2^-(aim + 6) beside roundings. If panels are named: what these give of it"""
+        total = most = self.nodes = 0
+        before = None
+        for p in range(max(low, 0), high + 1) if panels is None else panels:
+            if before != p - 1:
+                a = self.trig.pi if x >= self.one and p == low else self.theta(x, self.edges[p])
+            before, b = p, self.theta(x, self.edges[p + 1]) if p < high else 0
             if b < a:
                 sums = [0] * self.terms
-                self.piece(x, p, b, a, sums)
+                self.piece(x, p, b, a, sums, aim, len(self.series))
                 total += sum(map(mul, self.packed[p], sums))
                 most += sum(map(mul, self.sizes[p], map(abs, sums)))
                 a = b
+        if self.nodes > MOST_NODES:
+            raise Refused("a row has too many points")
         if most >> self.lane - 1:
             raise Refused("the sums of a row are too large")
         return [(t << self.bits) // self.trig.pi for t in self.unpacked(total)]
@@ -260,46 +254,47 @@ class Mesh:
 
     def exact_row(self, x):
         low = self.panel(self.least(x)) if x > self.one else -1
-        return self.row(x, low, self.panel(self.most(x)))
+        return self.row(x, low, self.panel(self.most(x)), self.accuracy)
 
-    def piece(self, x, p, a, b, sums):
-        """adds the integrals of T_k over a <= theta <= b"""
-        bits, one, trig, (middle, half) = self.bits, self.one, self.trig, self.places[p]
+    def piece(self, x, p, a, b, sums, aim, parts):
+        """adds the integrals of T_k over a <= theta <= b, one of so many parts of a wave"""
+        bits, one, trig, (middle, half), work = self.bits, self.one, self.trig, self.places[p], self.work
         eta, at = (b - a) >> 1, (a + b) >> 1
         K = 99
         if eta * WIDEST <= one:
             cosine_at, sine_at = trig.cos_sin(at)
-            K = self.order(x, p, eta, cosine_at, sine_at)
+            K = self.order(x, p, eta, cosine_at, sine_at, aim, parts)
         if K > 32:
             if eta < one >> 40:
                 raise Refused("a panel's polynomial grows too fast")
-            self.piece(x, p, a, at, sums)
-            self.piece(x, p, at, b, sums)
+            self.piece(x, p, a, at, sums, aim, 2 * parts)
+            self.piece(x, p, at, b, sums, aim, 2 * parts)
             return
-        full, inverse, terms = x >= one, self.inverse, self.terms
+        full, inverse, ranks, all_rows = x >= one, self.inverse, range(2, self.terms), [sums]
+        self.nodes += K
         for t, w in trig.gauss(K):
             ct, st = trig.small(eta * t >> bits)
-            wide = eta * w >> bits
+            wide = eta * w >> 2 * bits - work
             even, odd = cosine_at * ct, sine_at * st
             for c in ((even - odd) >> bits, (even + odd) >> bits):
                 square = (x + c) ** 2 if full else (one + c) * (2 * x - one + c)
-                local = (((square >> bits) * inverse >> bits) - middle << bits) // half
-                u, before, t2 = wide, wide * local >> bits, 2 * local
-                sums[0] += u
-                sums[1] += before
-                u, before = before, u
-                for i in range(2, terms):
-                    u, before = (t2 * u >> bits) - before, u
-                    sums[i] += u
+                local = (((square >> bits) * inverse >> bits) - middle << work) // half
+                before, u, t2 = wide, wide * local >> work, 2 * local
+                row = [before, u]
+                for _ in ranks:
+                    before, u = u, (t2 * u >> work) - before
+                    row.append(u)
+                all_rows.append(row)
+        sums[:] = map(sum, zip(*all_rows))
 
-    def order(self, x, p, eta, cosine_at, sine_at):
-        """(I): the least number of points, an even one, with which Gauss's rule is good enough; by
+    def order(self, x, p, eta, cosine_at, sine_at, aim, parts):
+        """(I): the least number of points, an even one, with which Gauss's rule is good enough on one of so many parts; by
         |cos(t + d) - cos t| <= |cos t| (cosh |d| - 1) + sin t sinh |d|"""
         one, middle, half = self.one, *self.places[p]
         square = (x + cosine_at) ** 2 if x >= one else (one + cosine_at) * (2 * x - one + cosine_at)
         z = (square >> self.bits) * self.inverse >> self.bits
         slope = 2 * abs(x + cosine_at) * self.inverse >> self.bits
-        least = 99
+        least, accuracy = 99, aim + 8 - max(0, (one // (2 * eta * parts + 1)).bit_length() - 1)
         for power in (4, 3, 2):
             d = (eta * ((1 << 2 * power) + 1) >> power + 1) + 1
             square = d * d >> self.bits
@@ -311,7 +306,7 @@ class Mesh:
                 j = quarters(axis((abs(z - middle) << 32) // half + 1, (off << 32) // half + 1))
             except Far:
                 continue
-            K = -(-(self.lg[p][j] + self.accuracy + 4) // (2 * power))
+            K = -(-(self.lg[p][j] + accuracy) // (2 * power))
             least = min(least, max(2, K + (K & 1)))
         return least
 
@@ -332,13 +327,13 @@ class Mesh:
         return min(Fraction(1), Fraction(isqrt((self.G * width >> 1) + 1) + 1, self.one))
 
     def largest_on(self, p, q, a, b):
-        """|V_m - W_m| on a <= y <= b, V of the panel p, W of q, all m: units 2^-(bits + kept)"""
+        """|V_m - W_m| on a <= y <= b, V of the panel p, W of q, all m: units 2^-(work + kept)"""
         points = self.chebyshev_points(a * a >> self.bits, b * b >> self.bits, self.terms)
         worst = [0] * self.levels
         for z in points:
             for m, (v, w) in enumerate(zip(self.values(p, z), self.values(q, z))):
                 worst[m] = max(worst[m], abs(v - w))
-        return [lebesgue(self.terms) * (w + 2 * self.round * (1 << self.bits + self.kept)) for w in worst]
+        return [lebesgue(self.terms) * (w + 2 * self.round * self.unit) for w in worst]
 
     def mismatch(self, low, high, x1, x2):
         """(J): what T V and its continuation differ by on J, at most"""
@@ -365,32 +360,60 @@ class Mesh:
         if p < 0:
             return -self.kept
         t = max(abs(self.local(p, y * y >> self.bits)) for y in (y1, y2))
-        size = self.lg[p][quarters(axis((t >> self.bits - 32) + 1, (moved << 32) // self.places[p][1] + 1))]
+        size = self.lg[p][quarters(axis((t >> self.work - 32) + 1, (moved << 32) // self.places[p][1] + 1))]
         if size > self.lg[p][0] + CONTINUED:
             raise Far
         return size
 
-    def disc(self, p, x1, x2):
-        """(J), (K): the panels low, high that are continued, log2 of the bound on the disc"""
-        one, bits, G = self.one, self.bits, self.G
-        at, h = x1 + x2 >> 1, (x2 - x1 >> 1) + 1
-        r = h * REACH.numerator // REACH.denominator + 1
+    def inner(self, x1, x2, r):
+        """(J): the ratios y_e at both ends, for the disc r about the middle of [x1, x2]"""
+        one, bits, at = self.one, self.bits, x1 + x2 >> 1
         if x1 >= one:
             g = r * 100 // 78 + 1
             if g > one:
                 raise Far
-            y_high, y_low = ((one + at - g) << bits) // G, ((at - one + g) << bits) // G + 1
+            return ((at - one + g) << bits) // self.G + 1, ((one + at - g) << bits) // self.G
+        g = 3 * r + 1  # 2.36/0.79 < 3
+        if g > one or r * 100 > 24 * (one - at) or g >= 2 * at:
+            raise Far
+        z = ((2 * one - g) * (2 * at - g) >> bits) * self.inverse >> bits
+        return 0, isqrt(z << bits)
+
+    def shells(self, x1, x2, low, high):
+        """(J), (K): powers and panels: of the ellipse 2^power about [x1, x2] these are far enough from the ends of the wave"""
+        h, power, outer, found = (x2 - x1 >> 1) + 1, 2, range(max(low, 0), high + 1), []
+        for larger in FAR:
+            try:
+                y_low, y_high = self.inner(x1, x2, (h * (4**larger + 1) >> larger + 1) + 1)
+            except Far:
+                break
+            inner = range(max(outer.start, self.panel(y_low) + 1), min(outer.stop, self.panel(y_high)))
+            if not inner:
+                break
+            found.append((power, [p for p in outer if p not in inner]))
+            power, outer = larger, inner
+        return [*found, (power, list(outer))]
+
+    def weights(self, count, more):
+        """of the interpolation from so many Chebyshev points to more of them: (1 + 2 sum T_k(t_i) T_k(t_j))/count"""
+        if (count, more) not in self.spread:
+            T, S = ([chebyshev(t, self.one, count, self.bits) for t in self.cosines(c)] for c in (count, more))
+            self.spread[count, more] = [[((sum(map(mul, t, s)) >> self.bits - 1) - self.one) // count for t in T] for s in S]
+        return self.spread[count, more]
+
+    def disc(self, p, x1, x2):
+        """(J), (K): the panels low, high that are continued, log2 of the bound on the disc"""
+        bits, G = self.bits, self.G
+        at, h = x1 + x2 >> 1, (x2 - x1 >> 1) + 1
+        r = h * REACH.numerator // REACH.denominator + 1
+        y_low, y_high = self.inner(x1, x2, r)
+        if x1 >= self.one:
             moved = 2 * self.most(at) * r // G + (r * r << bits) // (G * G) + 4
             low = self.panel(y_low)
             if low > self.panel(y_high):  # g = 1, and an edge where rounding puts one end beyond the other: there is no W
                 raise Far
             size = [self.continued(low, self.least(at), y_low, 2 * y_low * r // G + (r * r << bits) // (G * G) + 4)]
         else:
-            g = 3 * r + 1  # 2.36/0.79 < 3
-            if g > one or r * 100 > 24 * (one - at) or g >= 2 * at:
-                raise Far
-            z = ((2 * one - g) * (2 * at - g) >> bits) * self.inverse >> bits
-            y_high = isqrt(z << bits)
             if y_high < self.edges[0]:
                 raise Far
             moved = ((9 * r + (3 * r * (2 * at + 5 * r) >> bits)) * self.inverse >> bits) + 4
@@ -400,6 +423,23 @@ class Mesh:
         size.append(self.continued(p, at, at, (2 * at * r + r * r >> bits) + 1))
         return low, high, max([self.largest, *size]) + 4  # 5 sup|V| + 2 A + 2 A + A <= 10 times the largest
 
+    def wave(self, x1, x2, low, high, count, wanted):
+        """(K): T V_m, all m, at so many points of J = [x1, x2], in units 2^-(work + kept), and how far off: what panels far from the ends of the
+        wave give is interpolated from fewer points"""
+        (_, near), *shells = self.shells(x1, x2, low, high)
+        rows = [self.row(x, low, high, -wanted, near) for x in self.chebyshev_points(x1, x2, count)]
+        one = self.round + Fraction(2) ** (wanted - 6)
+        each, beyond = one, Fraction(0)
+        for power, panels in shells:
+            size = self.largest + 3  # 5 sup |V|
+            fewer = max(3, -(-(size + max(self.up) - wanted + 6) // power) + 1)
+            levels = list(zip(*(self.row(x, low, high, -wanted, panels) for x in self.chebyshev_points(x1, x2, fewer))))
+            for row, weights in zip(rows, self.weights(fewer, count)):
+                row[:] = [a + (sum(map(mul, weights, level)) >> self.bits) for a, level in zip(row, levels)]
+            each += lebesgue(fewer) * one
+            beyond += (1 + lebesgue(fewer)) * 2 * Fraction(2) ** (size - power * (fewer - 1)) / (2**power - 1)
+        return rows, each + beyond
+
     def on_interval(self, p, x1, x2, wanted):
         """(K): |V_m - T V_(m-1)| on J = [x1, x2] in the panel p, m = 1 ... levels: fractions. wanted: log2"""
         low, high, log_size = self.disc(p, x1, x2)
@@ -408,22 +448,20 @@ class Mesh:
         if count > MOST_POINTS:
             raise Far
         off = [o * 2**up for o, up in zip(self.mismatch(low, high, x1, x2), self.up)]
-        unit = 1 << self.bits + self.kept
-        if any(o > unit * Fraction(2) ** wanted for o in off):
+        if any(o > self.unit * Fraction(2) ** wanted for o in off):
             raise Far
-        worst = [0] * len(self.up)
-        for x in self.chebyshev_points(x1, x2, count):
-            after, here = self.row(x, low, high), self.values(p, x * x >> self.bits)
-            for m in range(self.levels - 1):
-                worst[m] = max(worst[m], abs((after[m] << self.up[m]) - here[m + 1]))
+        rows, off_by = self.wave(x1, x2, low, high, count, wanted)
         L = lebesgue(count)
         beyond = (1 + L) * 2 * Fraction(2) ** (log_size - 2 * (count - 1)) / 3
-        each = 2 * self.round + self.quadrature
-        return [L * (Fraction(w, unit) + each * 2**up) + beyond + o / unit for w, o, up in zip(worst, off, self.up)]
+        worst = [0] * len(self.up)
+        for x, row in zip(self.chebyshev_points(x1, x2, count), rows):
+            here = self.values(p, x * x >> self.bits)
+            for m in range(self.levels - 1):
+                worst[m] = max(worst[m], abs((row[m] << self.up[m]) - here[m + 1]))
+        return [L * (Fraction(w, self.unit) + self.round + off_by * 2**up) + beyond + o / self.unit for w, o, up in zip(worst, off, self.up)]
 
     def between(self, p, x1, x2):
         """|V_m - v| for any v between T V_(m-1)(x1) and T V_(m-1)(x2), m = 1 ... levels: with (G) and monotony a bound of |V_m - B_m|"""
-        unit = 1 << self.bits + self.kept
         ends = [(v << up, w << up) for v, w, up in zip(self.exact_row(x1), self.exact_row(x2), self.up)]
         worst = [0] * len(self.up)
         for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, self.terms):
@@ -431,7 +469,7 @@ class Mesh:
             for m in range(self.levels - 1):
                 worst[m] = max(worst[m], *(abs(v - here[m + 1]) for v in ends[m]))
         L, each = lebesgue(self.terms), self.quadrature + self.round
-        return [L * (Fraction(w, unit) + self.round) + each * 2**up for w, up in zip(worst, self.up)]
+        return [L * (Fraction(w, self.unit) + self.round) + each * 2**up for w, up in zip(worst, self.up)]
 
     def cover(self, p, bound, hole):
         """bound(x1, x2) on intervals that cover the panel, cut at 1; hole(x1, x2) where one is too narrow for that. Returns the largest,
@@ -442,6 +480,8 @@ class Mesh:
             if not stack:
                 return largest, holes
             a, b = stack.pop()
+            if b - a < 1 << self.bits // 2:
+                raise Refused("a panel is too narrow")  # for the rounding of points on it
             try:
                 here = bound(a, b)
                 largest = list(map(max, largest, here)) if largest else here
@@ -453,9 +493,9 @@ class Mesh:
         raise Refused("the polynomials of a panel are no approximations")
 
     def first_wave(self, x):
-        """B_0, the share of one wave above the pressure P, in units"""
+        """B_0, the share of one wave above the pressure P, in units 2^-work"""
         w = self.P - x if x >= self.one else isqrt((self.one - x) ** 2 + self.P**2) - x
-        return (self.trig.of_cosine(self.one - w, self.one + w) << self.bits) // self.trig.pi
+        return (self.trig.of_cosine(self.one - w, self.one + w) << self.work) // self.trig.pi
 
     def first_disc(self, at, x1, x2):
         """(M): 0 where B_0 is 0 or 1 on [x1, x2]; else a radius about `at`, below which it is analytic"""
@@ -484,20 +524,21 @@ class Mesh:
         else:
             points = [isqrt(z << self.bits) for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, count)]
         worst = max(abs(self.values(p, x * x >> self.bits)[0] - (self.first_wave(x) << self.kept)) for x in points)
-        return [lebesgue(count) * (Fraction(worst, 1 << self.bits + self.kept) + 2 * self.round) + beyond]
+        return [lebesgue(count) * (Fraction(worst, self.unit) + 2 * self.round) + beyond]
 
     def first_between(self, p, x1, x2):
         """|V_0 - v| for any v between B_0(x1) and B_0(x2)"""
         ends = [self.first_wave(x) << self.kept for x in (x1, x2)]
         here = [self.values(p, z)[0] for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, self.terms)]
-        return [lebesgue(self.terms) * (Fraction(max(abs(v - e) for v in here for e in ends), 1 << self.bits + self.kept) + 2 * self.round)]
+        return [lebesgue(self.terms) * (Fraction(max(abs(v - e) for v in here for e in ends), self.unit) + 2 * self.round)]
 
-    def effects(self):
+    def effects(self, progress=lambda done: None):
         """(G), (H): sup T D_m, all m"""
         below, above = self.reach(Fraction(self.edges[0], self.one)), self.reach(Fraction(self.edges[-1], self.one))
         # Below the first panel V_m = 0 and B_m <= T^(m+1) 1.
         parts, effects = [[(below[m + 1] * 2**lift, self.edges[0], False)] for m, lift in enumerate(self.lift)], []
         for p, (low, high) in enumerate(zip(self.edges, self.edges[1:])):
+            progress(f"panel {p + 1} of {len(self.series)}")
             share = self.share(high - low)
             wanted = (share.denominator // share.numerator).bit_length() - 1 - self.accuracy
             for first, bound, hole in ((0, self.first_on, self.first_between), (1, self.on_interval, self.between))[:self.levels]:
@@ -530,7 +571,7 @@ class Mesh:
         reach = self.reach(Fraction(above, self.one))
         rows = [self.exact_row(x) for x in {below, above}]  # B_n increases
         for k in range(1, n + 1):
-            units = 1 << self.bits + self.kept + self.lift[k - 1]
+            units = self.unit << self.lift[k - 1]
             error = sum(effects[m] * reach[k - 1 - m] / 2 ** self.lift[m] for m in range(k))
             error += (2 * self.round + self.quadrature) / 2 ** self.lift[k - 1]
             low, high = (Fraction(which(row[k - 1] for row in rows), units) for which in (min, max))

@@ -255,6 +255,9 @@ class Certificates(unittest.TestCase):
                 ("a panel is too far out", "contact.area", area, [f"grid - 3 {grid}", panel.format("1:200").replace("1000001:-24", f"{2**300 + 1:x}:-300"), level, "value 1,3 4 claim=1"]),
                 ("claim 1: is none", "contact.area", area.replace("error=1:-2", "error=1:9000"), [f"grid - 3 {grid}", panel.format("1:2"), level, "value 1,3 4 claim=1"]),
                 ("a polynomial is of another panel", "contact.area", area, [f"mesh - 3 {mesh}{2 * one:x}", f"polynomials 1 3 panel=0 middle={2 * one:x} half={one // 9:x} {V}", "share 1-2 3 claim=1"]),
+                ("a panel is too narrow", "contact.area", area, [f"mesh - 5 {mesh}{one // 2:x} {one // 2 + (1 << 31):x} {2 * one:x}", *(
+                    f"polynomials 1 5 panel={p} middle={(a * a + b * b) >> 65:x} half={((b * b - a * a) >> 65) + 4:x} {V}"
+                    for p, (a, b) in enumerate([(one // 100, one // 2), (one // 2, one // 2 + (1 << 31)), (one // 2 + (1 << 31), 2 * one)])), "share 1-4 5 claim=1"]),
                 ("not a mesh", "contact.area", area, [f"mesh - 3 {mesh}{one << 99:x}", f"polynomials 1 3 panel=0 middle={one << 197:x} half={one << 197:x} {V}", "share 1-2 3 claim=1"])):
             self.write(quantity, [claim], lines)
             with self.subTest(why):
@@ -292,11 +295,33 @@ class Certificates(unittest.TestCase):
             return full_contact.Mesh(transfer.Interval.of(3), Fraction(0), bits, edges, places, [[p[m] for m in levels] for p in series], bits, 10, 0)
         for at in (one // 3, one // 2, 3 * one // 2, 2 * one):
             low, high = 0, len(places) - 1
-            packed = mesh(range(5)).row(at, low, high)
-            self.assertEqual(packed, [mesh([m]).row(at, low, high)[0] for m in range(5)])
+            with unittest.mock.patch.object(full_contact.Mesh, "order", lambda *_: 8):  # one rule for all, whatever the level
+                packed = mesh(range(5)).row(at, low, high, 20)
+                self.assertEqual(packed, [mesh([m]).row(at, low, high, 20)[0] for m in range(5)])
         self.assertLess(min(packed), 0)
         with unittest.mock.patch.object(full_contact, "SPARE_BITS", -40), self.assertRaises(full_contact.Refused):
-            mesh(range(5)).row(at, low, high)
+            mesh(range(5)).row(at, low, high, 20)
+
+    def test_what_far_panels_give_is_interpolated(self):
+        """The wave in shells, those far from its ends from few points, is the wave, to what is said."""
+        bits, chosen = 128, random.Random(20261123)
+        one, terms = 1 << bits, 12
+        edges = [one // 64 * k for k in (1, 2, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 56, 64, 80, 96, 104)]
+        places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
+        series = [[[chosen.randrange(-one, one) >> 2 * k for k in range(terms)] for _ in range(3)] for _ in places]
+        mesh, seen = full_contact.Mesh(transfer.Interval.of(3), Fraction(0), bits, edges, places, series, bits, 30, 0), set()
+        for at, half in itertools.product((one // 3, one // 2, 9 * one // 10, one + one // 50, 3 * one // 2), (one >> 6, one >> 8, one >> 12, one >> 30)):
+            x1, x2 = at - half, at + half
+            low, high = -1 if x2 < one else mesh.panel(mesh.least(x2)), mesh.panel(mesh.most(x1))
+            shells = mesh.shells(x1, x2, low, high)
+            self.assertEqual(sorted(p for _, panels in shells for p in panels), list(range(max(low, 0), high + 1)))
+            seen.update(power for power, panels in shells if panels)
+            rows, off = mesh.wave(x1, x2, low, high, 7, -30)
+            self.assertLess(off, Fraction(1, 2**31))
+            for x, row in zip(mesh.chebyshev_points(x1, x2, 7), rows):
+                whole = mesh.row(x, low, high, 60)
+                self.assertLess(max(abs(a - b) for a, b in zip(row, whole)), off * mesh.unit, (at / one, half / one))
+        self.assertEqual(seen, {2, *full_contact.FAR})
 
     def mutant(self, chosen):
         """a digit, sign, bound, index or line of one line changed, and what"""

@@ -14,7 +14,6 @@
 namespace touchstone::certificate {
 namespace {
 
-constexpr long kept = 110;         ///< bits of the coefficients
 constexpr double smallest = 1e-14; ///< shares
 
 /// What the checker is told to do.
@@ -22,6 +21,7 @@ struct Choices {
     long accuracy;                                  ///< defects are looked into down to 2^-accuracy
     long rise;                                      ///< 2^(m rise/16) V_m is written, for B_m falls like G^-m
     long bits() const { return 2 * accuracy + 64; } ///< a root at an end of a wave loses half of them
+    long kept() const { return accuracy + 26; }      ///< of the coefficients: jumps between panels stay as small where one is continued
     long lift(long m) const { return m * rise / 16; }
 };
 
@@ -43,7 +43,7 @@ Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.ba
 std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Area& a, long levels, const Choices& c, Lines& lines)
 {
     std::string mesh = fmt::format("G={} p={} scale={:x} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(a.G), a.p.get_str(),
-                                   a.p == 0 ? 0 : a.n, c.bits(), kept, c.accuracy, c.rise);
+                                   a.p == 0 ? 0 : a.n, c.bits(), c.kept(), c.accuracy, c.rise);
     for (const auto& p : V.panels) mesh += ' ' + hex(units(p.y0, c.bits()));
     mesh += ' ' + hex(units(V.panels.back().y1, c.bits()));
     std::vector<std::size_t> numbers{lines.add("mesh", {}, mesh)};
@@ -54,7 +54,7 @@ std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Area
         for (int m = 0; m < levels; ++m)
             for (int k = 0; k < V.orders.terms; ++k) {
                 const std::size_t at = V.row(i, k) + static_cast<std::size_t>(m);
-                data += ' ' + hex(units({V.coefficients.high[at], V.coefficients.low[at]}, kept + c.lift(m)));
+                data += ' ' + hex(units({V.coefficients.high[at], V.coefficients.low[at]}, c.kept() + c.lift(m)));
             }
         numbers.push_back(lines.add("polynomials", {numbers.front()}, data));
     }
