@@ -17,8 +17,6 @@ Method second_area();
 
 // ---- partial contact at every scale
 Method partial_area();
-Method area_in_any_limit();
-Method exceedance_in_any_limit();
 Method partial_distribution();
 
 // ---- full contact
@@ -26,6 +24,10 @@ Method heavy_load();
 Method proven_shares();
 Method third_wave_density();
 Method proven_densities();
+
+// ---- so many scales that their limit gives the digits
+Method area_in_any_limit();
+Method exceedance_in_any_limit();
 
 // ---- what they ask
 
@@ -44,5 +46,7 @@ transfer::Arguments arguments(const Problem&);
 double growth(Accuracy, double power);
 /// Areas of more scales are not followed scale by scale.
 constexpr long last_followed_scale = 10'000;
+/// Above it areas are taken from the limit where that leaves the digits asked for: docs/limit.md, theorem 2.
+constexpr long first_scale_of_limit = 200;
 
 } // namespace touchstone::recursion
