@@ -110,7 +110,7 @@ bool to_fixed_point(Integer& result, const Ball& x, slong F)
 /// The terms k > N of either sum are below 1.01 e^(-2 pi (N+1)) together.
 std::vector<Ball> zeta_values(long last, slong bits, slong step)
 {
-    std::vector<Ball> zeta(static_cast<std::size_t>(last + 2));
+    std::vector<Ball> zeta(static_cast<std::size_t>(last + 2), Ball::indeterminate());
     const long N = static_cast<long>(static_cast<double>(bits) / 9.0647) + 2; // log2 e^(2 pi) > 9.0647
     const slong size_of_N = static_cast<slong>(FLINT_BIT_COUNT(N));
     const slong F = bits + 3 * size_of_N + 8;
@@ -126,7 +126,7 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
         const WorkingPrecision precision(std::max<slong>(64, F + 32 - 9 * k));
         q_to_k *= q;
         const Ball x = q_to_k / (1 - q_to_k);
-        if (!to_fixed_point(u, x, F) || !to_fixed_point(v, x * (1 + x), F)) return zeta;
+        if (!to_fixed_point(u, x, F) || !to_fixed_point(v, x * (1 + x), F)) return zeta; // of which nothing is known then
         const auto square = static_cast<unsigned long>(k) * static_cast<unsigned long>(k);
         mpz_tdiv_q_ui(u.get_mpz_t(), u.get_mpz_t(), square * static_cast<unsigned long>(k));
         for (long s = 0; s <= last && (u != 0 || v != 0); s += 4) {
@@ -141,7 +141,7 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
     }
     const auto sum = [&](const Integer& units, long s) {
         Ball value{Rational(units)};
-        widen(value, 3 * size_of_N + 3); // 4 N units of u, times k^2; the terms after N are less than 1
+        widen(value, 3 * size_of_N + 3); // 4 N units of u, times k^2; the terms after N make less than N^3/64
         arb_mul_2exp_si(value.get(), value.get(), static_cast<slong>(64 * drop) * (s / 4) - F);
         return value;
     };
