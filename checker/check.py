@@ -165,7 +165,7 @@ def main():
         for number, row in enumerate(rows[::step]):
             said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
             count[said] = count.get(said, 0) + 1
-            least, none, confirmed = min(least, digits or inf), none and not digits, confirmed + bool(digits)
+            least, none, confirmed = min(least, digits or inf), none and not digits, confirmed + (said == "right" or digits > 0)
             if said in ("wrong", "unreadable") or said == "undecided" and not digits:
                 print(f"{path}: row {number * step + 1}: {said}: {row}", file=sys.stderr)
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)

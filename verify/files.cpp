@@ -198,4 +198,14 @@ std::string read_file(const fs::path& path)
     }
 }
 
+std::string reference_folder()
+{
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (const fs::path& folder : {program / "../share/touchstone/reference", program / "data/reference", program / "../data/reference",
+                                   program / "../../data/reference"})
+        if (fs::is_directory(folder, error)) return folder.string();
+    return "";
+}
+
 } // namespace touchstone::program

@@ -28,4 +28,7 @@ int output_error();
 /// \throws Failure: no_input_file if there is none, bad_input with the system's reason if it cannot be read or has no end
 std::string read_file(const std::filesystem::path&);
 
+/// The stored tables that belong to this program; empty: there are none.
+std::string reference_folder();
+
 } // namespace touchstone::program

@@ -67,13 +67,8 @@ Reference find_reference(const std::string& name)
     if (spec == nullptr)
         throw Failure(usage_error, fmt::format("unknown table '{}'; nearest is '{}' (or give the path of a canonical table)", name,
                                                nearest_name(name, table_names())));
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const fs::path& folder : {program / "../share/touchstone/reference", program / "data/reference", program / "../data/reference",
-                                   program / "../../data/reference"}) {
-        const fs::path file = folder / (name + ".txt");
-        if (fs::is_regular_file(file)) return {parse_table(read_file(file), file.string()), file.string()};
-    }
+    if (const fs::path file = fs::path(reference_folder()) / (name + ".txt"); fs::is_regular_file(file))
+        return {parse_table(read_file(file), file.string()), file.string()};
     Progress progress("computing " + name, spec->grid().size());
     const Table t = compute(*spec, spec->digits, std::max(1u, std::thread::hardware_concurrency()),
                             [&progress](std::size_t done, std::size_t) { progress.done(done); });

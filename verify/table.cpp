@@ -8,6 +8,7 @@
 #include "verify/manifest.hpp"
 #include "verify/progress.hpp"
 #include "verify/shards.hpp"
+#include "verify/table_list.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -145,6 +146,11 @@ int make_shares(const TableOptions& o)
 
 int make_tables(const TableOptions& o)
 {
+    if (o.names.empty()) {
+        if (o.check || o.renew_forced || o.digits || !o.shard.empty() || o.format != "txt")
+            throw Failure(usage_error, "names of tables are missing; touchstone table alone, or with --out DIR, lists them");
+        return list_tables(o.out.empty() ? reference_folder() : o.out);
+    }
     if (o.renew_forced) return renew_forced(o);
     if (!o.shard.empty()) return make_shares(o);
     std::list<TableSpec> own;
@@ -222,13 +228,13 @@ int make_tables(const TableOptions& o)
 
 void add_table(CLI::App& app, Run& run)
 {
-    auto* command = app.add_subcommand("table", "Certified tables: touchstone table archard_K, touchstone table all --out DIR");
+    auto* command =
+        app.add_subcommand("table", "Certified tables: touchstone table archard_K, touchstone table all --out DIR; without a name: "
+                                    "which there are, and what the independent checker has confirmed of each");
     auto o = std::make_shared<TableOptions>();
-    command
-        ->add_option("names", o->names,
-                     "Table names, files FILE.json that describe a table of your own, or all: " +
-                         fmt::format("{}", fmt::join(table_names(), " ")))
-        ->required();
+    command->add_option("names", o->names,
+                        "Table names, files FILE.json that describe a table of your own, or all: " +
+                            fmt::format("{}", fmt::join(table_names(), " ")));
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000 (default: each table's own)");
     command->add_option("--format", o->format, "txt, csv, json, hpp (constexpr array) or ipp (Boost.Math)")
         ->check(CLI::IsMember(table_formats()))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The checker on the committed tables, on mutants of their rows, and on files that are no tables."""
 import argparse
+import json
 import pathlib
 import random
 import subprocess
@@ -12,6 +13,7 @@ parser = argparse.ArgumentParser()
 parser.add_argument("--checker", required=True, type=pathlib.Path)
 parser.add_argument("--tables", required=True, type=pathlib.Path)
 parser.add_argument("--every-row", action="store_true", help="all rows of all tables, K_inf to 1000 digits too: some minutes")
+parser.add_argument("--program", help="with --every-row: rows of the recursion too, by certificates that it writes: an hour")
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import check  # noqa: E402
@@ -22,6 +24,8 @@ CLOSED = ["archard_K", "archard_alpha", "archard_area", "archard_delta", "archar
           "weierstrass_bound", "weierstrass_profile", "westergaard_density", "westergaard_energy", "westergaard_exceedance",
           "westergaard_gap", "westergaard_half_width", "westergaard_mean_gap", "westergaard_pressure"]
 RECURSION = ["contact_area", "contact_area_full", "contact_area_heavy", "contact_density", "contact_exceedance", "segments_count", "segments_density"]
+CERTIFIED = {"contact_area": 12, "segments_count": 12, "contact_exceedance_scale_1": 9, "limit_ratio": 8, "limit_constant": 8,
+             "contact_area_heavy": 8, "contact_area_full": 8}  # to so many digits by a certificate
 
 
 def run(*arguments):
@@ -43,6 +47,34 @@ class Checker(unittest.TestCase):
             self.assertGreater(int(right), 0, name)
             if name not in RECURSION:
                 self.assertEqual((right, still_open, wrong), (rows, "0", "0"), name)
+
+    def entries(self, path):
+        return {entry["table"]: entry for entry in json.loads(path.read_text())}
+
+    def test_coverage_is_what_the_checker_finds(self):
+        """data/reference/coverage.json, which `touchstone table` shows: each entry is of the table as it stands, and what is found of it now."""
+        kept, found = self.entries(known.tables / "coverage.json"), {}
+        for name, entry in kept.items():
+            header, rows = check.read(known.tables / f"{name}.txt")
+            with self.subTest(table=name):
+                self.assertEqual((entry["sha256"], entry["rows"], entry["wrong"]), (header["sha256"], len(rows), 0))
+                self.assertLessEqual(entry["all_digits"], entry["confirmed"])
+                self.assertTrue(name in CERTIFIED or name in CLOSED + RECURSION + ["archard_K_inf"])
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "coverage.json"
+            without = [name for name in kept if name not in CERTIFIED and (known.every_row or name != "archard_K_inf")]
+            result = run("--coverage", path, *self.tables(without))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            for name, digits in CERTIFIED.items() if known.every_row and known.program else ():
+                if name in kept:
+                    file = pathlib.Path(folder) / "certificate"
+                    subprocess.run([known.program, "certificate", name, "--digits", str(digits), "--out", file], check=True)
+                    self.assertEqual(run("--certificate", file, "--coverage", path, *self.tables([name])).returncode, 0, name)
+            found = self.entries(path)
+        self.assertGreater(len(found), 20)
+        for name, entry in found.items():
+            with self.subTest(table=name):
+                self.assertEqual(entry, kept[name])
 
     def test_mutants_are_found(self):
         """One digit of one value changed by one, or an error bound halved twice: never confirmed."""

@@ -154,6 +154,29 @@ class Program(unittest.TestCase):
             self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stderr)
             self.assertEqual(run("table", "archard_delta", "--out", os.path.join(folder, "none"), "--check").returncode, 66)
 
+    def test_tables_are_listed_with_what_the_checker_confirmed(self):
+        with tempfile.TemporaryDirectory() as out:
+            self.assertEqual(run("table", "archard_K", "archard_delta", "archard_alpha", "--out", out).returncode, 0)
+            listed = lambda: {line.split()[0]: " ".join(line.split()[4:]) for line in run("table", "--out", out).stdout.splitlines()}  # noqa: E731
+            self.assertEqual({listed()[name] for name in ("archard_K", "archard_alpha")}, {"not checked"})
+            hashes = {}
+            for name in ("archard_K", "archard_delta", "archard_alpha"):
+                with open(os.path.join(out, name + ".txt")) as f:
+                    hashes[name] = json.loads(next(line for line in f if line.startswith("# {"))[2:])["sha256"]
+            path = os.path.join(out, "coverage.json")
+            entry = {"rows": 70, "confirmed": 69, "all_digits": 60, "wrong": 0, "digits": 12}
+            with open(path, "w") as f:
+                json.dump([{"table": "archard_K", "sha256": hashes["archard_K"], **entry}, {"table": "archard_delta", "sha256": "0" * 64, **entry},
+                           {"table": "archard_alpha", "sha256": hashes["archard_alpha"], **entry}], f)
+            said = listed()
+            self.assertEqual([said[name] for name in ("archard_K", "archard_delta", "archard_alpha", "hertz_gap")],
+                             ["69 of 70 rows, 12 digits", "not checked since it changed", "not checked as a whole", "not stored"])
+            for bad in ("{", "5", '[{"table": "archard_K"}]', '[{"table": 5}]', "[" * 100000):
+                with open(path, "w") as f:
+                    f.write(bad)
+                self.refuses(65, "not a file of coverage", "table", "--out", out)
+        self.refuses(64, "names of tables are missing", "table", "--check")
+
     def test_a_manifest_follows_its_tables(self):
         with tempfile.TemporaryDirectory() as out:
             manifest = os.path.join(out, "manifest.txt.json")
