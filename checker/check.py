@@ -98,6 +98,7 @@ def verdict(form, row, names, binary64):
     except (ValueError, OverflowError, ZeroDivisionError):
         return "unreadable", 0
     printed, low, high = len(cells[len(names)].split("e")[0].replace("-", "").replace(".", "").lstrip("0")), 0, 0
+    width = inf
     Interval.bits = 64 + int(3.33 * len(cells[len(names)].split("e")[0]))
     while Interval.bits <= MOST_BITS:
         try:
@@ -114,6 +115,9 @@ def verdict(form, row, names, binary64):
             return "right", printed
         if high < value - error or low > value + error:
             return "wrong", 0
+        if high - low > width / 2:  # more bits are of no use: a certificate says no more
+            break
+        width = high - low
         Interval.bits *= 2
     off = max(abs(high - value), abs(low - value))
     return "undecided", len(str(int(abs(value) / off))) - 1 if off else 0
