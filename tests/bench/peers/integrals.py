@@ -101,7 +101,7 @@ def told(done, limit):
             first, *warm = map(float, rest.split())
             warm = warm or [first]
             entry.update(first=first, median=statistics.median(warm), least=min(warm), most=max(warm), runs=len(warm))
-        elif word in ("value", "refused"):
+        elif word in ("value", "refused") and rest.strip() != "value":  # a name of GP that was never given a value: the line before ended in an error
             entry[word] = rest.strip()
     if "value" not in entry and "refused" not in entry:
         entry["refused"] = f"not done in {limit} s" if done.stopped else (done.error.strip().splitlines() or ["no answer"])[-1][:100]

@@ -7,8 +7,8 @@
     python3 tests/bench/peers/peers.py build/test --only a,g      these items; the others stay as docs/peers.json has them
     python3 tests/bench/peers/peers.py build/test --quick --out DIR    a few seconds, that it runs; nothing worth reading
 
-Medians of five runs, of fewer where five would take over 10 s (`runs` in the JSON); start of the processes included unless an item says otherwise.
-Peers: mpmath (with gmpy2), PARI/GP, Arb, Boost.Math on MPFR, GSL; one that is not installed is left out, and said to be.
+Medians of five runs, of fewer where they would take over 10 s (`runs` in the JSON); start of the processes included unless an item says otherwise.
+Peers: mpmath (of this Python; with gmpy2 it is faster: Debian's python3-mpmath and python3-gmpy2 go with /usr/bin/python3), PARI/GP, Arb, Boost.Math on MPFR, GSL; one that is not installed is left out, and said to be.
 """
 import argparse
 import json
@@ -22,6 +22,7 @@ import sys
 import time
 from pathlib import Path
 
+import measure
 import page
 from integrals import SIZES, integrals
 from measure import exponent, repeated, right_digits, row, run
@@ -372,10 +373,12 @@ def main():
     parser.add_argument("--only", default="", help=f"of {','.join(ITEMS)}")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--limit", type=int, default=30, help="seconds of CPU for one run of a tool")
+    parser.add_argument("--budget", type=float, default=measure.BUDGET, help="seconds of CPU after which a command is not run again, if it has not been five times")
     parser.add_argument("--digits", default="", help=f"of (c), some of {','.join(map(str, SIZES))}; the others stay as they are")
     parser.add_argument("--out", default=str(SOURCE / "docs"), help="folder of peers.json and peers.md")
     options = parser.parse_args()
     bench = Bench(options.build, options.quick, 3 if options.quick else options.limit)
+    measure.BUDGET = options.budget
     store = Path(options.out) / "peers.json"
     results = json.loads(store.read_text()) if store.exists() and options.only else {"items": {}}
     bench.known = results["items"]

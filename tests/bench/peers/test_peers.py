@@ -28,11 +28,10 @@ import page
 
 
 class Page(unittest.TestCase):
-    @unittest.skipUnless((SOURCE / "docs/peers.json").exists(), "nothing measured")
     def test_the_page_is_made_from_the_results(self):
         results = json.loads((SOURCE / "docs/peers.json").read_text())
         self.assertEqual(page.text(results), (SOURCE / "docs/peers.md").read_text(), "python3 tests/bench/peers/page.py docs/peers.json > docs/peers.md")
-        self.assertEqual(set(results["items"]), set(page.SECTIONS))
+        self.assertLessEqual(set(results["items"]), set(page.SECTIONS))
 
     def test_a_short_answer_is_no_right_one(self):
         wrong = {"verdict": "wrong", "right": 3, "median": 1.0}
