@@ -13,13 +13,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace touchstone::formula {
 namespace {
 
 constexpr long most_scales = 30; ///< written out one after another
-constexpr long series_terms = 110; ///< (3/4)^110/110^2 is below a thousandth of an ulp of the sum
 
 /// (7.20), to the digits of binary64; a test compares it with archard.K_inf.
 constexpr const char* K_infinity = "0.3913876963120100124";
@@ -84,57 +86,89 @@ Term minus_sin_square(const Term& a, const Term& x) { return Term::call("minus_s
 Term fma(const Term& a, const Term& b, const Term& c) { return Term::call("fma", {a, b, c}); }
 Term absolute(const Term& x) { return Term::call("abs", {x}); }
 Term positive(const Term& x) { return sqrt(at_least(x, Term(0))); }
+/// A binary64 constant in the shortest decimal that reads back as it.
+Term constant(double value)
+{
+    const Term size = Term::literal(fmt::format("{}", std::fabs(value)));
+    return value < 0 ? -size : size;
+}
+
 /// The power of two by which numbers whose square is near tiny a are scaled.
-Term scale(const Term& a) { return select(a, Term::literal("1.499696813895631e-241"), Term::literal("3.273390607896142e+150"), Term(1)); } // 2^-800, 2^500
+Term scale(const Term& a) { return select(a, constant(0x1p-800), constant(0x1p500), Term(1)); }
 /// x less its nearest even number, exactly: an angle in half turns.
 Term turn(const Term& x) { return x - 2 * Term::call("nearest", {x / 2}); }
 
-/// sum_j x^j/coefficient(j) for 0 <= x <= 3/4, from the last term inwards.
-Term horner(const Term& x, long (*coefficient)(long))
+/// touchstone::sum_of_powers, written down.
+template <std::size_t n>
+Term sum_of_powers(const std::array<double, n>& terms, const Term& x)
 {
-    Term sum = 1 / Term(coefficient(series_terms));
-    for (long j = series_terms - 1; j >= 0; --j) sum = 1 / Term(coefficient(j)) + x * sum;
-    return sum;
+    static_assert(n % 2 == 0);
+    const Term square = x * x;
+    Term even = constant(terms[n - 2]), odd = constant(terms[n - 1]);
+    for (std::size_t j = n - 2; j != 0; j -= 2) {
+        even = even * square + constant(terms[j - 2]);
+        odd = odd * square + constant(terms[j - 1]);
+    }
+    return even + x * odd;
 }
+
+/// 2^(2k-1)/(2k)! for k = 2, ..., 11 with alternating signs, as ScalarTraits<double> has them.
+constexpr std::array<double, 10> sine_terms = [] {
+    std::array<double, 10> terms{};
+    double term = 1.0 / 3;
+    for (int j = 0; j < 10; ++j) {
+        terms[static_cast<std::size_t>(j)] = term;
+        term *= -4.0 / ((2 * j + 5) * (2 * j + 6));
+    }
+    return terms;
+}();
 
 std::map<std::string, Helper> make_helpers()
 {
     const Term a = Term::input("a"), b = Term::input("b"), c = Term::input("c"), x = Term::input("x"), y = Term::input("y");
     const Term pi_ = pi<Term>(), half = ratio<1, 2, Term>(), quarter = ratio<1, 4, Term>();
     std::map<std::string, Helper> h;
-    const Term t = turn(x), m = absolute(t), r = select(half, m, 1 - m, m);
-    const Term s = select(quarter, r, cos(pi_ * (half - r)), sin(pi_ * r));
+    const Term t = turn(x), m = absolute(t), s = sin(pi_ * at_most(m, 1 - m));
     h["sin_pi"] = {{"x"}, select(t, Term(0), -s, s)};
-    const Term k = select(quarter, r, sin(pi_ * (half - r)), cos(pi_ * r));
-    h["cos_pi"] = {{"x"}, select(half, m, -k, k)};
+    h["cos_pi"] = {{"x"}, sin(pi_ * (half - m))};
     h["powm1"] = {{"x", "y"}, Term::call("expm1", {y * log(x)})};
     h["sqrt_positive_part"] = {{"x"}, positive(x)};
     const Term f = scale(a);
     h["sqrt_minus_square"] = {{"a", "b"}, positive(fma(-(b * f), b * f, a * f * f)) / f};
     h["sqrt_minus_pi_square"] = {{"a", "x"}, positive(minus_pi_square(a * f * f, x * f)) / f};
     const Term z = pi_ * x;
-    const Term low = fma(pi_, x, -z) + Term::literal("1.2246467991473532e-16") * x; // sin of the binary64 pi: what it lacks of pi
+    const Term low = fma(pi_, x, -z) + constant(std::sin(std::numbers::pi)) * x; // what the binary64 pi lacks of pi
     h["minus_pi_square"] = {{"a", "x"}, fma(-z, z, a) - 2 * z * low};
     const Term square = (pi_ * x) * (pi_ * x);
-    Term tail = Term(1);
-    for (long j = 11; j >= 2; --j) tail = 1 - square * tail * 4 / Term((2 * j + 1) * (2 * j + 2));
-    h["minus_sin_square"] = {{"a", "x"}, minus_pi_square(a, x) + square * square * tail / 3};
+    h["minus_sin_square"] = {{"a", "x"}, minus_pi_square(a, x) + square * square * sum_of_powers(sine_terms, square)};
     // the gap's roots: the same differences, the other way round
-    h["sqrt_pi_square_minus"] = {{"x", "a"}, select(a, Term::literal("1.499696813895631e-241"),
-                                                    select(Term::literal("4.909093465297727e-91"), absolute(x), pi_ * absolute(x), positive(-minus_pi_square(a * f * f, x * f)) / f),
+    h["sqrt_pi_square_minus"] = {{"x", "a"}, select(a, constant(0x1p-800),
+                                                    select(constant(0x1p-300), absolute(x), pi_ * absolute(x), positive(-minus_pi_square(a * f * f, x * f)) / f),
                                                     positive(-minus_pi_square(a, x)))};
     const Term far = positive(minus_sin_square(1 - a, half - absolute(x)));
-    const Term close = select(a, Term::literal("1.499696813895631e-241"),
-                              select(Term::literal("4.909093465297727e-91"), absolute(x), ScalarTraits<Term>::sin_pi(absolute(x)), ScalarTraits<Term>::sqrt_pi_square_minus(x, a)),
+    const Term close = select(a, constant(0x1p-800),
+                              select(constant(0x1p-300), absolute(x), ScalarTraits<Term>::sin_pi(absolute(x)), ScalarTraits<Term>::sqrt_pi_square_minus(x, a)),
                               positive(-minus_sin_square(a, absolute(x))));
     h["sqrt_sin_pi_square_minus"] = {{"x", "a"}, select(Term::literal("0.3"), absolute(x), far, select(quarter, absolute(x), select(a, half, close, far), close))};
-    h["series_3_15"] = {{"x"}, horner(x, [](long j) { return (2 * j + 1) * (2 * j + 3); })};
-    h["series_2_6"] = {{"x"}, horner(x, [](long j) { return (j + 1) * (j + 2); })};
+    const auto half_angle = [](const Term& of) { const Term root = 1 + sqrt(1 - of); return of / (root * root); };
+    const auto doubled = [](const Term& half_of, const Term& sum) { return (1 + half_of) * (1 + (1 - half_of) * sum) / 4; };
+    const Term once = half_angle(x), twice = half_angle(once);
+    h["series_3_15"] = {{"x"}, doubled(once, doubled(twice, sum_of_powers(detail::gap_terms, twice)))};
+    const Term root = 1 + sqrt(1 - x), tangent = x / (root * root), its_square = tangent * tangent;
+    h["series_2_6"] = {{"x"}, (1 + tangent * (1 + (1 - its_square) * sum_of_powers(detail::gap_terms, its_square))) / 2};
+    const Term of_smaller = asin(sqrt(at_most(at_least(1 - x, Term(0)), x))) / pi_;
+    h["asin_sqrt_over_pi"] = {{"x"}, select(half, x, half - of_smaller, of_smaller)};
+    const Term n = at_least(a, Term(0)), d = at_least(b, Term(0)), of_quotient = asin(sqrt(at_most(n, d) / (n + d))) / pi_;
+    h["atan_sqrt_over_pi"] = {{"a", "b"}, select(d, n, half - of_quotient, of_quotient)};
+    h["atan_minus_square_over_pi"] = {{"a", "b", "c"}, select(a, constant(0x1p-800), atan2(ScalarTraits<Term>::sqrt_minus_square(a, b), sqrt(c)) / pi_,
+                                                              ScalarTraits<Term>::atan_sqrt_over_pi(fma(-b, b, a), c))};
+    const Term squares = a * a + b * b, hypot = Term::call("hypot", {a, b});
+    h["root_of_squares"] = {{"a", "b"}, select(constant(0x1p-900), squares, select(squares, constant(0x1p900), sqrt(squares), hypot), hypot)};
     const Term e = a * b;
     h["pow_product"] = {{"x", "a", "b"}, pow(x, e) * (1 + fma(a, b, -e) * log(x))};
     const Term size = absolute(x);
     h["sqrt_minus_sin_pi_square"] = {{"a", "x"}, select(quarter, size, positive(-minus_sin_square(1 - a, half - size)),
-                                                        select(a, Term::literal("1.499696813895631e-241"), ScalarTraits<Term>::sqrt_minus_pi_square(a, x), positive(minus_sin_square(a, size))))};
+                                                        select(a, constant(0x1p-800), ScalarTraits<Term>::sqrt_minus_pi_square(a, x), positive(minus_sin_square(a, size))))};
     // for languages without it: a product in two parts (Veltkamp and Dekker) and a sum in two parts (Knuth)
     const auto high = [](const Term& v) {
         const Term g = Term(134217729) * v;
@@ -182,7 +216,10 @@ Term mathematical(const Term& t)
         const Term s = sqrt(a[0]), artanh = log((1 + s) / (1 - s)) / 2;
         return select(Term(0), a[0], ((1 - 1 / a[0]) * artanh / s + 1 / a[0]) / 2, ratio<1, 3, Term>());
     }
-    if (t->text == "hypot") return root_of(square(a[0]) + square(a[1]));
+    if (t->text == "asin_sqrt_over_pi") return ComposedTraits<Term>::asin_sqrt_over_pi(a[0]);
+    if (t->text == "atan_sqrt_over_pi") return ComposedTraits<Term>::atan_sqrt_over_pi(a[0], a[1]);
+    if (t->text == "atan_minus_square_over_pi") return ComposedTraits<Term>::atan_minus_square_over_pi(a[0], a[1], a[2]);
+    if (t->text == "root_of_squares") return root_of(square(a[0]) + square(a[1]));
     return t;
 }
 

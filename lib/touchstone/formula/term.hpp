@@ -90,6 +90,9 @@ struct ScalarTraits<Term> {
     static Term sqrt_minus_sin_pi_square(const Term& a, const Term& x) { return Term::call("sqrt_minus_sin_pi_square", {a, x}); }
     static Term sqrt_pi_square_minus(const Term& x, const Term& a) { return Term::call("sqrt_pi_square_minus", {x, a}); }
     static Term sqrt_sin_pi_square_minus(const Term& x, const Term& a) { return Term::call("sqrt_sin_pi_square_minus", {x, a}); }
+    static Term asin_sqrt_over_pi(const Term& s) { return Term::call("asin_sqrt_over_pi", {s}); }
+    static Term atan_sqrt_over_pi(const Term& n, const Term& d) { return Term::call("atan_sqrt_over_pi", {n, d}); }
+    static Term atan_minus_square_over_pi(const Term& a, const Term& b, const Term& d) { return Term::call("atan_minus_square_over_pi", {a, b, d}); }
     static Term pow_product(const Term& x, const Term& a, const Term& b) { return Term::call("pow_product", {x, a, b}); }
     /// sum_j x^j/coefficient(j): a helper, named after its first two coefficients.
     template <class Coefficient>
@@ -97,7 +100,7 @@ struct ScalarTraits<Term> {
     {
         return Term::call("series_" + std::to_string(coefficient(0)) + "_" + std::to_string(coefficient(1)), {x});
     }
-    static Term hypot(const Term& a, const Term& b) { return Term::call("hypot", {a, b}); }
+    static Term hypot(const Term& a, const Term& b) { return Term::call("root_of_squares", {a, b}); }
     static Term gamma(const Term& x) { return Term::call("gamma", {x}); }
     static Term power_of_two(long e) { return e >= 0 ? integer(1L << e) : quotient(1, 1L << -e); }
 };

@@ -24,7 +24,7 @@ namespace touchstone::westergaard {
 template <Scalar T>
 T half_width(const T& load)
 {
-    return atan2(sqrt(load), sqrt_positive_part(T(1 - load))) / pi<T>();
+    return asin_sqrt_over_pi(load);
 }
 
 /// (2.2)  p/p* = load + cos(2 pi x) = (load - 1) + 2 cos^2(pi x),  load >= 1.
@@ -84,7 +84,7 @@ inline double above_lowest(double p, double load) { return load <= 2 ? p - (load
 template <Scalar T>
 T exceedance_full(const T& p, const T& load)
 {
-    return 2 * atan2(sqrt_positive_part(below_highest(p, load)), sqrt_positive_part(above_lowest(p, load))) / pi<T>();
+    return 2 * atan_sqrt_over_pi(T(below_highest(p, load)), T(above_lowest(p, load)));
 }
 
 /// (2.17), (2.18)  the same in partial contact, load <= 1, p >= 0; 0 for p >= 2 sqrt(load).
@@ -94,7 +94,7 @@ template <Scalar T>
 T exceedance_partial(const T& p, const T& load)
 {
     const T R = hypot_of(T(1 - load), p);
-    return 2 * atan2(sqrt_minus_square(T(4 * load), p), sqrt(2 * (1 - load) + (2 * R + p * p))) / pi<T>();
+    return 2 * atan_minus_square_over_pi(T(4 * load), p, T(2 * (1 - load) + (2 * R + p * p)));
 }
 
 /// (2.11)-(2.18)  Q(p), the share of the wavelength on which the pressure exceeds p >= 0.

@@ -18,8 +18,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -42,6 +44,20 @@ constexpr bool certainly(Truth t) { return t == Truth::yes; } ///< proven
 constexpr bool possibly(Truth t) { return t != Truth::no; } ///< not disproven
 
 // ---------------------------------------------------------------- double
+
+/// sum_j terms[j] x^j, even and odd powers side by side, so that a processor can work on both.
+template <std::size_t n>
+constexpr double sum_of_powers(const std::array<double, n>& terms, double x)
+{
+    static_assert(n % 2 == 0);
+    const double square = x * x;
+    double even = terms[n - 2], odd = terms[n - 1];
+    for (std::size_t j = n - 2; j != 0; j -= 2) {
+        even = even * square + terms[j - 2];
+        odd = odd * square + terms[j - 1];
+    }
+    return even + x * odd;
+}
 
 inline double sqrt(double x) { return std::sqrt(x); } ///< square root
 inline double exp(double x) { return std::exp(x); } ///< e^x
@@ -69,6 +85,9 @@ struct ComposedTraits {
     static T sqrt_square_minus(const T& b, const T& a) { return ScalarTraits<T>::sqrt_positive_part(b * b - a); } ///< sqrt(max(b^2 - a, 0))
     static T sqrt_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(T(ScalarTraits<T>::pi() * x), a); } ///< b = pi x
     static T sqrt_sin_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(ScalarTraits<T>::sin_pi(x), a); } ///< b = sin pi x
+    static T asin_sqrt_over_pi(const T& s) { return atan2(sqrt(s), ScalarTraits<T>::sqrt_positive_part(T(1 - s))) / ScalarTraits<T>::pi(); } ///< arcsin(sqrt s)/pi
+    static T atan_sqrt_over_pi(const T& n, const T& d) { return atan2(ScalarTraits<T>::sqrt_positive_part(n), ScalarTraits<T>::sqrt_positive_part(d)) / ScalarTraits<T>::pi(); } ///< arctan(sqrt(n/d))/pi
+    static T atan_minus_square_over_pi(const T& a, const T& b, const T& d) { return atan2(ScalarTraits<T>::sqrt_minus_square(a, b), sqrt(d)) / ScalarTraits<T>::pi(); } ///< n = a - b^2
 };
 /// binary64: the formulas lose a few ulp, at the edges of the contact too.
 template <>
@@ -78,34 +97,29 @@ struct ScalarTraits<double> {
     static double pi() { return std::numbers::pi; } ///< the double nearest to pi
     static Truth less(double x, double y) { return truth(x < y); } ///< always decided; no for a NaN
     static double hull(double x, double y) { return x == y ? x : std::numeric_limits<double>::quiet_NaN(); } ///< NaN unless equal
-    /// error < 1 ulp: reduced exactly to [0, 1/4], so no digit is lost near a zero.
+    /// error < 2 ulp: reduced exactly to [0, 1/2], where a relative error of the angle becomes no larger one of the sine.
     static double sin_pi(double x)
     {
-        const double turn = std::remainder(x, 2.0); // exact
+        const double turn = within_a_turn(x);       // exact
         const double a = std::fabs(turn);           // sin(pi a) = sin(pi (1 - a))
-        const double r = a > 0.5 ? 1.0 - a : a;     // exact (Sterbenz)
-        const double s = r > 0.25 ? std::cos(std::numbers::pi * (0.5 - r)) : std::sin(std::numbers::pi * r);
-        return std::copysign(s, turn);
+        return std::copysign(std::sin(std::numbers::pi * std::min(a, 1.0 - a)), turn); // exact (Sterbenz) where it is taken
     }
-    static double cos_pi(double x)
-    {
-        const double a = std::fabs(std::remainder(x, 2.0)); // exact, in [0, 1]
-        const double r = a > 0.5 ? 1.0 - a : a;
-        const double c = r > 0.25 ? std::sin(std::numbers::pi * (0.5 - r)) : std::cos(std::numbers::pi * r);
-        return a > 0.5 ? -c : c;
-    } ///< cos(pi x), error < 1 ulp, reduced as sin_pi is
+    /// cos(pi x) = sin(pi (1/2 - x)), error < 2 ulp; the difference is exact from 1/4 on, below it is as good as a rounded angle.
+    static double cos_pi(double x) { return std::sin(std::numbers::pi * (0.5 - std::fabs(within_a_turn(x)))); }
     static double powm1(double x, double y) { return std::expm1(y * std::log(x)); } ///< x^y - 1 for x > 0
     static double sqrt_positive_part(double x) { return x > 0 ? std::sqrt(x) : 0.0; } ///< sqrt(max(x, 0))
     /// sqrt(max(a - b^2, 0)), the difference with one rounding and safe from underflow.
     static double sqrt_minus_square(double a, double b)
     {
         const int e = scale(a);
+        if (e == 0) return sqrt_positive_part(std::fma(-b, b, a));
         return std::ldexp(sqrt_positive_part(std::fma(-std::ldexp(b, e), std::ldexp(b, e), std::ldexp(a, 2 * e))), -e);
     }
     /// sqrt(max(a - (pi x)^2, 0)) with pi x carried to twice the precision.
     static double sqrt_minus_pi_square(double a, double x)
     {
         const int e = scale(a);
+        if (e == 0) return sqrt_positive_part(minus_pi_square(a, x));
         return std::ldexp(sqrt_positive_part(minus_pi_square(std::ldexp(a, 2 * e), std::ldexp(x, e))), -e);
     }
     /// sqrt(max(a - sin^2(pi x), 0)) for 0 <= a <= 1, |x| <= 1/2. Above x = 1/4 as cos^2 - (1 - a), below as
@@ -113,28 +127,56 @@ struct ScalarTraits<double> {
     static double sqrt_minus_sin_pi_square(double a, double x)
     {
         const double r = std::fabs(x);
-        if (r > 0.25) return sqrt_positive_part(-minus_sin_square(1.0 - a, 0.5 - r)); // 1 - a exact where it matters: a > 1/2
-        const int e = scale(a);
-        if (e != 0) return sqrt_minus_pi_square(a, x); // sin y = y to all digits
-        return sqrt_positive_part(minus_sin_square(a, r));
+        const bool far = r > 0.25;
+        if (!far && scale(a) != 0) return sqrt_minus_pi_square(a, x); // sin y = y to all digits
+        const double difference = minus_sin_square(far ? 1.0 - a : a, far ? 0.5 - r : r); // 1 - a exact where it matters: a > 1/2
+        return sqrt_positive_part(far ? -difference : difference);
     }
     /// sqrt(max((pi x)^2 - a, 0)), as above.
     static double sqrt_pi_square_minus(double x, double a)
     {
         const int e = scale(a);
-        if (e != 0 && std::fabs(x) > 0x1p-300) return std::numbers::pi * std::fabs(x); // a is below all its digits
+        if (e == 0) return sqrt_positive_part(-minus_pi_square(a, x));
+        if (std::fabs(x) > 0x1p-300) return std::numbers::pi * std::fabs(x); // a is below all its digits
         return std::ldexp(sqrt_positive_part(-minus_pi_square(std::ldexp(a, 2 * e), std::ldexp(x, e))), -e);
     }
     /// sqrt(max(sin^2(pi x) - a, 0)) for 0 <= a <= 1, |x| <= 1/2, as above; 1 - a is exact or the difference no small one.
     static double sqrt_sin_pi_square_minus(double x, double a)
     {
         const double r = std::fabs(x);
-        if (r > 0.25 && (a >= 0.5 || r > 0.3)) return sqrt_positive_part(minus_sin_square(1.0 - a, 0.5 - r));
-        if (scale(a) != 0) return r > 0x1p-300 ? sin_pi(r) : sqrt_pi_square_minus(x, a);
-        return sqrt_positive_part(-minus_sin_square(a, r));
+        const bool far = r > 0.25 && (a >= 0.5 || r > 0.3);
+        if (!far && scale(a) != 0) return r > 0x1p-300 ? sin_pi(r) : sqrt_pi_square_minus(x, a);
+        const double difference = minus_sin_square(far ? 1.0 - a : a, far ? 0.5 - r : r);
+        return sqrt_positive_part(far ? difference : -difference);
     }
-    /// sqrt(a*a + b*b) without overflow, underflow or cancellation.
-    static double hypot(double a, double b) { return std::hypot(a, b); }
+    /// arcsin(sqrt s)/pi for 0 <= s <= 1, 1/2 beyond. Of s and 1 - s (exact where it is taken) the one whose arcsine is at most pi/4, where
+    /// it is well conditioned; so too in the next two.
+    static double asin_sqrt_over_pi(double s)
+    {
+        const double r = std::asin(std::sqrt(std::min(std::max(1.0 - s, 0.0), s))) / std::numbers::pi;
+        return (s > 0.5 ? 0.5 : 0.0) + std::copysign(r, 0.5 - s); // s may lie on either side at random: no branch
+    }
+    /// arctan(sqrt(n/d))/pi, where a negative n or d counts as 0; not both.
+    static double atan_sqrt_over_pi(double n, double d)
+    {
+        n = std::max(n, 0.0);
+        d = std::max(d, 0.0);
+        const double r = std::asin(std::sqrt(std::min(n, d) / (n + d))) / std::numbers::pi;
+        return (n > d ? 0.5 : 0.0) + std::copysign(r, d - n);
+    }
+    /// arctan(sqrt((a - b^2)/d))/pi for d >= 0, the difference with one rounding and safe from underflow.
+    static double atan_minus_square_over_pi(double a, double b, double d)
+    {
+        if (scale(a) != 0) return std::atan2(sqrt_minus_square(a, b), std::sqrt(d)) / std::numbers::pi;
+        return atan_sqrt_over_pi(std::fma(-b, b, a), d);
+    }
+    /// sqrt(a*a + b*b) without overflow, underflow or cancellation; error < 1.5 ulp.
+    static double hypot(double a, double b)
+    {
+        if (b == 0) return std::fabs(a);
+        const double square = a * a + b * b;
+        return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(a, b); // what underflows beside 2^-900 is below its digits
+    }
     static double power_of_two(long e) { return std::ldexp(1.0, static_cast<int>(std::clamp(e, -5000L, 5000L))); } ///< 2^e
     /// Gamma(x) for x > 0.
     static double gamma(double x) { return std::tgamma(x); }
@@ -146,6 +188,8 @@ struct ScalarTraits<double> {
     }
 
 private:
+    /// x less its nearest even number, exactly.
+    static double within_a_turn(double x) { return std::fabs(x) <= 1.0 ? x : std::remainder(x, 2.0); }
     /// A power of two (its exponent) by which numbers whose square is near tiny `a` are scaled, 0 where none is needed.
     static int scale(double a) { return a > 0 && a < 0x1p-800 ? 500 : 0; }
     /// a - (pi x)^2
@@ -159,10 +203,18 @@ private:
     static double minus_sin_square(double a, double x)
     {
         const double z = (std::numbers::pi * x) * (std::numbers::pi * x);
-        double tail = 1;
-        for (int k = 11; k >= 2; --k) tail = 1 - z * tail * 4 / ((2 * k + 1) * (2 * k + 2));
-        return minus_pi_square(a, x) + z * z * tail / 3;
+        return minus_pi_square(a, x) + z * z * sum_of_powers(sine_terms, z);
     }
+    /// 2^(2k-1)/(2k)! for k = 2, ..., 11 with alternating signs; at z = (pi/4)^2 the next adds less than 2^-64.
+    static constexpr std::array<double, 10> sine_terms = [] {
+        std::array<double, 10> terms{};
+        double term = 1.0 / 3;
+        for (int j = 0; j < 10; ++j) {
+            terms[static_cast<std::size_t>(j)] = term;
+            term *= -4.0 / ((2 * j + 5) * (2 * j + 6));
+        }
+        return terms;
+    }();
 };
 
 /// The integer n as a T, exactly.
@@ -185,6 +237,9 @@ template <class T> T sqrt_minus_pi_square(const T& a, const T& x) { return Scala
 template <class T> T sqrt_pi_square_minus(const T& x, const T& a) { return ScalarTraits<T>::sqrt_pi_square_minus(x, a); } ///< sqrt(max((pi x)^2 - a, 0))
 template <class T> T sqrt_sin_pi_square_minus(const T& x, const T& a) { return ScalarTraits<T>::sqrt_sin_pi_square_minus(x, a); } ///< sqrt(max(sin(pi x)^2 - a, 0))
 template <class T> T sqrt_minus_sin_pi_square(const T& a, const T& x) { return ScalarTraits<T>::sqrt_minus_sin_pi_square(a, x); } ///< sqrt(max(a - sin(pi x)^2, 0))
+template <class T> T asin_sqrt_over_pi(const T& s) { return ScalarTraits<T>::asin_sqrt_over_pi(s); } ///< arcsin(sqrt s)/pi
+template <class T> T atan_sqrt_over_pi(const T& n, const T& d) { return ScalarTraits<T>::atan_sqrt_over_pi(n, d); } ///< arctan(sqrt(n/d))/pi
+template <class T> T atan_minus_square_over_pi(const T& a, const T& b, const T& d) { return ScalarTraits<T>::atan_minus_square_over_pi(a, b, d); } ///< arctan(sqrt((a - b^2)/d))/pi
 template <class T> T sqrt_positive_part(const T& x) { return ScalarTraits<T>::sqrt_positive_part(x); } ///< sqrt(max(x, 0))
 template <class T> T hypot_of(const T& a, const T& b) { return ScalarTraits<T>::hypot(a, b); } ///< sqrt(a^2 + b^2)
 template <class T> T power_of_two(long e) { return ScalarTraits<T>::power_of_two(e); } ///< 2^e
