@@ -114,7 +114,7 @@ class Trigonometry:
                     for _ in range(i):
                         T, before = (2 * t * T >> bits) - before, T
                     total += 2 * w * T >> bits
-                if abs(total * (1 - i * i) - (2 << bits)) > 64 * (K * i * i + 1) * (i * i + 1):
+                if abs(total * (1 - i * i) - (2 << bits)) > 64 * K * (i * i + 1) ** 2:
                     raise Refused("a rule of Gauss does not integrate what it should")
             self.rules[K] = pairs
         return self.rules[K]
@@ -240,8 +240,6 @@ class Mesh:
                 total += sum(map(mul, self.packed[p], sums))
                 most += sum(map(mul, self.sizes[p], map(abs, sums)))
                 a = b
-        if self.nodes > MOST_NODES:
-            raise Refused("a row has too many points")
         if most >> self.lane - 1:
             raise Refused("the sums of a row are too large")
         return [(t << self.bits) // self.trig.pi for t in self.unpacked(total)]
@@ -272,6 +270,8 @@ class Mesh:
             return
         full, inverse, ranks, all_rows = x >= one, self.inverse, range(2, self.terms), [sums]
         self.nodes += K
+        if self.nodes > MOST_NODES:
+            raise Refused("a row has too many points")
         for t, w in trig.gauss(K):
             ct, st = trig.small(eta * t >> bits)
             wide = eta * w >> 2 * bits - work

@@ -323,6 +323,31 @@ class Certificates(unittest.TestCase):
                 self.assertLess(max(abs(a - b) for a, b in zip(row, whole)), off * mesh.unit, (at / one, half / one))
         self.assertEqual(seen, {2, *full_contact.FAR})
 
+    def test_rules_of_gauss_are_had_at_the_precision_of_any_certificate(self):
+        """Their weights add up to 2 but for roundings: no choice of bits may refuse what is true."""
+        for bits in (64, 88, 98, 100, 160, 176, 208, 248, 264):
+            trig = full_contact.Trigonometry(bits)
+            for K in range(2, 34, 2):
+                with self.subTest(bits=bits, K=K):
+                    pairs = trig.gauss(K)
+                    for i in (0, K, 2 * K - 2):  # the integral of t^i from -1 to 1
+                        said = sum(2 * w * Fraction(t, 1 << bits) ** i for t, w in pairs) / 2**bits
+                        self.assertLess(abs(said - Fraction(2, i + 1)), Fraction(64 * K * K, 2**bits))
+            with self.assertRaises(full_contact.Refused), unittest.mock.patch.object(trig, "cos_sin", lambda _: (trig.one // 2, trig.one // 2)):
+                trig.rules.clear()
+                trig.gauss(8)
+
+    def test_a_row_of_too_many_points_ends_there(self):
+        """A file may ask for more than anyone has time for: what is refused is refused before it is done."""
+        bits, terms = 64, 64
+        one = 1 << bits
+        edges = [one // 512 * k for k in range(1, 1537)]
+        places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
+        mesh = full_contact.Mesh(transfer.Interval.of(3), Fraction(0), bits, edges, places, [[[one << 99] * terms]] * len(places), bits, 100, 0)
+        with self.assertRaisesRegex(full_contact.Refused, "too many points"):
+            mesh.exact_row(2 * one)
+        self.assertLessEqual(mesh.nodes, full_contact.MOST_NODES + 32)
+
     def mutant(self, chosen):
         """a digit, sign, bound, index or line of one line changed, and what"""
         original = self.texts[chosen.choices(list(CHANGED), list(CHANGED.values()))[0]]
