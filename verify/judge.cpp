@@ -67,8 +67,9 @@ Reference find_reference(const std::string& name)
     if (spec == nullptr)
         throw Failure(usage_error, fmt::format("unknown table '{}'; nearest is '{}' (or give the path of a canonical table)", name,
                                                nearest_name(name, table_names())));
-    if (const fs::path file = fs::path(reference_folder()) / (name + ".txt"); fs::is_regular_file(file))
-        return {parse_table(read_file(file), file.string()), file.string()};
+    if (const std::string folder = reference_folder(); !folder.empty()) // else a file of that name in the working folder would be believed
+        if (const fs::path file = fs::path(folder) / (name + ".txt"); fs::is_regular_file(file))
+            return {parse_table(read_file(file), file.string()), file.string()};
     Progress progress("computing " + name, spec->grid().size());
     const Table t = compute(*spec, spec->digits, std::max(1u, std::thread::hardware_concurrency()),
                             [&progress](std::size_t done, std::size_t) { progress.done(done); });

@@ -55,7 +55,7 @@ std::string in_words(const Coverage& c, const StoredTable& stored)
 
 int list_tables(const std::string& folder)
 {
-    const auto coverage = read_coverage(fs::path(folder) / "coverage.json");
+    const auto coverage = folder.empty() ? std::map<std::string, Coverage>() : read_coverage(fs::path(folder) / "coverage.json");
     fmt::print("{:<28} {:>6} {:>6}  {:<26} {}\n", "table", "rows", "digits", "quantity", "confirmed by the checker, to at least");
     for (const TableSpec& spec : table_specs()) {
         const fs::path path = fs::path(folder) / (spec.name + ".txt");

@@ -75,6 +75,11 @@ CHANGED = {("contact.area", "n=2", "load=1/10", "G=16", "--digits", 6): 9, ("con
            ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2", "--digits", 2): 3, ("limit.area_constant", "G=16", "--digits", 3): 3}
 
 
+def complaints(stderr):
+    """what is there beside progress, which a slow machine gets to see"""
+    return [line for line in stderr.splitlines() if not line.startswith("line ")]
+
+
 class Certificates(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -181,7 +186,7 @@ class Certificates(unittest.TestCase):
             path.write_text("\n".join([*head[:-2], "# " + json.dumps(header), head[-1], *rows]) + "\n")
             return subprocess.run([sys.executable, known.checker / "check.py", "--certificate", self.path, path], capture_output=True, text=True)
         said = confirmed(rows[place:place + 1])
-        self.assertEqual((said.returncode, said.stderr), (0, ""))
+        self.assertEqual((said.returncode, complaints(said.stderr)), (0, []))
         name, asked, right, still_open, wrong, digits = said.stdout.splitlines()[1].split()
         self.assertEqual((asked, right, still_open, wrong), ("1", "0", "1", "0"))
         self.assertIn(int(digits), range(10, 20))
@@ -229,7 +234,7 @@ class Certificates(unittest.TestCase):
                 with self.subTest(name):
                     self.assertIn(said.returncode, (1, 65), said.stdout)
                     self.assertTrue(said.stdout.startswith("no: ") and len(said.stdout.splitlines()) == 1, said.stdout[:300])
-                    self.assertEqual(said.stderr, "")
+                    self.assertEqual(complaints(said.stderr), [])
         self.assertEqual(check(self.path.parent / "none").returncode, 65)
 
     def write(self, quantity, claims, lines):

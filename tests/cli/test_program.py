@@ -6,6 +6,7 @@ usage: test_program.py TOUCHSTONE
 """
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -176,6 +177,22 @@ class Program(unittest.TestCase):
                     f.write(bad)
                 self.refuses(65, "not a file of coverage", "table", "--out", out)
         self.refuses(64, "names of tables are missing", "table", "--check")
+
+    def test_no_table_of_the_working_folder_is_believed(self):
+        """Where the program has no stored tables it computes; a file that happens to lie where it is called is not one of them."""
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "bin", "touchstone")
+            os.mkdir(os.path.dirname(program))
+            shutil.copy(PROGRAM, program)
+            for name, text in (("archard_K_inf.txt", "no table"), ("coverage.json", "no coverage"), ("answers", "0.3913876963120100\n")):
+                with open(os.path.join(folder, name), "w") as f:
+                    f.write(text)
+            call = lambda *words: subprocess.run([program, *words], capture_output=True, text=True, cwd=folder, timeout=600)  # noqa: E731
+            judged = call("judge", "archard_K_inf", "--answers", "answers")
+            self.assertEqual(judged.returncode, 0, judged.stdout + judged.stderr)
+            listed = call("table")
+            self.assertEqual(listed.returncode, 0, listed.stderr)
+            self.assertIn("not stored", listed.stdout)
 
     def test_a_manifest_follows_its_tables(self):
         with tempfile.TemporaryDirectory() as out:

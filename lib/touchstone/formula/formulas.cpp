@@ -112,17 +112,6 @@ Term sum_of_powers(const std::array<double, n>& terms, const Term& x)
     return even + x * odd;
 }
 
-/// 2^(2k-1)/(2k)! for k = 2, ..., 11 with alternating signs, as ScalarTraits<double> has them.
-constexpr std::array<double, 10> sine_terms = [] {
-    std::array<double, 10> terms{};
-    double term = 1.0 / 3;
-    for (int j = 0; j < 10; ++j) {
-        terms[static_cast<std::size_t>(j)] = term;
-        term *= -4.0 / ((2 * j + 5) * (2 * j + 6));
-    }
-    return terms;
-}();
-
 std::map<std::string, Helper> make_helpers()
 {
     const Term a = Term::input("a"), b = Term::input("b"), c = Term::input("c"), x = Term::input("x"), y = Term::input("y");

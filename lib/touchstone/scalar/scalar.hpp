@@ -59,6 +59,17 @@ constexpr double sum_of_powers(const std::array<double, n>& terms, double x)
     return even + x * odd;
 }
 
+/// 2^(2k-1)/(2k)! for k = 2, ..., 11 with alternating signs: sin^2 y = y^2 - y^4 sum_of_powers(sine_terms, y^2); at y = pi/4 the next adds less than 2^-64.
+inline constexpr std::array<double, 10> sine_terms = [] {
+    std::array<double, 10> terms{};
+    double term = 1.0 / 3;
+    for (int j = 0; j < 10; ++j) {
+        terms[static_cast<std::size_t>(j)] = term;
+        term *= -4.0 / ((2 * j + 5) * (2 * j + 6));
+    }
+    return terms;
+}();
+
 inline double sqrt(double x) { return std::sqrt(x); } ///< square root
 inline double exp(double x) { return std::exp(x); } ///< e^x
 inline double log(double x) { return std::log(x); } ///< natural logarithm
@@ -205,16 +216,6 @@ private:
         const double z = (std::numbers::pi * x) * (std::numbers::pi * x);
         return minus_pi_square(a, x) + z * z * sum_of_powers(sine_terms, z);
     }
-    /// 2^(2k-1)/(2k)! for k = 2, ..., 11 with alternating signs; at z = (pi/4)^2 the next adds less than 2^-64.
-    static constexpr std::array<double, 10> sine_terms = [] {
-        std::array<double, 10> terms{};
-        double term = 1.0 / 3;
-        for (int j = 0; j < 10; ++j) {
-            terms[static_cast<std::size_t>(j)] = term;
-            term *= -4.0 / ((2 * j + 5) * (2 * j + 6));
-        }
-        return terms;
-    }();
 };
 
 /// The integer n as a T, exactly.
