@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Roundings of numbers of 106 bits (transfer/double_double.hpp): what a person counted, counted again by an arithmetic that keeps its own
+/// Roundings of numbers of 106 bits (scalar/double_double.hpp): what a person counted, counted again by an arithmetic that keeps its own
 /// account. The unit u is 2^-101, twice what one operation may be off by.
 #include "proofs/operator/own.hpp"
 #include "proofs/symbolic/symbolic.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What proofs in binary64 stand on: the machine's arithmetic, discs, loops on all cores.
 #include "touchstone/scalar/ball.hpp"
-#include "touchstone/transfer/binary64.hpp"
+#include "touchstone/scalar/binary64.hpp"
 #include "touchstone/transfer/chain.hpp"
 #include "touchstone/transfer/disc.hpp"
 #include "touchstone/transfer/discretisation.hpp"

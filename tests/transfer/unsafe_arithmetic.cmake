@@ -3,7 +3,7 @@
 #   cmake -DCXX=... -DCOMPILER=GNU -DINCLUDE=lib -DWORK_DIR=... -P unsafe_arithmetic.cmake
 file(MAKE_DIRECTORY ${WORK_DIR})
 set(source ${WORK_DIR}/unsafe_arithmetic.cpp)
-file(WRITE ${source} "#include \"touchstone/transfer/binary64.hpp\"\nint main() { touchstone::transfer::require_binary64_arithmetic(); }\n")
+file(WRITE ${source} "#include \"touchstone/scalar/binary64.hpp\"\nint main() { touchstone::require_binary64_arithmetic(); }\n")
 function(compiles result output)
   execute_process(COMMAND ${CXX} -std=c++20 -I${INCLUDE} -fsyntax-only ${ARGN} ${source} RESULT_VARIABLE status ERROR_VARIABLE said)
   set(${result} ${status} PARENT_SCOPE)

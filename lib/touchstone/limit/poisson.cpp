@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled with -ffp-contract=off, as transfer/double_double.hpp asks.
+// Compiled with -ffp-contract=off, as scalar/double_double.hpp asks.
 #include "touchstone/limit/poisson.hpp"
 
 #include "touchstone/limit/chebyshev.hpp"

@@ -2,7 +2,7 @@
 #include "touchstone/transfer/discretisation.hpp"
 
 #include "touchstone/scalar/refusal.hpp"
-#include "touchstone/transfer/binary64.hpp"
+#include "touchstone/scalar/binary64.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 /// The counts of operations behind the error bounds in proven_levels.md hold for the code of wave_kernel.cpp.
 #pragma once
 
-#include "touchstone/transfer/double_double.hpp"
+#include "touchstone/scalar/double_double.hpp"
 #include "touchstone/wave/wave.hpp"
 
 #include <cstddef>

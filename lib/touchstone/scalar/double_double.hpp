@@ -11,7 +11,7 @@
 /// Not to be compiled with -ffast-math (binary64.hpp refuses); fused contraction of a * b + c by the compiler must be off.
 #pragma once
 
-#include "touchstone/transfer/binary64.hpp"
+#include "touchstone/scalar/binary64.hpp"
 
 #include <cmath>
 #include <type_traits>
@@ -20,7 +20,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // everything with Lanes is inlined
 #endif
 
-namespace touchstone::transfer {
+namespace touchstone {
 
 /// Four binary64 side by side (GCC and clang; without such registers the compiler takes them apart).
 using Lanes = double __attribute__((vector_size(32)));
@@ -147,4 +147,4 @@ TOUCHSTONE_INLINE DoubleDouble<Lanes> positive_part(const DoubleDouble<Lanes>& x
     return {x.high > 0 ? x.high : Lanes{}, x.high > 0 ? x.low : Lanes{}};
 }
 
-} // namespace touchstone::transfer
+} // namespace touchstone

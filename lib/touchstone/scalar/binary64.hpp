@@ -15,7 +15,7 @@
 #error "Touchstone's proofs need binary64 operations that round to binary64 (FLT_EVAL_METHOD = 0): on x86, compile with -msse2 -mfpmath=sse"
 #endif
 
-namespace touchstone::transfer {
+namespace touchstone {
 
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
 
@@ -28,4 +28,4 @@ inline void require_binary64_arithmetic()
     if (half == 0 || twice == 0) throw std::runtime_error("this thread flushes subnormal numbers to zero (-ffast-math in a library it loads?): certified values need them");
 }
 
-} // namespace touchstone::transfer
+} // namespace touchstone
