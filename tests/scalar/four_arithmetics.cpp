@@ -8,6 +8,7 @@
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/scalar/exact.hpp"
 #include "touchstone/scalar/mpfr.hpp"
+#include "touchstone/scalar/pair_ball.hpp"
 #include "touchstone/scalar/symbol.hpp"
 
 #include <doctest/doctest.h>
@@ -15,7 +16,7 @@
 using namespace touchstone;
 
 static_assert(Scalar<double> && Scalar<Mpfr> && Scalar<Ball> && Scalar<ComplexBall> && Scalar<Symbol> && Scalar<Exact>);
-static_assert(OrderedScalar<double> && OrderedScalar<Mpfr> && OrderedScalar<Ball> && OrderedScalar<Exact>);
+static_assert(OrderedScalar<double> && OrderedScalar<Mpfr> && OrderedScalar<Ball> && OrderedScalar<PairBall> && OrderedScalar<Exact>);
 static_assert(!OrderedScalar<Symbol> && !OrderedScalar<ComplexBall>);
 
 namespace {

@@ -117,22 +117,28 @@ private:
 
 int evaluate_rows(const Quantity& q, const double* inputs, std::size_t rows, double* values, int* how, char* message, std::size_t size)
 {
-    std::vector<std::optional<Inputs>> exact(rows);
+    std::vector<std::size_t> rest; // rows that take an evaluation
+    std::vector<Inputs> exact;     // of those
     Outcome outcome;
     for (std::size_t i = 0; i < rows; ++i) {
-        values[i] = not_a_number;
-        if (how != nullptr) how[i] = TOUCHSTONE_REFUSED;
+        const double* const row = inputs + i * q.inputs.size();
+        const auto nearest = q.nearest ? q.nearest(row) : std::nullopt;
+        values[i] = nearest.value_or(not_a_number);
+        if (how != nullptr) how[i] = !nearest ? TOUCHSTONE_REFUSED : *nearest == 0 ? TOUCHSTONE_EXACT : TOUCHSTONE_CERTIFIED;
+        if (nearest) continue;
         try {
-            exact[i] = inputs_of_row(q, inputs + i * q.inputs.size());
+            exact.push_back(inputs_of_row(q, row));
+            rest.push_back(i);
         }
         catch (const DomainError& e) {
             outcome.add(TOUCHSTONE_BAD_INPUT, i, e.what());
         }
     }
     std::vector<const Inputs*> wanted;
-    for (const auto& in : exact) wanted.push_back(in ? &*in : nullptr);
-    for (const std::size_t i : working_order(q, wanted)) {
-        const Evaluation e = evaluate(q, *exact[i], {.digits = digits_for_doubles});
+    for (const Inputs& in : exact) wanted.push_back(&in);
+    for (const std::size_t k : working_order(q, wanted)) {
+        const std::size_t i = rest[k];
+        const Evaluation e = evaluate(q, exact[k], {.digits = digits_for_doubles});
         if (how != nullptr) how[i] = static_cast<int>(e.status);
         if (e.binary64) values[i] = *e.binary64;
         else outcome.add(TOUCHSTONE_UNDECIDED, i, e.note.empty() ? "the nearest binary64 number is not decided" : e.note);

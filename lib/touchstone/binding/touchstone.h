@@ -73,6 +73,8 @@ TOUCHSTONE_API int touchstone_eval(const char* quantity, const char* inputs, lon
 
 /**
  * Many rows of binary64 inputs, each taken as the number it is. Rows that share a surface share its work; order them so.
+ * Half-width, exceedance and density of one wave (westergaard.*) take less than a microsecond a row: 106 bits with their error carried along
+ * prove nearly every row, once; the few others are evaluated as touchstone_eval does, in balls and twice.
  * \param inputs  row after row, in the order of touchstone_quantity_input; `columns` of them a row
  * \param values  for each row the binary64 number nearest to the true value, nan where there is none or it is not decided
  * \param how     for each row a touchstone_how; may be NULL

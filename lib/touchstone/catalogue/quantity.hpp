@@ -114,6 +114,9 @@ struct Quantity {
     std::function<Plan(const Inputs&, Accuracy)> plan = {};
     /// The plan in words. Empty: all routes, everywhere in the domain. See certified_where().
     std::vector<Certified> certified = {};
+    /// For many points: the binary64 number nearest to the value at binary64 inputs (in the order of `inputs`), proven once, or nothing where that
+    /// takes evaluate(); zero is exact, any other value certified. May be empty.
+    std::function<std::optional<double>(const double*)> nearest = {};
 };
 
 /// All quantities, in the order of the paper's sections.

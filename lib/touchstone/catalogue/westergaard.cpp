@@ -3,6 +3,7 @@
 
 #include "touchstone/catalogue/formula.hpp"
 #include "touchstone/paper/as_printed.hpp"
+#include "touchstone/paper/westergaard_nearest.hpp"
 
 namespace touchstone {
 namespace {
@@ -52,6 +53,7 @@ void add_westergaard(std::vector<Quantity>& all)
                    exactly(half_width),
                    {through("arctangent", half_width),
                     through("arcsine-as-printed", [](auto a) { return as_printed::half_width(a("load")); })}});
+    all.back().nearest = [](const double* in) { return westergaard::nearest_half_width(in[0]); };
 
     const auto pressure = [](auto a) { return westergaard::pressure(a("x"), a("load")); };
     all.push_back({"westergaard.pressure", "2.2, 2.4", "p*", "load > 0, |x| <= 1/2", {"x", "load"},
@@ -77,6 +79,7 @@ void add_westergaard(std::vector<Quantity>& all)
                                 if (t <= -1) return Ball(1);
                                 return t >= 1 ? Ball(0) : as_printed::exceedance_full(a("p"), a("load"));
                             })}});
+    all.back().nearest = [](const double* in) { return westergaard::nearest_exceedance(in[0], in[1]); };
 
     const auto density = [](auto a) { return westergaard::density(a("p"), a("load")); };
     all.push_back({"westergaard.density", "2.15-2.20", "1/p*", "load > 0, p >= 0, not at an edge of the support", {"p", "load"},
@@ -91,6 +94,7 @@ void add_westergaard(std::vector<Quantity>& all)
                             [](const Inputs& in, const Arguments<Ball>& a) {
                                 return abs(Rational(in.real("p") - in.real("load"))) > 1 ? Ball(0) : as_printed::density_full(a("p"), a("load"));
                             })}});
+    all.back().nearest = [](const double* in) { return westergaard::nearest_density(in[0], in[1]); };
 
     const auto hertz_width = [](auto a) { return hertz::half_width(a("load")); };
     all.push_back({"hertz.half_width", "2.7", "lambda", "load > 0", {"load"},

@@ -7,7 +7,7 @@
 /// |-----------------------|-------------|---------------------------------------------------|
 /// | `double`              | scalar.hpp  | a binary64 number within a few ulp                 |
 /// | `Mpfr`                | mpfr.hpp    | that many digits, not proven                       |
-/// | `Ball`, `ComplexBall` | ball.hpp    | an enclosure of the true value: a proof            |
+/// | `Ball`, `ComplexBall` | ball.hpp    | an enclosure, a proof; `PairBall`, pair_ball.hpp: in 100 bits |
 /// | `Symbol` (GiNaC)      | symbol.hpp  | an expression                                      |
 /// | `Exact`               | exact.hpp   | the value r s^(1/m) pi^k itself, or `NotExact`     |
 ///
