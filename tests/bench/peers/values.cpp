@@ -22,6 +22,8 @@
 #include <gsl/gsl_sf.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -150,16 +152,38 @@ void nested(int n, long digits)
     std::puts(nested_area<Mpfr>(n, Mpfr(Mpfr(1) / 10), integrate).str(digits).c_str());
 }
 
+/// As touchstone_eval_rows does it: points of standard input, hexfloats.
 void points(const std::string& name)
 {
-    std::vector<std::pair<Rational, Rational>> all;
-    for (char p[64], load[64]; std::scanf("%63s %63s", p, load) == 2;) all.emplace_back(*parse_rational(p), *parse_rational(load));
+    std::string text;
+    for (char part[1 << 16];;) {
+        const std::size_t n = std::fread(part, 1, sizeof part, stdin);
+        if (n == 0) break;
+        text.append(part, n);
+    }
+    std::vector<std::array<double, 2>> all;
+    const char *at = text.data(), *const end = at + text.size();
+    const auto number = [&] {
+        double x = NAN;
+        at = std::from_chars(at + std::strlen("0x"), end, x, std::chars_format::hex).ptr + 1;
+        return x;
+    };
+    while (at + 2 < end) {
+        const double p = number(), load = number();
+        all.push_back({p, load});
+    }
     const Quantity& q = *find_quantity(name);
     std::vector<double> nearest;
     const double start = seconds();
-    for (const auto& [p, load] : all) nearest.push_back(evaluate(q, Inputs({{"p", p}, {"load", load}}), {.digits = 17}).binary64.value_or(NAN));
+    for (const auto& row : all) {
+        const auto quick = q.nearest(row.data());
+        nearest.push_back(quick ? *quick : evaluate(q, Inputs({{"p", exact_rational(row[0])}, {"load", exact_rational(row[1])}}), {.digits = 17}).binary64.value_or(NAN));
+    }
     std::printf("%.6f\n", seconds() - start);
-    for (const double x : nearest) std::printf("%a\n", x);
+    text.resize(32 * nearest.size());
+    char* to = text.data();
+    for (const double x : nearest) *(to = std::to_chars(to, text.data() + text.size(), x, std::chars_format::hex).ptr) = '\n', ++to;
+    std::fwrite(text.data(), 1, static_cast<std::size_t>(to - text.data()), stdout);
 }
 
 // ---- double forms
