@@ -96,6 +96,27 @@ TEST_CASE("discs: reciprocals and roots of discs that nearly reach 0")
     CHECK(finite > 1000);
 }
 
+TEST_CASE("discs: exponentials, from those that underflow to those of which nothing is said")
+{
+    const unsigned seed = 1882;
+    MESSAGE("seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto image = [](const ComplexBall& z) { return exp(z); };
+    for (int i = 0; i < 2000; ++i) {
+        const Disc z({800 * unit(random) - 500, std::exp(20 * unit(random) - 10)}, std::exp2(8 - 60 * unit(random)));
+        CAPTURE(i);
+        const Disc image_of_it = exp(z);
+        if (!std::isfinite(image_of_it.radius())) CHECK(z.centre().real() + z.radius() > 299);
+        else CHECK(holds(z, image_of_it, image));
+    }
+    CHECK(exp(Disc({-1000, 1}, 0.5)).most() > 0);
+    CHECK_FALSE(std::isfinite(exp(Disc({1, 0}, std::numeric_limits<double>::quiet_NaN())).most()));
+    // as small as can be: a product of two still holds it
+    const Disc small = exp(Disc({-295, 0.3}, 1e-20)), smaller = small * small * small;
+    CHECK(smaller.most() > 0);
+}
+
 TEST_CASE("the most of x|1 - xz| over ratios x and a ball of z: tried at points, and where the ball is wide")
 {
     const WorkingPrecision precision(64);

@@ -166,11 +166,12 @@ private:
                 // Raised like the first: else a proof that stays a little wide would be asked for the same again and again.
                 return proof.ball(proof.digits >= digits ? accuracy : Accuracy{std::max(1L, proof.digits + accuracy.digits - digits)});
             }));
-        const Ball first = plan_.proofs.front().ball(accuracy);
+        const Ball first = decided_first_ ? *decided_first_ : plan_.proofs.front().ball(accuracy);
         point_ = exact_value(first); // radius zero: the value itself, which the other proofs must contain
         balls_ = {first};
         decided_ = point_ || round_to_digits(first, digits);
         if (!decided_ && !ladder.last()) return false;
+        if (plan_.dear && decided_) decided_first_ = first;
         looked_again_ = {};
         bool confirmed = true;
         for (std::size_t i = 0; i < others.size(); ++i) {
@@ -250,6 +251,7 @@ private:
     long witness_wants_; ///< digits
     bool own_threads_;
     std::optional<std::future<Witness>> witness_;
+    std::optional<Ball> decided_first_; ///< of a dear first proof that decided the digits: only the others are asked for more
     std::vector<Ball> balls_; ///< of the last accuracy, of the proofs that were asked for all digits; the first alone if it decided nothing
     std::optional<long> looked_again_; ///< digits that the second proof was asked for
     std::optional<Rational> point_;

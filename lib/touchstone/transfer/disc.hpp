@@ -10,11 +10,12 @@
 
 namespace touchstone::transfer {
 
-/// Centre and radius, the radius enlarged for every rounding. Numbers between 1e-150 and 1e150, or an infinite radius: nothing is known.
+/// Centre and radius, the radius enlarged for every rounding, and by more than what can underflow. Numbers below 1e150; a radius that is infinite or not a
+/// number: nothing is known.
 class Disc {
 public:
     Disc(double c = 0, double r = 0) : c_(c), r_(r) {}
-    Disc(std::complex<double> c, double r) : c_(c), r_(r + tiny * (size(c) + r)) {}
+    Disc(std::complex<double> c, double r) : c_(c), r_(r + tiny * (size(c) + r) + floor) {}
     double most() const { return size(c_) + r_; }
     std::complex<double> centre() const { return c_; }
     double radius() const { return r_; }
@@ -42,9 +43,18 @@ public:
         const double q = std::min(1.0, a.r_ / most * (1 + 0x1p-49));
         return {root, std::sqrt(most) * (1 - std::sqrt(1 - q) + tiny)};
     }
+    /// About e^c, |e^(c + t) - e^c| <= |e^c| (e^r - 1); of what is smaller than e^-300, only that. exp, expm1, sin and cos are taken to be right to 2^-50.
+    friend Disc exp(const Disc& a)
+    {
+        const double x = a.c_.real(), y = a.c_.imag(), most = x + a.r_;
+        if (!(most < 300)) return {0, unknown};
+        if (most < -300) return {0, 0x1p-432};
+        const double s = std::exp(x);
+        return {std::complex(s * std::cos(y), s * std::sin(y)), s * std::expm1(a.r_)};
+    }
 
 private:
-    static constexpr double tiny = 0x1p-48, unknown = std::numeric_limits<double>::infinity();
+    static constexpr double tiny = 0x1p-48, floor = 1e-160, unknown = std::numeric_limits<double>::infinity();
     static double size(std::complex<double> c) { return std::sqrt(std::norm(c)); }
     static std::complex<double> product(std::complex<double> a, std::complex<double> b)
     {

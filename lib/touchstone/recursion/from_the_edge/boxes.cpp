@@ -19,50 +19,35 @@ double above(const Ball& x)
     return arf_get_d(arb_midref(upper(x).get()), ARF_RND_UP);
 }
 
-double at_most_modulus(const C& z)
+double at_most_modulus(const Disc& z)
 {
-    if (!z.is_finite()) return infinity;
-    mag_t m;
-    mag_init(m);
-    acb_get_mag(m, z.get());
-    const double r = mag_get_d(m); // 0 below 2^-1000
-    mag_clear(m);
-    return std::max(r, smallest_bound);
+    const double most = z.most() * (1 + slack);
+    return std::isfinite(most) ? std::max(most, smallest_bound) : infinity;
 }
 
-double at_least_modulus(const C& z)
+/// |centre|, but for its rounding.
+static double size_of(const Disc& z) { return std::sqrt(std::norm(z.centre())) * (1 - slack); }
+
+double at_least_modulus(const Disc& z)
 {
-    if (!z.is_finite()) return 0;
-    mag_t m;
-    mag_init(m);
-    acb_get_mag_lower(m, z.get());
-    const double r = mag_get_d(m); // infinite above 2^1000
-    mag_clear(m);
-    return std::min(r, 1 / smallest_bound);
+    const double least = (size_of(z) - z.radius()) * (1 - slack);
+    return least > 0 ? std::min(least, 1 / smallest_bound) : 0;
 }
 
-bool meets_cut(const C& z)
+bool meets_cut(const Disc& z)
 {
-    return !z.is_finite() || (arb_contains_zero(acb_imagref(z.get())) && !arb_is_positive(acb_realref(z.get())));
+    const double away = z.centre().real() >= 0 ? size_of(z) : std::fabs(z.centre().imag());
+    return !(z.radius() < away);
 }
 
-C disc(double re, double im, double radius)
-{
-    Ball x = Ball::exactly(re), y = Ball::exactly(im);
-    mag_set_d(arb_radref(x.get()), radius);
-    mag_set_d(arb_radref(y.get()), radius);
-    return C(x, y);
-}
+Disc disc(double re, double im, double radius) { return {{re, im}, radius}; }
+Disc disc(const Ball& x) { return {{about(x), 0}, mag_get_d(arb_radref(x.get()))}; }
+Disc disc_over(double from, double to) { return {{(from + to) / 2, 0}, (to - from) / 2}; }
 
-C exponential_mean(const C& z)
+Disc exponential_mean(const Disc& z)
 {
     const double m = at_most_modulus(z);
-    if (m > 0.8) {
-        C r;
-        const C minus = -z;
-        acb_expm1(r.get(), minus.get(), WorkingPrecision::bits());
-        return -r / z;
-    }
+    if (m > 0.8) return (1 - exp(0 - z)) / z;
     return disc(1, 0, m < 1e-3 ? m : (std::expm1(m) / m - 1) * (1 + slack));
 }
 
@@ -75,29 +60,28 @@ PolarRange polar(double re, double im, double radius)
     return {r - radius, r + radius, std::max(0.0, a - half), std::min(3.1415, a + half)};
 }
 
-PolarRange polar(const C& z)
+PolarRange polar(const Disc& z)
 {
-    if (!z.is_finite()) return {0, infinity, 0, 3.1415};
-    const double x = mag_get_d(arb_radref(acb_realref(z.get()))), y = mag_get_d(arb_radref(acb_imagref(z.get())));
-    return polar(about(z.real()), about(z.imag()), std::hypot(x, y));
+    if (!std::isfinite(z.most())) return {0, infinity, 0, 3.1415};
+    return polar(z.centre().real(), z.centre().imag(), z.radius());
 }
 
-double Levels::kernel_bound(const Ball& e, const C& d, const C& s, const C& c, double direct, Kind kind) const
+double Levels::kernel_bound(const Disc& e, const Disc& d, const Disc& s, const Disc& c, double direct, Kind kind) const
 {
-    const C x = e * exp(-2 * d * s), D = 2 * d * c, one_minus = 1 - x;
-    return modulus(x, one_minus, 4 * e * exp(-2 * d), D, direct, kind);
+    const Disc minus_2d = -2 * d, x = e * exp(minus_2d * s);
+    return modulus(x, 1 - x, 4 * e * exp(minus_2d), 2 * d * c, direct, kind);
 }
 
-double Levels::modulus(const C& x, const C& one_minus, const C& w4, const C& D, double direct, Kind kind) const
+double Levels::modulus(const Disc& x, const Disc& one_minus, const Disc& w4, const Disc& D, double direct, Kind kind) const
 {
-    const C R2 = one_minus * one_minus + w4;
+    const Disc R2 = one_minus * one_minus + w4;
     if (meets_cut(R2)) return infinity;
-    const C R = sqrt(R2), P = 1 + x + R, M = one_minus + R;
+    const Disc R = sqrt(R2), P = 1 + x + R, M = one_minus + R;
     if (meets_cut(P) || meets_cut(M)) return infinity;
-    const C E = exponential_mean(D);
+    const Disc E = exponential_mean(D);
     if (kind == Kind::share) { // z^2 = 2 x (1 - e^-D)/P = 2 x D E/P, and D's root is cos theta: E must have one too, however small z is
         if (mean_meets_cut(D, E)) return infinity;
-        const double z2 = 2 * at_most_modulus(x) * at_most_modulus(1 - exp(-D)) / at_least_modulus(P) * (1 + slack);
+        const double z2 = 2 * at_most_modulus(x) * at_most_modulus(1 - exp(0 - D)) / at_least_modulus(P) * (1 + slack);
         return z2 < 1 ? std::numbers::pi / 2 * std::sqrt(z2) * (1 + slack) : infinity; // |arcsin z| <= (pi/2)|z| for |z| < 1
     }
     double inverse = meets_cut(E) ? infinity : 1 / at_least_modulus(E) * (1 + slack);
@@ -107,33 +91,33 @@ double Levels::modulus(const C& x, const C& one_minus, const C& w4, const C& D, 
     return std::sqrt(square) / at_least_modulus(R) * (1 + slack);
 }
 
-double Levels::first_bound(const C& d) const
+double Levels::first_bound(const Disc& d) const
 {
-    const Ball x = load;
+    const Disc x = disc(load), one_minus = disc(1 - load);
     if (full && law == Law::density) { // R = 2 e^-d: v_1 = e^(3d/2) (1 + e^-d)^(1/2)/2 / E(2d)^(1/2)
-        const C P = 1 + exp(-d), E = exponential_mean(2 * d);
+        const Disc P = 1 + exp(0 - d), E = exponential_mean(2 * d);
         if (meets_cut(P) || meets_cut(E)) return infinity;
         return std::sqrt(at_most_modulus(P) / at_least_modulus(E)) / 2 * (1 + slack);
     }
-    const double decay = at_most_modulus(exp(-d * C(Ball::exactly(beta))));
-    if (full && certainly(less(Ball::exactly(0.5), d.real()))) // arccos(e^(-d/2)), |e^(-d/2)| < 1: at most pi
+    const double decay = at_most_modulus(exp(-beta * d));
+    if (full && d.centre().real() - d.radius() > 0.5) // arccos(e^(-d/2)), |e^(-d/2)| < 1: at most pi
         return decay * std::numbers::pi / std::sqrt(2 * at_least_modulus(d)) * (1 + slack);
-    const C w4 = 4 * x * exp(-2 * d), one_minus = C(1 - x);
-    if (law == Law::density) return decay * modulus(C(x), one_minus, w4, 2 * d, infinity, Kind::step);
-    C R2 = one_minus * one_minus + w4;
-    C R;
-    if (full) R = 2 * exp(-d);
+    const Disc w4 = 4 * x * exp(-2 * d);
+    if (law == Law::density) return decay * modulus(x, one_minus, w4, 2 * d, infinity, Kind::step);
+    const Disc R2 = one_minus * one_minus + w4;
+    Disc R;
+    if (full) R = 2 * exp(0 - d);
     else {
         if (meets_cut(R2)) return infinity;
         R = sqrt(R2);
     }
-    const C P = 1 + C(x) + R;
+    const Disc P = 1 + x + R;
     if (meets_cut(P)) return infinity;
-    const C E = exponential_mean(2 * d); // z^2 = 4 d x E/P: as in `modulus`, E must have a root
+    const Disc E = exponential_mean(2 * d); // z^2 = 4 d x E/P: as in `modulus`, E must have a root
     if (mean_meets_cut(2 * d, E)) return infinity;
-    const double z2 = 2 * above(x) * at_most_modulus(1 - exp(-2 * d)) / at_least_modulus(P) * (1 + slack);
+    const double z2 = 2 * above(load) * at_most_modulus(1 - exp(-2 * d)) / at_least_modulus(P) * (1 + slack);
     if (!(z2 < 1)) return infinity;
-    return decay * std::numbers::pi / 2 * std::sqrt(2 * above(x) * at_most_modulus(E) / at_least_modulus(P)) * (1 + slack);
+    return decay * std::numbers::pi / 2 * std::sqrt(2 * above(load) * at_most_modulus(E) / at_least_modulus(P)) * (1 + slack);
 }
 
 double Levels::lookup(const Boxes& boxes, const PolarRange& p) const
@@ -163,7 +147,7 @@ double Levels::over_box(double inner, double outer, double from, double to, int 
     return most;
 }
 
-void Levels::fill(Boxes& boxes, double disc_radius, const std::function<double(const C&, int shell, int direction, double outer)>& f) const
+void Levels::fill(Boxes& boxes, double disc_radius, const std::function<double(const Disc&, int shell, int direction, double outer)>& f) const
 {
     boxes.bound.assign(static_cast<std::size_t>(shells.count() + 1) * n_directions, infinity);
     boxes.disc = shells.shell(disc_radius * (1 - 1e-6));
@@ -174,7 +158,7 @@ void Levels::fill(Boxes& boxes, double disc_radius, const std::function<double(c
             const double outer = shells.radius(j);
             if (directions[static_cast<std::size_t>(m) + 1] > 1.571 && outer > 2) break;
             const double b = over_box(shells.radius(j - 1), outer, directions[static_cast<std::size_t>(m)], directions[static_cast<std::size_t>(m) + 1], 2,
-                                      [&](const C& d) { return f(d, j, m, outer); });
+                                      [&](const Disc& d) { return f(d, j, m, outer); });
             if (!(b < 1e200)) break; // the set stays star-shaped
             boxes.at(j, m) = std::max(b, smallest_bound);
         }
@@ -191,7 +175,7 @@ std::unique_ptr<Level> Levels::first_level() const
     level->tail = infinity;
     const WorkingPrecision low(bound_bits);
     level->edge_bound = level->edge + Ball(0);
-    fill(level->boxes, 0.25, [this](const C& d, int, int, double) { return first_bound(d); });
+    fill(level->boxes, 0.25, [this](const Disc& d, int, int, double) { return first_bound(d); });
     // outside: |1/E| <= |D| + 1/cos, R -> 1 - load
     level->boxes.far.assign(n_directions, infinity);
     const double r = shells.radius(shells.count());
@@ -233,27 +217,26 @@ void Levels::bound_boxes(const Level& from, Level& to) const
 {
     const WorkingPrecision low(bound_bits);
     const auto share = sector_shares(power(from.k));
-    const Ball e = from.edge_bound;
-    const double e_d = above(e);
+    const Disc e = disc(from.edge_bound);
+    const double e_d = above(from.edge_bound);
     std::vector<double> most(n_directions, 0);
     for (int m = 0; m < n_directions; ++m)
         for (int j = 0; j <= shells.count(); ++j) most[static_cast<std::size_t>(m)] = std::max(most[static_cast<std::size_t>(m)], from.boxes.at(j, m));
     const double end = shells.radius(shells.count());
 
-    const std::function<double(const C&, double, double, double, int)> kernel_over =
-        [&](const C& d, double a, double b, double direct, int depth) -> double { // theta in [a, b]
+    const std::function<double(const Disc&, double, double, double, int)> kernel_over =
+        [&](const Disc& d, double a, double b, double direct, int depth) -> double { // theta in [a, b]
         const double s0 = std::pow(std::sin(a), 2) * (1 - slack), s1 = std::min(1.0, std::pow(std::sin(b), 2) * (1 + slack));
         const double c0 = std::pow(std::cos(b), 2) * (1 - slack), c1 = std::min(1.0, std::pow(std::cos(a), 2) * (1 + slack));
-        const Ball s = hull(Ball::exactly(s0), Ball::exactly(s1)), c = hull(Ball::exactly(c0), Ball::exactly(c1));
-        const double bound = kernel_bound(e, d, C(s), C(c), direct);
+        const double bound = kernel_bound(e, d, disc_over(s0, s1), disc_over(c0, c1), direct);
         if (std::isfinite(bound) || depth == 0) return bound;
         const double mid = (a + b) / 2;
         const double left = kernel_over(d, a, mid, direct, depth - 1);
         return std::isfinite(left) ? std::max(left, kernel_over(d, mid, b, direct, depth - 1)) : left;
     };
 
-    fill(to.boxes, shells.radius(from.boxes.disc) / 2, [&](const C& d, int j, int m, double outer) {
-        const double decay = at_most_modulus(exp(-d * C(Ball::exactly(beta))));
+    fill(to.boxes, shells.radius(from.boxes.disc) / 2, [&](const Disc& d, int j, int m, double outer) {
+        const double decay = at_most_modulus(exp(-beta * d));
         const double cosine = m < 0 ? -1 : std::cos(directions[static_cast<std::size_t>(m) + 1]);
         double sum = 0;
         for (int i = 0; i < sectors; ++i) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The plane of d = log(e_k/x_k), the distance from the edge, cut into boxes by direction and shell, and bounds of complex balls. Internal to from_the_edge/.
+/// The plane of d = log(e_k/x_k), the distance from the edge, cut into boxes by direction and shell, and bounds over discs. Internal to from_the_edge/.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/transfer/disc.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,20 +34,23 @@ double product_of_bounds(std::initializer_list<double> factors);
 double above(const Ball& x);
 inline double about(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
-double at_most_modulus(const C& z);
-double at_least_modulus(const C& z);
+double at_most_modulus(const Disc& z);
+double at_least_modulus(const Disc& z);
 
 /// Whether z may touch (-inf, 0].
-bool meets_cut(const C& z);
+bool meets_cut(const Disc& z);
 
 /// Whether E(D) may touch (-inf, 0], mean an enclosure of it. It does not where Re D > 0: there |arg D| < pi/2, and |e^-D| < 1 makes
 /// |arg(1 - e^-D)| < pi/2, so |arg E(D)| < pi. Its zeros, D = 2 pi i k, are on the imaginary axis.
-inline bool mean_meets_cut(const C& D, const C& mean) { return !arb_is_positive(acb_realref(D.get())) && meets_cut(mean); }
+inline bool mean_meets_cut(const Disc& D, const Disc& mean) { return !(D.centre().real() > D.radius()) && meets_cut(mean); }
 
-C disc(double re, double im, double radius);
+Disc disc(double re, double im, double radius);
+/// That holds the ball, or all real numbers between two.
+Disc disc(const Ball& x);
+Disc disc_over(double from, double to);
 
 /// E(z) = (1 - e^-z)/z; |E - 1| <= sum |z|^k/(k+1)! = (e^|z| - 1 - |z|)/|z|.
-C exponential_mean(const C& z);
+Disc exponential_mean(const Disc& z);
 
 // ---- the plane of d, cut into boxes by direction (arg d, symmetric) and shell (|d|)
 
@@ -84,6 +88,6 @@ struct PolarRange {
 
 /// What a disc about (re, im) of this radius covers.
 PolarRange polar(double re, double im, double radius);
-PolarRange polar(const C& z);
+PolarRange polar(const Disc& z);
 
 } // namespace touchstone::transfer::from_the_edge

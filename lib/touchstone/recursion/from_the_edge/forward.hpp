@@ -20,7 +20,7 @@
 ///
 /// **Analyticity.** delta = 2d s stays on the ray of d. So each direction arg d is on its own: if u_k is analytic with known
 /// bounds on a star-shaped set and P, M, R^2, E meet no branch cut, u_{k+1} is, and is bounded by the average of the bounds.
-/// The plane of d is cut into boxes (shell, direction); each level's boxes are proven and bounded in complex balls. The radius
+/// The plane of d is cut into boxes (shell, direction); each level's boxes are proven and bounded over discs (disc.hpp). The radius
 /// of analyticity at the edge halves with each scale, the sector does not. A last box per direction is unbounded; there
 /// |1/E(D)| <= |D| + 1/cos and e^(-b d) wins.
 ///
@@ -34,7 +34,7 @@
 /// **Level.** u_k is kept as interpolating polynomials on panels, in d next to the edge, beyond in d (density) or log d
 /// (exceedance): |error| <= 4 U rho^-(N-1)/(rho-1), U the bound on an ellipse of boxes.
 /// **Row.** v_{k+1}(d) by Gauss-Legendre on pieces of t = tan(theta/2), which leaves no end-point singularity;
-/// |error| <= l (16/3) M r^(-2n)/(1-1/r) as in rule.hpp, M bounded on the ellipse in balls. Its exact integrand knows no
+/// |error| <= l (16/3) M r^(-2n)/(1-1/r) as in rule.hpp, M bounded on the ellipse over discs. Its exact integrand knows no
 /// panels, so pieces need not respect them. Pieces whose bound is negligible are left out.
 /// **Far end.** delta > delta_max is left out: E_k <= 1 leaves at most e_k^(1/2) e^(-delta_max/2) of E_{k+1}; for the density
 /// f_k <= T_k e^(-5 delta/2) for delta >= 4, k >= 2 (by induction from total force 1, far_end.hpp).

@@ -263,7 +263,7 @@ void Levels::fill_panel(const Level& from, Level& to, Panel& panel, bool whole)
     for (std::size_t j = 0; j < N; ++j) { // descending d
         const double d = at_d[j];
         if (d * (1 + 1e-12) < rule_from || j == 0) {
-            const double low = panel.a == 0 && d < panel.b / 12 ? 0 : d / 1.13;
+            const double low = panel.a == 0 && d < panel.b / 12 ? 0 : d / 1.09;
             const double relaxed = whole ? epsilon : std::min(epsilon * std::exp(std::min(beta * low, 600.0)), 1e-3);
             rule = make_rule(from, Kind::step, low, d * (1 + 1e-12), 0, relaxed * estimate_step(from, d));
             rule_from = low;

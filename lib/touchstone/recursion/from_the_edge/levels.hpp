@@ -99,7 +99,7 @@ public:
     std::map<long, std::vector<double>> chebyshev_at;    ///< T_m(x_j), [m][j]
     std::mutex mutex;
 
-    static slong precision_for(double accuracy) { return static_cast<slong>(accuracy / std::numbers::ln2) + 66; }
+    static slong precision_for(double accuracy) { return static_cast<slong>(accuracy / std::numbers::ln2) + 34; }
     /// Where the far end begins: what it holds is negligible even for a light load at the last scale.
     static double far_end(Law law, double accuracy, double G, double load);
 
@@ -113,15 +113,15 @@ public:
     /// int_0^(pi/2) sin^m
     static Ball wallis(long m);
     /// Bound of the step's kernel, or infinity. \param direct a bound of |1/E| known otherwise, E proven off its cut
-    double kernel_bound(const Ball& e, const C& d, const C& s, const C& c, double direct = infinity, Kind kind = Kind::step) const;
-    double modulus(const C& x, const C& one_minus, const C& w4, const C& D, double direct, Kind kind) const;
+    double kernel_bound(const Disc& e, const Disc& d, const Disc& s, const Disc& c, double direct = infinity, Kind kind = Kind::step) const;
+    double modulus(const Disc& x, const Disc& one_minus, const Disc& w4, const Disc& D, double direct, Kind kind) const;
     /// Bound of |u_1| on a disc of d.
-    double first_bound(const C& d) const;
+    double first_bound(const Disc& d) const;
     /// Largest bound of boxes that meet the range; infinite if one of them is not proven.
     double lookup(const Boxes& boxes, const PolarRange& p) const;
     template <class F> ///< f(disc of d, depth left)
     double over_box(double inner, double outer, double from, double to, int depth, const F& f) const;
-    void fill(Boxes& boxes, double disc_radius, const std::function<double(const C&, int shell, int direction, double outer)>& f) const;
+    void fill(Boxes& boxes, double disc_radius, const std::function<double(const Disc&, int shell, int direction, double outer)>& f) const;
     std::unique_ptr<Level> first_level() const;
     /// |kernel| E^(1/2) where |x| <= e and |4w| <= eta (1-e)^2: R = (1-x)(1 + eta')^(1/2).
     double far_kernel(double e, double eta) const;
@@ -147,7 +147,7 @@ public:
     };
     const std::vector<std::pair<Ball, Ball>>& legendre(long n);
     /// Largest |integrand| over a disc of t: 2/(1+t^2) sin^m kernel u.
-    double integrand_bound(const Level& from, Kind kind, const C& d, const C& t) const;
+    double integrand_bound(const Level& from, Kind kind, const Disc& d, const Disc& t) const;
     /// Rule for all real d in [low, high], or for the disc of radius `around` about it.
     RowRule make_rule(const Level& from, Kind kind, double low, double high, double around, double tolerance);
     RowRule rule_at(const Level& from, Kind kind, const Ball& d, double around);

@@ -17,17 +17,17 @@ const std::vector<std::pair<Ball, Ball>>& Levels::legendre(long n)
     return rule;
 }
 
-double Levels::integrand_bound(const Level& from, Kind kind, const C& d, const C& t) const
+double Levels::integrand_bound(const Level& from, Kind kind, const Disc& d, const Disc& t) const
 {
-    const C q = 1 + t * t;
+    const Disc t2 = t * t, q = 1 + t2;
     const double q_least = at_least_modulus(q);
     if (q_least == 0) return infinity;
-    const C sine = 2 * t / q, cosine = (1 - t * t) / q, s = sine * sine, c = cosine * cosine;
-    const C delta = 2 * d * s;
+    const Disc sine = 2 * t / q, cosine = (1 - t2) / q, s = sine * sine, c = cosine * cosine;
+    const Disc delta = 2 * d * s;
     double u = lookup(from.boxes, polar(delta));
     if (!std::isfinite(u)) return infinity;
-    if (kind == Kind::share) u *= at_most_modulus(cosine) * at_most_modulus(exp(-delta * C(Ball::exactly(0.5))));
-    const double k = kernel_bound(from.edge_bound, d, s, c, infinity, kind);
+    if (kind == Kind::share) u *= at_most_modulus(cosine) * at_most_modulus(exp(-0.5 * delta));
+    const double k = kernel_bound(disc(from.edge_bound), d, s, c, infinity, kind);
     return product_of_bounds({2 / q_least, std::pow(at_most_modulus(sine), static_cast<double>(power(from.k))), k, u}) * (1 + slack);
 }
 
@@ -52,14 +52,8 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
     }
     const double norm_d = about(norm);
     if (!(tolerance > 8 * smallest_bound)) throw BeyondReach("so many digits of a distribution would cost too much");
-    const auto d_disc = [&] {
-        Ball x = hull(Ball::exactly(low * (1 - slack) - around), Ball::exactly(high * (1 + slack) + around)), y(0);
-        mag_set_d(arb_radref(y.get()), around);
-        return C(x, y);
-    };
+    const Disc d = disc_over(low * (1 - slack) - around, high * (1 + slack) + around);
     std::function<void(double, double, int)> pieces = [&](double a, double b, int depth) {
-        const WorkingPrecision low_precision(bound_bits);
-        const C d = d_disc();
         const double l = (b - a) / 2, mid = (a + b) / 2, goal = tolerance / 8;
         if (std::pow(2 * b, static_cast<double>(m)) < 1e-6) { // perhaps negligible
             const double most = integrand_bound(from, kind, d, disc(mid, 0, l * (1 + slack)));
@@ -75,11 +69,11 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
         for (const double r : set.piece_rhos) {
             const double A = (r + 1 / r) / 2, B = (r - 1 / r) / 2;
             if (B * l >= 1) continue;
-            constexpr int arcs = 14;
+            constexpr int arcs = 24;
             double most = 0;
             for (int i = 0; i < arcs && std::isfinite(most); ++i) {
                 const double phi = std::numbers::pi * (i + 0.5) / arcs;
-                const C t = disc(mid + l * A * std::cos(phi), l * B * std::sin(phi), l * A * std::numbers::pi / (2 * arcs) * (1 + slack));
+                const Disc t = disc(mid + l * A * std::cos(phi), l * B * std::sin(phi), l * A * std::numbers::pi / (2 * arcs) * (1 + slack));
                 most = std::max(most, integrand_bound(from, kind, d, t));
             }
             if (!std::isfinite(most)) continue;
