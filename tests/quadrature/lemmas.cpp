@@ -181,6 +181,26 @@ TEST_CASE("erfc, Ai and K on a piece: at the least rho they are as large as is c
     }
 }
 
+TEST_CASE("K_n far from 0, where it is made of numbers exp(2 x) larger, keeps the bits of its argument")
+{
+    for (const char* order : {"0", "1", "3/2"})
+        for (const char* at : {"0.01", "1", "7", "30", "60", "100", "1000"}) {
+            CAPTURE(order);
+            CAPTURE(at);
+            const WorkingPrecision precision(200);
+            const Ball nu(*parse_rational(order)), x(*parse_rational(at));
+            ComplexBall z(x, x / Ball(3));
+            arb_add_error_2exp_si(acb_realref(z.get()), -190);
+            const ComplexBall k = special_function(Op::bessel_k, nu, z);
+            CHECK(acb_rel_accuracy_bits(k.get()) > 165);
+            for (const long side : {-1, 0, 1}) {
+                ComplexBall truth, w(x + Ball(side) * ScalarTraits<Ball>::power_of_two(-190), x / Ball(3));
+                acb_hypgeom_bessel_k(truth.get(), ComplexBall(nu).get(), w.get(), 8000);
+                CHECK(acb_overlaps(k.get(), truth.get()));
+            }
+        }
+}
+
 TEST_CASE("Bessel remainder: K_n less its leading term, near and far")
 {
     const WorkingPrecision precision(100);

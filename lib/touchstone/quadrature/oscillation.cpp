@@ -168,37 +168,12 @@ Limit plain_limit(long at)
 
 bool is_bessel(const Wave& w) { return w.kernel == Op::bessel_j || w.kernel == Op::bessel_y; }
 
-/// K_n over the ball by its asymptotic form, whose enclosure is not much wider than the function varies.
-ComplexBall bessel_k_by_its_size(const Ball& order, const ComplexBall& z)
-{
-    Ball least;
-    const Ball size = touchstone::abs(z);
-    arb_get_lbound_arf(arb_midref(least.get()), size.get(), strip_bits);
-    const ComplexBall front = analytic::sqrt(ComplexBall(pi<Ball>() / Ball(2)) / z) * analytic::exp(-z);
-    return front * (ComplexBall(1) + disc(lemma::bessel_remainder(order, least, pi<Ball>() / Ball(2))));
-}
-
-/// K_n: at the middle of a small ball, over it by K_n' = -(K_(n-1) + K_(n+1))/2. The value is made of I_n and I_-n, exp(2 Re z) larger, so
-/// that many bits are added and no uncertainty of z may enter there.
+/// K_n over a ball of any width.
 ComplexBall bessel_k(const Ball& order, const ComplexBall& z)
 {
     constexpr slong bits_of_a_node = 16;
     if (arb_contains_zero(acb_imagref(z.get())) && !arb_is_positive(acb_realref(z.get()))) return ComplexBall::indeterminate(); // the cut
-    if (acb_rel_accuracy_bits(z.get()) <= bits_of_a_node) return bessel_k_by_its_size(order, z);
-    ComplexBall middle;
-    acb_get_mid(middle.get(), z.get());
-    const double lost = 2 * std::fabs(arf_get_d(arb_midref(acb_realref(z.get())), ARF_RND_NEAR)) / M_LN2;
-    ComplexBall k;
-    {
-        const slong bits = WorkingPrecision::bits();
-        const WorkingPrecision more(bits + static_cast<slong>(std::min(lost, 2.0 * static_cast<double>(bits))));
-        k = special_function(Op::bessel_k, order, middle);
-    }
-    const Ball slope =
-        touchstone::abs(bessel_k_by_its_size(order - Ball(1), z)) + touchstone::abs(bessel_k_by_its_size(order + Ball(1), z));
-    const Ball offset = touchstone::abs(z - middle);
-    widen(k, offset * slope / Ball(2));
-    return k;
+    return acb_rel_accuracy_bits(z.get()) <= bits_of_a_node ? bessel_k_by_its_size(order, z) : special_function(Op::bessel_k, order, z);
 }
 
 /// The term at a point of the plane: f(z) with cos replaced by exp(i .), J by H^(1).

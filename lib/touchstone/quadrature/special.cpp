@@ -2,6 +2,8 @@
 #include "touchstone/quadrature/special.hpp"
 
 #include "touchstone/quadrature/endpoint_number.hpp"
+#include "touchstone/quadrature/lemmas.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #if __has_include(<flint/acb_hypgeom.h>)
 #include <flint/acb_elliptic.h>
@@ -10,6 +12,8 @@
 #include <acb_elliptic.h>
 #include <acb_hypgeom.h>
 #endif
+
+#include <cmath>
 
 namespace touchstone::quadrature {
 namespace {
@@ -66,7 +70,44 @@ ComplexBall airy(Op op, const ComplexBall& z)
 
 bool is_integer(const Ball& order) { return arb_is_int(order.get()) != 0; }
 
+ComplexBall bessel_k_of(const Ball& order, const ComplexBall& z)
+{
+    ComplexBall w;
+    acb_hypgeom_bessel_k(w.get(), ComplexBall(order).get(), z.get(), bits());
+    return w;
+}
+
+/// K_n off the cut. It is made of I_n and I_-n, exp(2 Re z) larger, so that far from 0 bits are lost, and any uncertainty of z grows as much.
+/// There: at the middle of a small ball with as many bits more, over the ball by K_n' = -(K_(n-1) + K_(n+1))/2.
+ComplexBall bessel_k(const Ball& order, const ComplexBall& z)
+{
+    const ComplexBall plain = bessel_k_of(order, z);
+    const slong had = std::min(bits(), acb_rel_accuracy_bits(z.get()));
+    constexpr slong bits_spared = 16; // z itself loses log2 |z|
+    if (had <= 0 || acb_rel_accuracy_bits(plain.get()) >= had - bits_spared) return plain;
+    ComplexBall middle;
+    acb_get_mid(middle.get(), z.get());
+    const double lost = 2 * std::fabs(arf_get_d(arb_midref(acb_realref(z.get())), ARF_RND_NEAR)) / M_LN2;
+    ComplexBall k;
+    {
+        const WorkingPrecision more(bits() + static_cast<slong>(std::min(lost, 2.0 * static_cast<double>(bits()))));
+        k = bessel_k_of(order, middle);
+    }
+    const Ball slope = touchstone::abs(bessel_k_by_its_size(order - Ball(1), z)) + touchstone::abs(bessel_k_by_its_size(order + Ball(1), z));
+    widen(k, touchstone::abs(z - middle) * slope / Ball(2));
+    return acb_rel_accuracy_bits(k.get()) > acb_rel_accuracy_bits(plain.get()) ? k : plain;
+}
+
 } // namespace
+
+ComplexBall bessel_k_by_its_size(const Ball& order, const ComplexBall& z)
+{
+    Ball least;
+    const Ball size = touchstone::abs(z);
+    arb_get_lbound_arf(arb_midref(least.get()), size.get(), 53);
+    const ComplexBall front = analytic::sqrt(ComplexBall(pi<Ball>() / Ball(2)) / z) * analytic::exp(-z);
+    return front * (ComplexBall(1) + disc(lemma::bessel_remainder(order, least, pi<Ball>() / Ball(2))));
+}
 
 ComplexBall special_function(Op op, const ComplexBall& z)
 {
@@ -169,7 +210,7 @@ ComplexBall special_function(Op op, const Ball& order, const ComplexBall& z)
     case Op::bessel_j: acb_hypgeom_bessel_j(w.get(), nu.get(), z.get(), bits()); break;
     case Op::bessel_y: acb_hypgeom_bessel_y(w.get(), nu.get(), z.get(), bits()); break;
     case Op::bessel_i: acb_hypgeom_bessel_i(w.get(), nu.get(), z.get(), bits()); break;
-    case Op::bessel_k: acb_hypgeom_bessel_k(w.get(), nu.get(), z.get(), bits()); break;
+    case Op::bessel_k: return bessel_k(order, z);
     case Op::polylog:
         if (meets_from(z, Ball(1))) return ComplexBall::indeterminate();
         acb_polylog(w.get(), nu.get(), z.get(), bits());

@@ -20,5 +20,7 @@ Ball special_function(Op, const Ball& x);
 /// bessel*(order, z) and polylog(s, z).
 ComplexBall special_function(Op, const Ball& order, const ComplexBall& z);
 Ball special_function(Op, const Ball& order, const Ball& x);
+/// K_n over the ball by its asymptotic form, whose enclosure is not much wider than the function varies.
+ComplexBall bessel_k_by_its_size(const Ball& order, const ComplexBall& z);
 
 } // namespace touchstone::quadrature
