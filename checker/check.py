@@ -66,27 +66,23 @@ def with_certificates(forms, paths):
         for *inputs, value, error in read.claims.values():
             known[read.quantity, *inputs] = Interval.of(value) + iv.error_term(Interval.of(error))
 
-    def area(n, load, base, degree=1):
-        return known.get(("contact.area", n, load, (base, degree)))
+    def certified(quantity):
+        return lambda *inputs: known.get((quantity, *inputs[:-1], (inputs[-1], 1)))
 
     def segments(n, load, D, gamma):
         G = closed_forms.exact_power(gamma, D - 1)
-        below = area(n - 1, load, G) if G is not None else area(n - 1, load, gamma ** (D - 1).numerator, (D - 1).denominator)
+        below = known.get(("contact.area", n - 1, load, (gamma ** (D - 1).numerator, (D - 1).denominator) if G is None else (G, 1)))
         return None if below is None else below * gamma ** int(n)
 
-    def constant(base, degree=1):
-        return known.get(("limit.area_constant", (base, degree)))
-
-    def exceedance(n, p, load, base, degree=1):
-        return known.get(("contact.exceedance", n, p, load, (base, degree)))
+    constant = certified("limit.area_constant")
 
     def ratio(G):
         return None if constant(G) is None else constant(G) / (closed_forms.K_inf() * G)
 
-    def both(closed, certified):
-        return lambda *inputs: certified(*inputs) if closed(*inputs) is None else closed(*inputs)
-    return {**forms, "contact.area": both(forms["contact.area"], area), "segments.count": both(forms["segments.count"], segments),
-            "contact.exceedance": both(forms["contact.exceedance"], exceedance), "limit.area_constant": constant, "limit.area_ratio": ratio}
+    def both(quantity, proved):
+        return {quantity: lambda *inputs: proved(*inputs) if forms[quantity](*inputs) is None else forms[quantity](*inputs)}
+    return {**forms, **both("segments.count", segments), **both("contact.area", certified("contact.area")),
+            **both("contact.exceedance", certified("contact.exceedance")), "limit.area_constant": constant, "limit.area_ratio": ratio}
 
 
 def verdict(form, row, names, binary64):

@@ -19,12 +19,12 @@ class Undecided(Exception):
 
 
 def root(x):
-    """sqrt, exact for squares of fractions"""
+    """sqrt of what is not negative, exact for squares of fractions"""
     if isinstance(x, Fraction):
         n, d = isqrt(x.numerator), isqrt(x.denominator)
         if n * n == x.numerator and d * d == x.denominator:
             return Fraction(n, d)
-    return iv.sqrt(x)
+    return iv.sqrt(Interval.of(x).positive())
 
 
 def below(a, b):
@@ -47,10 +47,7 @@ def arc(y, x):
 
 def arcsin_root(s, rest):
     """arcsin(sqrt s)/pi where rest = 1 - s is known exactly or better than by subtraction"""
-    if isinstance(s, Fraction) and s == rest:
-        return Fraction(1, 4)
-    s = s if isinstance(s, Fraction) else s.positive()
-    return arc(root(s), root(rest if isinstance(rest, Fraction) else rest.positive()))
+    return Fraction(1, 4) if isinstance(s, Fraction) and s == rest else arc(root(s), root(rest))
 
 
 def sine_square(x):
@@ -144,10 +141,6 @@ def energy(load):
 
 # ---- section 3
 
-def surface_ratio(D, gamma):
-    return iv.power(gamma, D - 1)
-
-
 def weierstrass_bound(D, gamma):
     return 1 / (1 - power_of_gamma(gamma, D - 2))
 
@@ -171,22 +164,15 @@ def power_of_gamma(gamma, exponent):
     return exact if exact is not None else iv.power(gamma, exponent)
 
 
-def cosine_of_turns(phase):
-    """cos(2 pi phase); -1, 0 and 1 where they are exact"""
-    quarters = 4 * phase
-    if quarters.denominator == 1:
-        return Fraction((1, 0, -1, 0)[quarters.numerator % 4])
-    return iv.cos_pi(2 * phase % 2)
-
-
 def weierstrass_profile(x, D, gamma):
     """(3.1), each phase exact. What follows the last term is a geometric series; so is all that follows a phase that gamma leaves where it is."""
     ratio = power_of_gamma(gamma, D - 2)
     amplitude, phase, total = Fraction(1), x, Fraction(0)
     while iv._magnitude(Interval.of(amplitude)) > -Interval.bits:
+        cosine = 1 - 2 * sine_square(phase)
         if gamma.denominator == 1 and (phase * (gamma - 1)).denominator == 1:
-            return total + amplitude * cosine_of_turns(phase) / (1 - ratio)
-        total = total + amplitude * cosine_of_turns(phase)
+            return total + amplitude * cosine / (1 - ratio)
+        total = total + amplitude * cosine
         amplitude, phase = amplitude * ratio, phase * gamma
         if gamma.denominator == 1:
             phase %= 1
@@ -205,9 +191,7 @@ def seam(x):
         return f(x)
     except Undecided:
         low, high = Interval(x.low, x.low, x.exponent), Interval(x.high, x.high, x.exponent)
-        a, b = 2 * iv.sqrt(low), 1 + high
-        e = min(a.exponent, b.exponent)
-        return Interval(a.low << (a.exponent - e), b.high << (b.exponent - e), e)
+        return iv.between(2 * iv.sqrt(low), 1 + high)
 
 
 def iterate(n, load, G):
@@ -227,31 +211,20 @@ def fixed_point(G):
 # ---- section 7
 
 @lru_cache(maxsize=None)
-def bernoulli(count):
-    """B_2, B_4, ... as fractions, by tangent numbers"""
-    tangent = [0] * (count + 1)
-    tangent[1] = 1
+def stirling(bits):
+    """the coefficients B_2k/(2k (2k - 1)) of Stirling's series, by tangent numbers"""
+    count = bits // 6
+    tangent = [0, 1]
     for k in range(2, count + 1):
-        tangent[k] = (k - 1) * tangent[k - 1]
+        tangent.append((k - 1) * tangent[-1])
     for k in range(2, count + 1):
         for j in range(k, count + 1):
             tangent[j] = (j - k) * tangent[j - 1] + (j - k + 2) * tangent[j]
-    return [Fraction((-1) ** (k - 1) * 2 * k * tangent[k], 4**k * (4**k - 1)) for k in range(1, count + 1)]
-
-
-@lru_cache(maxsize=None)
-def stirling(bits):
-    """the coefficients of Stirling's series"""
-    return [Interval.of(b / (2 * k * (2 * k - 1))) for k, b in enumerate(bernoulli(bits // 6), 1)]
-
-
-@lru_cache(maxsize=None)
-def half_log_two_pi(bits):
-    return iv.log(2 * iv.pi()).scaled(-1)
+    return [Interval.of(Fraction((-1) ** (k - 1) * tangent[k], (2 * k - 1) * 4**k * (4**k - 1))) for k in range(1, count + 1)]
 
 
 def log_gamma(x):
-    """log Gamma(x), x > 0, by Stirling's series at z = x + shift; its error is at most the first term left out (real z),
+    """log(Gamma(x)/sqrt(2 pi)), x > 0, by Stirling's series at z = x + shift; its error is at most the first term left out (real z),
     and terms fall until the pi z-th, beyond the last at hand."""
     coefficients = stirling(Interval.bits)
     shift = Interval.bits // 6
@@ -259,7 +232,7 @@ def log_gamma(x):
     for j in range(shift):
         product = product * (x + j)
     z = Interval.of(x + shift)
-    total = (z - Fraction(1, 2)) * iv.log(z) - z + half_log_two_pi(Interval.bits) - iv.log(product)
+    total = (z - Fraction(1, 2)) * iv.log(z) - z - iv.log(product)
     inverse, square = 1 / z, 1 / z.square()
     for c in coefficients:
         term = c * inverse
@@ -307,9 +280,7 @@ def K_inf():
     h = 2^-(N+1), 2^-(N+2), ... the first gives the lower bound (and K_inf <= K_N), the second log K_inf/K_N <= 2 L(2^-(N+1))."""
     N = Interval.bits // 2 + 8
     low = iv.exp(log_K(N) - Fraction(1, 2 ** (N + 1)))
-    high = iv.exp(log_K(N + 1).scaled(1) - log_K(N))
-    e = min(low.exponent, high.exponent)
-    return Interval(low.low << (low.exponent - e), high.high << (high.exponent - e), e)
+    return iv.between(low, iv.exp(log_K(N + 1).scaled(1) - log_K(N)))
 
 
 def delta(n):

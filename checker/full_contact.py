@@ -29,6 +29,7 @@ SPARE_BITS = 24             # of a lane: sums of a row are that much larger than
 FAR = (4, 7, 12)            # powers rho = 2^FAR of larger ellipses: what panels far from the ends of a wave give needs fewer points
 WORK = 46                   # bits of Chebyshev's polynomials beyond the accuracy: 14 for MOST_NODES, 12 for terms^2, 8 for CONTINUED
 MOST_NODES = 1 << 14        # in a row
+DEEPER = 5                  # bits: to 2^-DEEPER of the largest defect seen on a panel the others are looked into
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
@@ -47,7 +48,7 @@ class Trigonometry:
         Interval.bits = bits + 64
         self.pi = fixed(iv.pi(), bits)
         self.arctan = [fixed(iv.arctan(Interval.of(Fraction(i, 64))), bits) for i in range(65)]
-        self.of_pieces = [(fixed(cosine(Fraction(i, 32)), bits), fixed(sine(Fraction(i, 32)), bits)) for i in range(102)]
+        self.of_pieces = [tuple(fixed(iv.sin_pi(Fraction(k, 96)), bits) for k in (48 + i, i)) for i in range(97)]
         self.inverse = [self.one // factorial(k) for k in range(bits + 4)]
         self.enough = next(k for k in range(2, bits + 2, 2) if not self.inverse[k] >> 2 * k)  # (1/4)^k/k! is below a unit
         self.rules = {}
@@ -63,9 +64,9 @@ class Trigonometry:
     def cos_sin(self, a):
         """0 <= a <= pi"""
         bits = self.bits
-        i = a >> (bits - 5)
+        i = 96 * a // self.pi
         C, S = self.of_pieces[i]
-        c, s = self.small(a - (i << (bits - 5)))
+        c, s = self.small(a - i * self.pi // 96)
         return (C * c - S * s) >> bits, (S * c + C * s) >> bits
 
     def angle(self, y, x):
@@ -107,31 +108,12 @@ class Trigonometry:
                     t -= (q << bits) // slope
                 w = (2 << 3 * bits) // ((self.one - (t * t >> bits)) * slope * slope >> bits)
                 pairs.append((t, w))
-            for i in range(0, 2 * K, 2):
-                total = 0
-                for t, w in pairs:
-                    T, before = self.one, t
-                    for _ in range(i):
-                        T, before = (2 * t * T >> bits) - before, T
-                    total += 2 * w * T >> bits
-                if abs(total * (1 - i * i) - (2 << bits)) > 64 * K * (i * i + 1) ** 2:
+            moments = map(sum, zip(*(chebyshev(t, 2 * w, 2 * K, bits) for t, w in pairs)))
+            for i, total in enumerate(moments):
+                if i % 2 == 0 and abs(total * (1 - i * i) - (2 << bits)) > 64 * K * (i * i + 1) ** 2:
                     raise Refused("a rule of Gauss does not integrate what it should")
             self.rules[K] = pairs
         return self.rules[K]
-
-
-def sine(x):
-    """x a fraction from 0 to 4"""
-    q = x / 16
-    s = iv._sine(Interval.of(q))
-    c = iv.sqrt(1 - s.square())
-    for _ in range(4):
-        s, c = (s * c).scaled(1), 1 - s.square().scaled(1)
-    return s
-
-
-def cosine(x):
-    return 1 - sine(x / 2).square().scaled(1)
 
 
 def quarters(A):
@@ -268,7 +250,7 @@ class Mesh:
             self.piece(x, p, a, at, sums, aim, 2 * parts)
             self.piece(x, p, at, b, sums, aim, 2 * parts)
             return
-        full, inverse, ranks, all_rows = x >= one, self.inverse, range(2, self.terms), [sums]
+        full, inverse, all_rows = x >= one, self.inverse, [sums]
         self.nodes += K
         if self.nodes > MOST_NODES:
             raise Refused("a row has too many points")
@@ -279,12 +261,7 @@ class Mesh:
             for c in ((even - odd) >> bits, (even + odd) >> bits):
                 square = (x + c) ** 2 if full else (one + c) * (2 * x - one + c)
                 local = (((square >> bits) * inverse >> bits) - middle << work) // half
-                before, u, t2 = wide, wide * local >> work, 2 * local
-                row = [before, u]
-                for _ in ranks:
-                    before, u = u, (t2 * u >> work) - before
-                    row.append(u)
-                all_rows.append(row)
+                all_rows.append(chebyshev(local, wide, self.terms, work))
         sums[:] = map(sum, zip(*all_rows))
 
     def order(self, x, p, eta, cosine_at, sine_at, aim, parts):
@@ -326,14 +303,21 @@ class Mesh:
         """(H): above what a wave has of an interval of ratios of that width (units), a fraction"""
         return min(Fraction(1), Fraction(isqrt((self.G * width >> 1) + 1) + 1, self.one))
 
-    def largest_on(self, p, q, a, b):
-        """|V_m - W_m| on a <= y <= b, V of the panel p, W of q, all m: units 2^-(work + kept)"""
-        points = self.chebyshev_points(a * a >> self.bits, b * b >> self.bits, self.terms)
+    def furthest(self, p, a, b, others):
+        """|V_m - W_m| on a <= y <= b in the panel p, for each polynomial W_m whose values others(z) gives, m = 0, 1 ...: fractions"""
         worst = [0] * self.levels
-        for z in points:
-            for m, (v, w) in enumerate(zip(self.values(p, z), self.values(q, z))):
-                worst[m] = max(worst[m], abs(v - w))
-        return [lebesgue(self.terms) * (w + 2 * self.round * self.unit) for w in worst]
+        for z in self.chebyshev_points(a * a >> self.bits, b * b >> self.bits, self.terms):
+            here = self.values(p, z)
+            for other in others(z):
+                worst = [max(w, abs(u - v)) for w, u, v in zip(worst, here, other)]
+        return [lebesgue(self.terms) * (Fraction(w, self.unit) + 2 * self.round) for w in worst]
+
+    def interpolation(self, log_size, wanted):
+        """(K): with how many points a function that is below 2^log_size on the ellipse is bounded, and what that leaves open"""
+        count = max(3, -(-(log_size - wanted + 3) // 2) + 1)
+        if count > MOST_POINTS:
+            raise Far
+        return count, (1 + lebesgue(count)) * 2 * Fraction(2) ** (log_size - 2 * (count - 1)) / 3
 
     def mismatch(self, low, high, x1, x2):
         """(J): what T V and its continuation differ by on J, at most"""
@@ -351,7 +335,7 @@ class Mesh:
         for p, q, a, b in pieces:
             if a < b:
                 share = self.share(b - a)
-                for m, d in enumerate(self.largest_on(p, q, a, b)):
+                for m, d in enumerate(self.furthest(p, a, b, lambda z: [self.values(q, z)])):  # noqa: B023
                     off[m] += d * share
         return off
 
@@ -443,33 +427,31 @@ class Mesh:
     def on_interval(self, p, x1, x2, wanted):
         """(K): |V_m - T V_(m-1)| on J = [x1, x2] in the panel p, m = 1 ... levels: fractions. wanted: log2"""
         low, high, log_size = self.disc(p, x1, x2)
-        log_size += max(self.up)
-        count = max(3, -(-(log_size - wanted + 3) // 2) + 1)
-        if count > MOST_POINTS:
-            raise Far
+        count, beyond = self.interpolation(log_size + max(self.up), wanted)
         off = [o * 2**up for o, up in zip(self.mismatch(low, high, x1, x2), self.up)]
-        if any(o > self.unit * Fraction(2) ** wanted for o in off):
+        if max(off) > Fraction(2) ** wanted:
             raise Far
         rows, off_by = self.wave(x1, x2, low, high, count, wanted)
-        L = lebesgue(count)
-        beyond = (1 + L) * 2 * Fraction(2) ** (log_size - 2 * (count - 1)) / 3
         worst = [0] * len(self.up)
         for x, row in zip(self.chebyshev_points(x1, x2, count), rows):
             here = self.values(p, x * x >> self.bits)
             for m in range(self.levels - 1):
                 worst[m] = max(worst[m], abs((row[m] << self.up[m]) - here[m + 1]))
-        return [L * (Fraction(w, self.unit) + self.round + off_by * 2**up) + beyond + o / self.unit for w, o, up in zip(worst, off, self.up)]
+        return [lebesgue(count) * (Fraction(w, self.unit) + self.round + off_by * 2**up) + beyond + o for w, o, up in zip(worst, off, self.up)]
 
     def between(self, p, x1, x2):
         """|V_m - v| for any v between T V_(m-1)(x1) and T V_(m-1)(x2), m = 1 ... levels: with (G) and monotony a bound of |V_m - B_m|"""
-        ends = [(v << up, w << up) for v, w, up in zip(self.exact_row(x1), self.exact_row(x2), self.up)]
-        worst = [0] * len(self.up)
-        for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, self.terms):
-            here = self.values(p, z)
-            for m in range(self.levels - 1):
-                worst[m] = max(worst[m], *(abs(v - here[m + 1]) for v in ends[m]))
-        L, each = lebesgue(self.terms), self.quadrature + self.round
-        return [L * (Fraction(w, self.unit) + self.round) + each * 2**up for w, up in zip(worst, self.up)]
+        ends = [[0, *(v << up for v, up in zip(self.exact_row(x), self.up))] for x in (x1, x2)]
+        of_levels = self.furthest(p, x1, x2, lambda z: ends)[1:]
+        return [d + (self.quadrature + self.round) * 2**up for d, up in zip(of_levels, self.up)]
+
+    def seen(self, p):
+        """log2 of the largest |V_m - T V_(m-1)| at three points of the panel: what is far below adds little to the bound that is found"""
+        largest = 1
+        for z in self.chebyshev_points(*(y * y >> self.bits for y in self.edges[p:p + 2]), 3):
+            rows = self.exact_row(isqrt(z << self.bits))
+            largest = max(largest, *(abs((v << up) - w) for v, w, up in zip(rows, self.values(p, z)[1:], self.up)))
+        return largest.bit_length() - self.unit.bit_length()
 
     def cover(self, p, bound, hole):
         """bound(x1, x2) on intervals that cover the panel, cut at 1; hole(x1, x2) where one is too narrow for that. Returns the largest,
@@ -509,28 +491,21 @@ class Mesh:
     def first_on(self, p, x1, x2, wanted):
         """(M): |V_0 - B_0| on [x1, x2]"""
         at, h = x1 + x2 >> 1, (x2 - x1 >> 1) + 1
-        r, count, beyond = h * REACH.numerator // REACH.denominator + 1, self.terms, Fraction(0)
-        radius = self.first_disc(at, x1, x2)
-        if radius:
-            if r > radius:
-                raise Far
-            large = 2 + ((self.P + 4 * at >> self.bits) + 2).bit_length() // 4  # |arccos w|/pi <= 1 + log(2|w| + 1)/pi, |w| <= 1 + 2|x| + P
-            log_size = max(large.bit_length(), self.continued(p, at, at, (2 * at * r + r * r >> self.bits) + 1)) + 1
-            count = max(3, -(-(log_size - wanted + 3) // 2) + 1)
-            if count > MOST_POINTS:
-                raise Far
-            beyond = (1 + lebesgue(count)) * 2 * Fraction(2) ** (log_size - 2 * (count - 1)) / 3
-            points = self.chebyshev_points(x1, x2, count)
-        else:
-            points = [isqrt(z << self.bits) for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, count)]
-        worst = max(abs(self.values(p, x * x >> self.bits)[0] - (self.first_wave(x) << self.kept)) for x in points)
+        r, radius = h * REACH.numerator // REACH.denominator + 1, self.first_disc(at, x1, x2)
+        if not radius:
+            return self.first_between(p, x1, x2)
+        if r > radius:
+            raise Far
+        large = 2 + ((self.P + 4 * at >> self.bits) + 2).bit_length() // 4  # |arccos w|/pi <= 1 + log(2|w| + 1)/pi, |w| <= 1 + 2|x| + P
+        log_size = max(large.bit_length(), self.continued(p, at, at, (2 * at * r + r * r >> self.bits) + 1)) + 1
+        count, beyond = self.interpolation(log_size, wanted)
+        worst = max(abs(self.values(p, x * x >> self.bits)[0] - (self.first_wave(x) << self.kept)) for x in self.chebyshev_points(x1, x2, count))
         return [lebesgue(count) * (Fraction(worst, self.unit) + 2 * self.round) + beyond]
 
     def first_between(self, p, x1, x2):
         """|V_0 - v| for any v between B_0(x1) and B_0(x2)"""
-        ends = [self.first_wave(x) << self.kept for x in (x1, x2)]
-        here = [self.values(p, z)[0] for z in self.chebyshev_points(x1 * x1 >> self.bits, x2 * x2 >> self.bits, self.terms)]
-        return [lebesgue(self.terms) * (Fraction(max(abs(v - e) for v in here for e in ends), self.unit) + 2 * self.round)]
+        ends = [[self.first_wave(x) << self.kept] for x in (x1, x2)]
+        return self.furthest(p, x1, x2, lambda z: ends)
 
     def effects(self, progress=lambda done: None):
         """(G), (H): sup T D_m, all m"""
@@ -542,6 +517,7 @@ class Mesh:
             share = self.share(high - low)
             wanted = (share.denominator // share.numerator).bit_length() - 1 - self.accuracy
             for first, bound, hole in ((0, self.first_on, self.first_between), (1, self.on_interval, self.between))[:self.levels]:
+                wanted = max(wanted, self.seen(p) - DEEPER) if first else wanted
                 largest, holes = self.cover(p, lambda a, b: bound(p, a, b, wanted), lambda a, b: hole(p, a, b))  # noqa: B023
                 for m in range(first, self.levels if first else 1):
                     parts[m] += [(largest[m - first], high - low, False)] if largest else []

@@ -34,26 +34,14 @@ class Interval:
         shift = max(0, Interval.bits + d.bit_length() - n.bit_length() + 1)
         return Interval((n << shift) // d, -((-n << shift) // d), -shift)
 
-    def _aligned(self, other):
-        e = min(self.exponent, other.exponent)
-        i, j = self.exponent - e, other.exponent - e
-        return self.low << i, self.high << i, other.low << j, other.high << j, e
-
     def __add__(self, other):
-        a, b, c, d, e = self._near(Interval.of(other))
-        return Interval(a + c, b + d, e)
-
-    def _near(self, other):
-        """Aligned ends; what lies far below the other's last bit becomes one unit there, so that no shift grows without bound."""
-        far = 4 * Interval.bits
-        x, y = self, other
-        for small, large in ((x, y), (y, x)):
-            size = max(abs(small.low), abs(small.high)).bit_length() + small.exponent
-            if (large.low or large.high) and size < large.exponent - far:
-                unit = Interval(-1 if small.low < 0 else 0, 1 if small.high > 0 else 0, large.exponent - far)
-                x, y = (unit, y) if small is x else (x, unit)
-                break
-        return x._aligned(y)
+        x, y = self, Interval.of(other)
+        if x.exponent > y.exponent:
+            x, y = y, x
+        # What lies far below the last bit of the other is rounded there, so that no shift grows without bound.
+        e = max(x.exponent, y.exponent - 4 * Interval.bits) if y.low or y.high else x.exponent
+        down, up = e - x.exponent, y.exponent - e
+        return Interval((x.low >> down) + (y.low << up), (y.high << up) - (-x.high >> down), e)
 
     __radd__ = __add__
 
@@ -106,19 +94,17 @@ class Interval:
     def middle(self):
         return (self.low + self.high) * Fraction(2) ** (self.exponent - 1)
 
-    def certainly_positive(self):
-        return self.low > 0
-
-    def within(self, low, high):
-        """Whether low <= every member <= high, for fractions."""
-        mine = self.ends()
-        return low <= mine[0] and mine[1] <= high
-
 
 def error_term(size):
     """[-size, size] for an interval of sizes"""
     top = max(abs(size.low), abs(size.high))
     return Interval(-top, top, size.exponent)
+
+
+def between(a, b):
+    """contains what lies between a member of a and a larger one of b"""
+    d = b - a
+    return a + Interval(min(d.low, 0), max(d.high, 0), d.exponent)
 
 
 def sqrt(x):
@@ -136,16 +122,26 @@ def _magnitude(x):
     return max(abs(x.low), abs(x.high)).bit_length() + x.exponent
 
 
-def _arctan_of_small(t):
-    """arctan t for |t| < 1/4: the remainder of the alternating series is at most its next term."""
-    if t.low == t.high == 0:
-        return t
-    square, power, total, k = t.square(), t, t, 1
-    while _magnitude(power) > _magnitude(t) - Interval.bits - 4:
-        power = -(power * square)
-        k += 2
-        total = total + power / k
-    return total + error_term(power * square)
+def _series(first, following):
+    """first + following(first, 1) + following of that and 2 + ...: of each series here what is left out is at most twice the last term"""
+    total, term, k = first, first, 0
+    while (term.low or term.high) and _magnitude(term) > _magnitude(first) - Interval.bits - 16:
+        k += 1
+        term = following(term, k)
+        total = total + term
+    return total + error_term(term.scaled(1))
+
+
+def _arctan_or_artanh(t, sign):
+    """t + sign t^3/3 + t^5/5 + sign t^7/7 ...: artanh t, or with sign = -1 arctan t, |t| <= 1/2"""
+    square = t.square() * sign
+    return _series(t, lambda term, k: term * square * (2 * k - 1) / (2 * k + 1))
+
+
+def _sine(t):
+    """|t| <= 1"""
+    square = -t.square()
+    return _series(t, lambda term, k: term * square / (2 * k * (2 * k + 1)))
 
 
 def arctan(t):
@@ -153,13 +149,13 @@ def arctan(t):
     halvings = 6 if Interval.bits < 1000 else 20
     for _ in range(halvings):
         t = t / (1 + sqrt(1 + t.square()))
-    return _arctan_of_small(t).scaled(halvings)
+    return _arctan_or_artanh(t, -1).scaled(halvings)
 
 
 @lru_cache(maxsize=None)
 def _pi(bits):
-    machin = _arctan_of_small(Interval.of(Fraction(1, 5))).scaled(2) - _arctan_of_small(Interval.of(Fraction(1, 239)))
-    return machin.scaled(2)
+    of_fifth, rest = (_arctan_or_artanh(Interval.of(Fraction(1, n)), -1) for n in (5, 239))
+    return (of_fifth.scaled(2) - rest).scaled(2)
 
 
 def pi():
@@ -174,21 +170,9 @@ def angle(y, x):
     return pi().scaled(-1) - arctan(x / y)
 
 
-def _two_artanh(z):
-    """2 artanh z = log((1 + z)/(1 - z)) for |z| <= 1/2: the tail is below the last power over 1 - z^2 < 4/3."""
-    if z.low == z.high == 0:
-        return z
-    square, power, total, k = z.square(), z, z, 1
-    while _magnitude(power) > _magnitude(z) - Interval.bits - 4:
-        power = power * square
-        k += 2
-        total = total + power / k
-    return (total + error_term(power * square * 2)).scaled(1)
-
-
 @lru_cache(maxsize=None)
 def _log_2(bits):
-    return _two_artanh(Interval.of(Fraction(1, 3)))
+    return _arctan_or_artanh(Interval.of(Fraction(1, 3)), 1).scaled(1)
 
 
 def log(x):
@@ -203,23 +187,17 @@ def log(x):
     roots = isqrt(Interval.bits) // 2 if Interval.bits > 512 else 0  # of many digits the series is the dear part
     for _ in range(roots):
         x = sqrt(x)
-    result = _two_artanh((x - 1) / (x + 1)).scaled(roots)
+    result = _arctan_or_artanh((x - 1) / (x + 1), 1).scaled(roots + 1)
     return result + _log_2(Interval.bits) * power if power else result
 
 
 def exp(x):
-    """by x = k log 2 + r and halvings of r; the tail of the series is at most twice its last term"""
+    """by x = k log 2 + r and halvings of r"""
     x = Interval.of(x)
     k = round(x.middle() / Fraction(7050, 10171)) if _magnitude(x) > -2 else 0
-    r = x - _log_2(Interval.bits) * k if k else x
     halvings = 8
-    r = r.scaled(-halvings)
-    total, term, j = Interval.of(1) + r, r, 1
-    while _magnitude(term) > -Interval.bits - 16 and not (term.low == term.high == 0):
-        j += 1
-        term = term * r / j
-        total = total + term
-    total = total + error_term(term * 2)
+    r = (x - _log_2(Interval.bits) * k if k else x).scaled(-halvings)
+    total = _series(Interval.of(1), lambda term, j: term * r / j)
     for _ in range(halvings):
         total = total.square()
     return total.scaled(k)
@@ -227,16 +205,6 @@ def exp(x):
 
 def power(x, y):
     return exp(Interval.of(y) * log(x))
-
-
-def _sine(t):
-    """|t| <= 1: the remainder of the alternating series is at most its next term"""
-    square, term, total, k = t.square(), t, t, 1
-    while _magnitude(term) > _magnitude(t) - Interval.bits - 4 and not (term.low == term.high == 0):
-        term = -(term * square) / ((k + 1) * (k + 2))
-        k += 2
-        total = total + term
-    return total + error_term(term * square)
 
 
 def sin_pi(x):
@@ -248,10 +216,6 @@ def sin_pi(x):
     if x > Fraction(1, 2):
         x = 1 - x
     if x > Fraction(1, 4):
-        half = _sine(pi() * (Fraction(1, 2) - x).__mul__(Fraction(1, 2)))  # cos(pi r) = 1 - 2 sin^2(pi r/2)
+        half = _sine(pi() * (Fraction(1, 2) - x) / 2)  # cos(pi r) = 1 - 2 sin^2(pi r/2)
         return (1 - half.square().scaled(1)) * sign
     return _sine(pi() * x) * sign if x else Interval.of(0)
-
-
-def cos_pi(x):
-    return sin_pi(x + Fraction(1, 2))

@@ -9,6 +9,7 @@ Fixed point: an integer stands for that many units 2^-bits; a floor costs less t
 """
 from fractions import Fraction
 from functools import cached_property
+from operator import add
 
 import intervals as iv
 from intervals import Interval
@@ -57,7 +58,7 @@ class Panel:
     @cached_property
     def points(self):
         Interval.bits = self.bits + 64
-        return [fixed(iv.cos_pi(Fraction(2 * j + 1, 2 * self.terms)), self.bits) for j in range(self.terms)]
+        return [fixed(iv.sin_pi(Fraction(2 * j + 1 + self.terms, 2 * self.terms)), self.bits) for j in range(self.terms)]
 
     @cached_property
     def powers(self):
@@ -75,11 +76,12 @@ class Panel:
 
 def chebyshev(t, weight, terms, bits):
     """weight T_i(t), i < terms: an error e made at step j counts for e U_(i-j)(t) at step i, so all of them for at most i(i + 1)/2 units"""
-    u = [weight, weight * t >> bits]
-    t2 = 2 * t
-    for i in range(2, terms):
-        u.append((t2 * u[-1] >> bits) - u[-2])
-    return u[:terms]
+    before, u, t2 = weight, weight * t >> bits, 2 * t
+    row = [before, u]
+    for _ in range(2, terms):
+        before, u = u, (t2 * u >> bits) - before
+        row.append(u)
+    return row[:terms]
 
 
 class Logarithm:
@@ -151,14 +153,7 @@ class Rule:
             t = ((s_y - middle) << bits) // half
             if not -one <= t <= one + 1:
                 raise Refused("a point lies before the first panel")
-            total, u, before, t2 = sums[p], w, w * t >> bits, 2 * t
-            total[0] += u
-            if terms > 1:
-                total[1] += before
-            u, before = before, u
-            for i in range(2, terms):
-                u, before = (t2 * u >> bits) - before, u
-                total[i] += u
+            sums[p] = list(map(add, sums[p], chebyshev(t, w, terms, bits)))
         # (E) position: an error of s_y in units
         position = 32 + bits + 8 * (1 << bits) // lowest + int(panels[-1].high)
         return sums, beyond, position
