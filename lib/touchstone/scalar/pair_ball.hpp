@@ -18,6 +18,7 @@
 
 namespace touchstone {
 
+/// What is enclosed is within `radius()` of `middle()`.
 class PairBall {
 public:
     using Pair = DoubleDouble<double>;
@@ -30,8 +31,8 @@ public:
     static PairBall around(const Ball&); ///< encloses all of it
     static PairBall indeterminate() { return {Pair(0), unknown}; } ///< holds every number
 
-    const Pair& middle() const { return middle_; } ///< what is enclosed is no further from it
-    double radius() const { return radius_; } ///< than this
+    const Pair& middle() const { return middle_; } ///< a number of 106 bits
+    double radius() const { return radius_; } ///< infinite or NaN where nothing is known
 
     /// Exact of two binary64 numbers, as their product is: a - b^2 then loses nothing where it vanishes.
     TOUCHSTONE_INLINE friend PairBall operator+(const PairBall& x, const PairBall& y)
