@@ -80,7 +80,7 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
     for (const Area& a : areas) levels = std::max(levels, a.n), highest = std::max(highest, a.load.get_d());
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
-    const long spare_bits = 10 + static_cast<long>(std::bit_width(
+    const long spare_bits = 11 + static_cast<long>(std::bit_width(
                                     static_cast<unsigned long>(levels))); // and what it is off by itself adds up over the narrow panels
     double tolerance = std::min(goal, 1e-5);                              // the coarsest there is
     std::vector<Ball> values;
