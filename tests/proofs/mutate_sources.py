@@ -78,14 +78,14 @@ def rewritten(source, path, replacements):
     return "".join(lines)
 
 
-def excuses(source, everything):
+def excuses(source, everything, file="tests/proofs/equivalent_changes.json"):
     """change -> why, though nobody finds it, it changes nothing that is proved. An excuse is for one change alone: it lies within the piece of a line that is quoted."""
     found = {}
     within = lambda c, piece: piece in c.text and 0 <= c.column - c.text.index(piece) < len(piece)
-    for e in json.loads((source / "tests/proofs/equivalent_changes.json").read_text()):
+    for e in json.loads((source / file).read_text()):
         meant = [str(c) for c in everything if e["file"] == str(c.path) and within(c, e["line"]) and e["change"] == f"{c.old.strip()} -> {c.new.strip()}"]
         if len(meant) != 1:
-            sys.exit(f"equivalent_changes.json: '{e['line']}', {e['change']}, is {len(meant)} changes, not one: {'; '.join(meant)}")
+            sys.exit(f"{file}: '{e['line']}', {e['change']}, is {len(meant)} changes, not one: {'; '.join(meant)}")
         found[meant[0]] = e["reason"]
     return found
 

@@ -49,6 +49,14 @@ TEST_CASE("exact ties round to even")
     CHECK(round_to_digits(power(Rational(10), 300) - 1, 4).text() == "1.000e+300");
 }
 
+TEST_CASE("binary64 numbers in hexadecimal, and what is none")
+{
+    CHECK(hexfloat(0.75) == "0x1.8p-1");
+    CHECK(hexfloat(-std::numeric_limits<double>::infinity()) == "-inf");
+    CHECK(hexfloat(std::numeric_limits<double>::infinity()) == "inf");
+    CHECK(hexfloat(std::numeric_limits<double>::quiet_NaN()) == "nan");
+}
+
 TEST_CASE("text form: plain near one, scientific far from it, and it reads back")
 {
     for (const Rational& r : {Rational(1), Rational(-12345), Rational(1, 3), Rational(1, 20000), Rational(1, 3000000), power(Rational(7), 99), power(Rational(7), -99)}) {
@@ -57,6 +65,9 @@ TEST_CASE("text form: plain near one, scientific far from it, and it reads back"
         CHECK(abs(d.value() - r) <= *parse_rational(d.half_unit()));
     }
     CHECK(round_to_digits(Rational(12345), 5).text() == "12345");
+    CHECK(round_to_digits(Rational(123456), 5).text() == "1.2346e+05"); // the sixth digit is not known
+    CHECK(round_to_digits(power(Rational(10), -5), 4).text() == "0.00001000");
+    CHECK(round_to_digits(power(Rational(10), -6), 4).text() == "1.000e-06");
     CHECK(round_to_digits(Rational(12345), 7).text() == "12345.00");
     CHECK(round_to_digits(Rational(1, 16), 3).half_unit() == "5e-05");
 }

@@ -96,6 +96,27 @@ TEST_CASE("discs: reciprocals and roots of discs that nearly reach 0")
     CHECK(finite > 1000);
 }
 
+TEST_CASE("discs: sums, differences and products hold those of their points")
+{
+    const WorkingPrecision precision(200);
+    const unsigned seed = 1835;
+    MESSAGE("seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto any = [&](double size) { return std::polar(std::exp(size * unit(random)), 3.2 * unit(random)); };
+    const auto ball = [](std::complex<double> z) { return ComplexBall(Ball::exactly(z.real()), Ball::exactly(z.imag())); };
+    for (int i = 0; i < 500; ++i) {
+        const Disc a(any(5), std::exp(20 * unit(random) - 15)), b(any(5), std::exp(20 * unit(random) - 15));
+        // b's point where it is farthest along a's direction, so that the product's rim is met
+        const ComplexBall other = ball(b.centre()) * ComplexBall(1 + Ball::exactly(b.radius()) / abs(ball(b.centre())) * (1 - Ball::exactly(0x1p-100)));
+        CAPTURE(i);
+        CHECK(holds(a, a + b, [&](const ComplexBall& z) { return z + other; }));
+        CHECK(holds(a, a - b, [&](const ComplexBall& z) { return z - other; }));
+        CHECK(holds(a, a * b, [&](const ComplexBall& z) { return z * other; }));
+        CHECK((a * b).radius() <= 1.001 * (std::abs(a.centre()) * b.radius() + std::abs(b.centre()) * a.radius() + a.radius() * b.radius()) + 1e-12 * std::abs((a * b).centre()));
+    }
+}
+
 TEST_CASE("discs: exponentials, from those that underflow to those of which nothing is said")
 {
     const unsigned seed = 1882;
