@@ -387,6 +387,12 @@ TEST_CASE("a second proof that is asked for fewer digits confirms those, and has
     REQUIRE(asked.size() > 1);
     CHECK(asked[1] > asked[0]);
     CHECK(std::is_sorted(asked.begin(), asked.end()));
+    // a dear first proof that has decided is not asked again while the second is
+    std::vector<long> first_asked;
+    asked.clear();
+    CHECK(evaluate(known_by({.proofs = {proves(third, 0, &first_asked), wider}, .dear = true}), inputs({}), to_eighty).status == Status::undecided);
+    CHECK(asked.size() > 1);
+    CHECK(first_asked == std::vector<long>{30});
     // asked for fewer itself, it is a proof like the first, binary64 and all
     const Evaluation one = evaluate(known_by({.proofs = {proves(third), counts}}), inputs({}), {.digits = 1});
     CHECK(asked.back() == 18);
