@@ -149,9 +149,9 @@ Limit find(const Root& root, long count, double digits)
 
 std::string refusal_of_limit(const Root& G)
 {
-    const Area a{1, Rational(1), G};
-    const std::string why = refusal(a);
-    return why.empty() && !only_partial(a) ? "G < 2.05: certificates of the limit are made where G >= 2.05" : why;
+    const std::string why = refusal({1, Rational(1), G});
+    const bool near_2 = power(Rational(2009, 1000), static_cast<long>(G.degree)) > G.base;
+    return why.empty() && near_2 ? "G < 2.009: certificates of the limit are made where G >= 2.009" : why;
 }
 
 std::string limit_constants(const std::vector<Root>& all, Accuracy wanted)

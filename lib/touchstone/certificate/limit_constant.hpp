@@ -15,7 +15,7 @@
 namespace touchstone::certificate {
 
 constexpr long most_digits_of_a_limit = 40;
-/// 41/20 <= G <= 2^20. \returns why not; empty: there is a certificate
+/// 2.009 <= G <= 2^20. \returns why not; empty: there is a certificate
 std::string refusal_of_limit(const Root& G);
 
 /// A certificate of C(G) for each G, to so many digits.
