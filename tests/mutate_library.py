@@ -54,20 +54,26 @@ def changes(source):
                     yield mutate_sources.Change(pathlib.Path(path), line, m.start(), m.group(), new or str(int(m.group(1)) + 1), text)
 
 
+def from_compiler(words):
+    """A command without what stands before the compiler's name (a cache, a launcher)."""
+    return words[next(i for i, w in enumerate(words) if re.search(r"(\+\+|clang)[-\d]*$", w)):]
+
+
 class Program(mutate_sources.Program):
     """What compiles one source and links one test, with the commands of BUILD."""
 
     def __init__(self, o):
         self.o = o
 
-    def compiled(self, file, target, to, include=None):
-        words = self.command(target, file)
-        words = words[next(i for i, w in enumerate(words) if re.search(r"(\+\+|clang)[-\d]*$", w)):]
-        out, source = words.index("-o"), words.index("-c")
-        words[out + 1], words[source + 1] = str(to), words[source + 1]
-        for flag in ("-MF", "-MT"):
+    def compiled(self, file, target, to, source=None, include=None):
+        """The command that compiles `file` for `target` in BUILD, or `source` in its place, with what is in `include` before all else."""
+        words = from_compiler(self.command(target, file))
+        words[words.index("-o") + 1] = str(to)
+        if source:
+            words[words.index("-c") + 1] = str(source)
+        for flag, made in (("-MF", f"{to}.d"), ("-MT", str(to))):
             if flag in words:
-                words[words.index(flag) + 1] = str(to) + (".d" if flag == "-MF" else "")
+                words[words.index(flag) + 1] = made
         return [words[0], *([f"-I{include}"] if include else []), *words[1:]]
 
     def run(self, words):
@@ -89,18 +95,14 @@ class Program(mutate_sources.Program):
         mutant = scratch / "mutant.o"
         if not header:
             library = "touchstone_quadrature" if change.path.parts[2] == "scalar" else "touchstone"
-            words = self.compiled(str(change.path).removeprefix("lib/"), library, mutant)
-            words[words.index("-c") + 1] = str(target)
-            if self.run(words).returncode:
+            if self.run(self.compiled(str(change.path).removeprefix("lib/"), library, mutant, target)).returncode:
                 return "the compiler"
         for test in header or FINDERS[str(change.path)]:
-            link = self.words(f"test_{test}", f" -o tests/test_{test}\\b")
-            link = link[next(i for i, w in enumerate(link) if re.search(r"(\+\+|clang)[-\d]*$", w)):]
+            link = from_compiler(self.words(f"test_{test}", f" -o tests/test_{test}\\b"))
             program = scratch / f"test_{test}"
             link[link.index("-o") + 1] = str(program)
             if header:
-                words = self.compiled("tests/" + header[test], f"test_{test}", mutant, tree)
-                if self.run(words).returncode:
+                if self.run(self.compiled("tests/" + header[test], f"test_{test}", mutant, include=tree)).returncode:
                     return "the compiler"
                 link = [str(mutant) if w.endswith(header[test] + ".o") else w for w in link]
             else:

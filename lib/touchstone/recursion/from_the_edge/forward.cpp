@@ -154,7 +154,7 @@ void require_proven(const Ball& G, const Ball& load)
 /// Accuracies in use are few, so that levels are shared.
 double accuracy_for(Accuracy wanted) { return 4 * std::ceil(std::max(30.0, static_cast<double>(bits_for_digits(wanted.digits) - 4) * std::numbers::ln2) / 4); }
 
-/// Nats: only which accuracy is tried first, as all of this.
+/// Nats, asked for at all scales, so that exceedances and densities of all of them share their levels. Only what is tried first, as all of this.
 constexpr double carried_to_the_last_scale = 4;
 
 /// That of the levels, of a law, which a value at distance d = log(p_n^max/p) needs: it loses some of it.
@@ -162,8 +162,8 @@ double accuracy_at(Law law, long n, double d, const Arguments& a, Accuracy wante
 {
     const double accuracy = accuracy_for(wanted);
     if (law == Law::density) return accuracy;
-    // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel. Those more are for the errors carried to the last scales, so that their rows share the levels of the first.
-    const double cancelling = 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1) + (for_density ? carried_to_the_last_scale : 0);
+    // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
+    const double cancelling = 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1) + carried_to_the_last_scale;
     const double small = for_density && n >= 2 ? accuracy_for_small(accuracy, n, d, a.G(), a.load()) : 0;
     return small > 0 ? small : accuracy + cancelling;
 }
