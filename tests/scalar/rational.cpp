@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/scalar/rational.hpp"
+#include "touchstone/scalar/rational_text.hpp"
 
 #include <doctest/doctest.h>
 
@@ -29,6 +30,26 @@ TEST_CASE("what is not a number is refused")
     for (const char* text : {"", " ", "1 ", " 1", "abc", "1e", "1e+", "--1", "1..2", "1/0", "1/-3", "0x", "0x1e5p", "inf", "nan", "1e10000001",
                              "1/2/3", "1,5", "0x1.8e3p1.5", "."})
         CHECK_FALSE_MESSAGE(parse_rational(text).has_value(), "'" << text << "'");
+}
+
+TEST_CASE("what is wrong with a number is said")
+{
+    CHECK(parse_rational("1e1000000"));
+    CHECK_FALSE(parse_rational("1e1000001"));
+    const std::string other = why_not_rational("abc");
+    for (const char* text : {"1e", "1e+", "1ex", "1e-x", "x/3", "/3", "3/", "1/2/3", "0x1p", "1e1e1000001"}) {
+        CAPTURE(text);
+        CHECK(why_not_rational(text) == other);
+    }
+    const std::string beyond = why_not_rational("1e1000001");
+    CHECK(beyond == "has an exponent beyond 1000000");
+    for (const char* text : {"1e+1000001", "-1e-1000001", "1e2000000/3", "3/1e2000000", "0x1p9999999"}) {
+        CAPTURE(text);
+        CHECK(why_not_rational(text) == beyond);
+    }
+    CHECK(why_not_rational("1/0") == "has 0 as its denominator");
+    CHECK(why_not_rational("1/-3").starts_with("has a negative denominator"));
+    CHECK(why_not_rational("").starts_with("is empty"));
 }
 
 TEST_CASE("nearest double agrees with the hardware's own rounding, subnormals and ties included")
@@ -61,7 +82,13 @@ TEST_CASE("terminating expansions and exact roots")
 {
     CHECK(*terminating_digits(Rational(1, 8)) == 3);
     CHECK(*terminating_digits(Rational(1200)) == 2);
+    CHECK(*terminating_digits(Rational(1, 5)) == 1);
+    CHECK(*terminating_digits(Rational(3, 40)) == 2);
+    CHECK(*terminating_digits(Rational(0)) == 1);
     CHECK_FALSE(terminating_digits(Rational(1, 3)));
+    CHECK_FALSE(terminating_digits(Rational(1, 6)));
+    CHECK(*exact_root(Rational(0), 2) == 0);
+    CHECK_FALSE(exact_root(Rational(-4), 2));
     CHECK(*exact_root(Rational(27, 8), 3) == Rational(3, 2));
     CHECK_FALSE(exact_root(Rational(2), 2));
     CHECK(power(Rational(2, 3), -2) == Rational(9, 4));
