@@ -92,6 +92,8 @@ TEST_CASE("discs: reciprocals and roots of discs that nearly reach 0")
         CAPTURE(near);
         if (std::isfinite(one_over.radius())) CHECK(holds(b, one_over, [](const ComplexBall& z) { return ComplexBall(1) / z; }));
         if (std::isfinite(root.radius())) CHECK(holds(b, root, [](const ComplexBall& z) { return sqrt(z); }));
+        const double q = b.radius() / std::abs(c); // towards 0 a root of the disc is as far away as this
+        if (std::isfinite(root.radius())) CHECK(root.radius() <= 1.01 * std::sqrt(std::abs(c)) * (1 - std::sqrt(std::max(0.0, 1 - q))) + 1e-6 * std::sqrt(std::abs(c)));
     }
     CHECK(finite > 1000);
 }
