@@ -134,6 +134,12 @@ TEST_CASE("discs: exponentials, from those that underflow to those of which noth
         else CHECK(holds(z, image_of_it, image));
     }
     CHECK(exp(Disc({-1000, 1}, 0.5)).most() > 0);
+    // e^c is subnormal, with few bits of its own, and e^r large
+    for (int i = 0; i < 400; ++i) {
+        const Disc z({-745 + i / 16., 1}, 460 + unit(random));
+        CAPTURE(i);
+        CHECK(holds(z, exp(z), image));
+    }
     CHECK_FALSE(std::isfinite(exp(Disc({1, 0}, std::numeric_limits<double>::quiet_NaN())).most()));
     // as small as can be: a product of two still holds it
     const Disc small = exp(Disc({-295, 0.3}, 1e-20)), smaller = small * small * small;

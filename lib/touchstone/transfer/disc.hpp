@@ -43,12 +43,13 @@ public:
         const double q = std::min(1.0, a.r_ / most * (1 + 0x1p-49));
         return {root, std::sqrt(most) * (1 - std::sqrt(1 - q) + tiny)};
     }
-    /// About e^c, |e^(c + t) - e^c| <= |e^c| (e^r - 1); of what is smaller than e^-300, only that. exp, expm1, sin and cos are taken to be right to 2^-50.
+    /// About e^c, |e^(c + t) - e^c| <= |e^c| (e^r - 1); where e^c is small, about 0, |e^z| <= e^(Re c + r), a sum off by 2^-44 at most; below e^-300 only that.
+    /// exp, expm1, sin and cos are taken to be right to 2^-50.
     friend Disc exp(const Disc& a)
     {
         const double x = a.c_.real(), y = a.c_.imag(), most = x + a.r_;
         if (!(most < 300)) return {0, unknown};
-        if (most < -300) return {0, 0x1p-432};
+        if (x < -300) return {0, most < -300 ? 0x1p-432 : std::exp(most) * (1 + 0x1p-40)};
         const double s = std::exp(x);
         return {std::complex(s * std::cos(y), s * std::sin(y)), s * std::expm1(a.r_)};
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/discretisation.hpp"
 
-#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/scalar/binary64.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <fmt/format.h>
 

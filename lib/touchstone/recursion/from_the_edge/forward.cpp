@@ -3,8 +3,8 @@
 
 #include "touchstone/recursion/from_the_edge/far_end.hpp"
 #include "touchstone/recursion/from_the_edge/levels.hpp"
-#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/scalar/binary64.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/chain.hpp"
 
 #include <fmt/format.h>
