@@ -133,3 +133,282 @@ TEST_CASE("levels stay below the bounds of their boxes")
         }
     }
 }
+
+namespace {
+
+using Z = std::complex<double>;
+
+Z mean_of(Z z) { return std::abs(z) < 1e-5 ? 1.0 - z / 2.0 : (1.0 - std::exp(-z)) / z; }
+
+/// u_k in binary64 at complex d, from forward.hpp, with the integrals by the midpoint rule in theta.
+struct Direct {
+    Law law;
+    double G, load;
+    bool full;
+    double beta() const { return law == Law::density ? 1.5 : 0.5; }
+    double edge(long k) const
+    {
+        double e = load;
+        for (; k > 0; --k) e = 2 / G * std::sqrt(e);
+        return e;
+    }
+    Z first(Z d) const
+    {
+        const Z R = full ? 2.0 * std::exp(-d) : std::sqrt((1 - load) * (1 - load) + 4 * load * std::exp(-2.0 * d)), P = 1 + load + R, M = 1 - load + R, E = mean_of(2.0 * d);
+        if (law == Law::density) return std::exp(-1.5 * d) * std::sqrt(P) / std::sqrt(M) / std::sqrt(E) / R;
+        const Z z = std::sqrt(4 * load * d * E / P);
+        return std::exp(-0.5 * d) * (std::abs(z) < 1e-8 ? 1.0 : std::asin(z) / z) * std::sqrt(2 * load) * std::sqrt(E) / std::sqrt(P);
+    }
+    Z kernel(double e, Z d, double s) const
+    {
+        const Z x = e * std::exp(-2.0 * d * s), R = std::sqrt((1.0 - x) * (1.0 - x) + 4 * e * std::exp(-2.0 * d)), P = 1.0 + x + R, M = 1.0 - x + R;
+        const Z E = std::sqrt(mean_of(2.0 * d * (1 - s)));
+        return (law == Law::density ? std::sqrt(P) / std::sqrt(M) : std::sqrt(P) * std::sqrt(M)) / E / R;
+    }
+    Z level(long k, Z d, int points = 80) const
+    {
+        if (k == 1) return first(d);
+        const auto m = static_cast<double>(law == Law::density ? k - 2 : k);
+        Z sum = 0;
+        double weight = 0;
+        for (int i = 0; i < points; ++i) {
+            const double theta = std::numbers::pi / 2 * (i + 0.5) / points, s = std::sin(theta) * std::sin(theta), w = std::pow(std::sin(theta), m);
+            weight += w;
+            sum += w * kernel(edge(k - 1), d, s) * level(k - 1, 2.0 * d * s, points / 2);
+        }
+        return std::exp(-beta() * d) * sum / weight;
+    }
+};
+
+} // namespace
+
+TEST_CASE("every box of the first three levels bounds the level at complex points, and not by much more than it is")
+{
+    const WorkingPrecision precision(Levels::precision_for(40));
+    for (const Law law : {Law::density, Law::exceedance})
+        for (const Rational& load : {Rational(1), Rational(1, 2), Rational(1, 1000)}) {
+            Levels levels(law, Ball(3), Ball(load), 40);
+            levels.extend_to(3);
+            const Direct direct{law, 3, about(Ball(load)), load == 1};
+            Points points;
+            for (long k = 1; k <= 3; ++k) {
+                const Boxes& boxes = levels.levels[static_cast<std::size_t>(k)]->boxes;
+                std::array<double, 3> tightest{}; // in the full disc, in boxes with a positive real part, in the others
+                int inside = 0, open = 0;
+                for (int i = 0; i < (k == 3 ? 150 : 500); ++i) {
+                    const double size = points.scale(1e-3, 60), angle = points.between(0, i % 3 == 0 ? 3.14 : 1.5);
+                    const PolarRange here{size * (1 - 1e-12), size * (1 + 1e-12), angle, angle};
+                    const double bound = levels.lookup(boxes, here);
+                    if (!std::isfinite(bound)) {
+                        ++open;
+                        continue;
+                    }
+                    ++inside;
+                    const double u = std::abs(direct.level(k, std::polar(size, angle)));
+                    CAPTURE(k);
+                    CAPTURE(size);
+                    CAPTURE(angle);
+                    if (u > 1e-200) CHECK(u <= bound * (1 + 0.01));
+                    const bool disc = size < levels.shells.radius(boxes.disc);
+                    double& t = tightest[disc ? 0 : angle < 1.5 ? 1 : 2];
+                    t = std::max(t, u / bound);
+                }
+                CHECK(inside > 0);
+                CHECK(open > 0);
+                for (const double t : tightest) CHECK(t > std::array{0.28, 0.17, 0.13}[static_cast<std::size_t>(k) - 1]);
+            }
+        }
+}
+
+TEST_CASE("over a narrow disc a bound of the kernel, of its share and of the first level is the value itself")
+{
+    const WorkingPrecision precision(bits);
+    for (const Law law : {Law::density, Law::exceedance}) {
+        const Direct direct{law, 3, 0.1, false};
+        Points points;
+        int looked_at = 0;
+        for (const Rational& load : {Rational(1), Rational(1, 2), Rational(1, 1000)}) {
+            const Levels levels(law, Ball(3), Ball(load), 30);
+            const Direct of{law, 3, about(Ball(load)), load == 1};
+            for (int i = 0; i < 400; ++i) {
+                const Z at = std::polar(points.scale(1e-4, 40), points.between(0, 1.4));
+                const double s = points.between(0, 1), e = points.between(0.01, 0.99), D = 2 * std::abs(at) * (1 - s), least = D > 0.81 || D < 2e-3 ? 0.995 : 0.4;
+                const Disc d(at, 1e-12 * std::abs(at)), edge(e), sine2(s), cosine2(1 - s);
+                const double value = std::abs(direct.kernel(e, at, s)), bound = levels.kernel_bound(edge, d, sine2, cosine2);
+                CAPTURE(at.real());
+                CAPTURE(at.imag());
+                CAPTURE(s);
+                CAPTURE(e);
+                if (std::isfinite(bound)) {
+                    ++looked_at;
+                    CHECK(value <= bound * (1 + 1e-6));
+                    CHECK(value >= bound * least);
+                }
+                const double asked = levels.kernel_bound(edge, d, sine2, cosine2, 1e-6); // what is known otherwise, where it is less
+                CHECK(asked < 1.01e-3 * std::sqrt(std::abs(mean_of(2.0 * at * (1 - s)))) * value);
+                CHECK(asked > 0.99e-3 * std::sqrt(std::abs(mean_of(2.0 * at * (1 - s)))) * value);
+                const Z x = e * std::exp(-2.0 * at * s), P = 1.0 + x + std::sqrt((1.0 - x) * (1.0 - x) + 4 * e * std::exp(-2.0 * at));
+                const double z = std::sqrt(std::abs(2.0 * x * (1.0 - std::exp(-2.0 * at * (1 - s))) / P)), share = levels.kernel_bound(edge, d, sine2, cosine2, infinity, Kind::share);
+                if (z > 1.001) CHECK(std::isinf(share));
+                if (std::isfinite(share)) CHECK(share == doctest::Approx(std::numbers::pi / 2 * z).epsilon(1e-6));
+                const double first = levels.first_bound(d), u = std::abs(of.first(at)), D1 = 2 * std::abs(at), at_least = D1 > 0.81 || D1 < 2e-3 ? 0.995 : 0.4;
+                if (std::isfinite(first)) {
+                    CHECK(u <= first * (1 + 1e-6));
+                    CHECK(u >= first * (law == Law::density ? at_least : std::min(at_least, of.full && at.real() > 0.5 ? 0.2 : 0.6)));
+                }
+                else CHECK(at.real() < 3);
+            }
+        }
+        CHECK(looked_at > 900);
+    }
+}
+
+TEST_CASE("bounds of discs: moduli, cuts, ranges of directions, and what is no number")
+{
+    const WorkingPrecision precision(bits);
+    const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    CHECK(product_of_bounds({2, 3, 0.5}) == 3);
+    CHECK(product_of_bounds({}) == 1);
+    CHECK(product_of_bounds({1e-200, 1e-200, 1e10}) >= smallest_bound * 1e10); // a product that underflows claims nothing
+    CHECK(product_of_bounds({1e-200, 1e-200}) == smallest_bound);
+    CHECK(product_of_bounds({0, 2}) == 2 * smallest_bound);
+    for (const double nothing : {infinity, not_a_number}) {
+        CHECK(std::isinf(product_of_bounds({nothing, 0})));
+        CHECK(std::isinf(product_of_bounds({0, nothing, 1e-200})));
+        CHECK(std::isinf(at_most_modulus(disc(1, 0, nothing))));
+        CHECK(at_least_modulus(disc(1, 0, nothing)) == 0);
+        CHECK(meets_cut(disc(1, 0, nothing)));
+        CHECK(std::isinf(polar(disc(1, 0, nothing)).outer));
+        const Levels levels(Law::density, Ball(3), Ball(Rational(1, 10)), 30);
+        CHECK(std::isinf(levels.lookup(levels.levels[1]->boxes, polar(disc(1, 0, nothing))))); // no box holds all numbers
+        CHECK(std::isinf(levels.lookup(levels.levels[1]->boxes, {0, nothing, 0, 0.1})));
+        CHECK(std::isinf(levels.integrand_bound(*levels.levels[1], Kind::step, disc(1, 0, nothing), disc(0.5, 0, 0.1))));
+    }
+    CHECK(std::isinf(above(Ball::indeterminate())));
+    CHECK(above(Ball(1) / Ball(3)) == doctest::Approx(1.0 / 3));
+    CHECK(Ball::exactly(above(Ball(1) / Ball(3))).contains(Rational(1, 3)) == false);
+    CHECK_FALSE(certainly(less(Ball::exactly(above(Ball(1) / Ball(3))), Ball(1) / Ball(3))));
+    CHECK(at_most_modulus(disc(0, 0, 0)) <= 1.1e-160);
+    CHECK(at_least_modulus(disc(3, 4, 1)) == doctest::Approx(4));
+    CHECK(at_least_modulus(disc(3, 4, 1)) < 4);
+    CHECK(at_most_modulus(disc(3, 4, 1)) == doctest::Approx(6));
+    CHECK(at_most_modulus(disc(3, 4, 1)) > 6);
+    CHECK(at_least_modulus(disc(3, 4, 5)) == 0);
+    CHECK(at_least_modulus(disc(1e-100, 0, 1.1e-100)) == 0);
+    CHECK_FALSE(meets_cut(disc(3, 4, 4.99999)));
+    CHECK(meets_cut(disc(3, 4, 5)));
+    CHECK_FALSE(meets_cut(disc(-3, 4, 3.99999)));
+    CHECK_FALSE(meets_cut(disc(-3, -4, 3.99999)));
+    CHECK(meets_cut(disc(-3, 4, 4)));
+    CHECK(meets_cut(disc(-3, 0, 0)));
+    CHECK(meets_cut(disc(0, 0, 0)));
+    CHECK_FALSE(meets_cut(disc(0, 1, 0.99999)));
+    CHECK(mean_meets_cut(disc(0.1, 0, 0.1), disc(-1, 0, 0.1)));
+    CHECK_FALSE(mean_meets_cut(disc(0.1, 0, 0.09), disc(-1, 0, 0.1))); // Re D > 0: no need to look
+    CHECK_FALSE(mean_meets_cut(disc(0, 0, 0.1), disc(1, 0, 0.1)));
+
+    const Disc over = disc_over(2, 5);
+    CHECK(over.centre() == Z(3.5));
+    CHECK(over.radius() == doctest::Approx(1.5));
+    CHECK(over.radius() >= 1.5);
+    Ball wide = Ball(1) / Ball(3);
+    arb_add_error(wide.get(), Ball(Rational(1, 7)).get());
+    CHECK(disc(wide).radius() == doctest::Approx(1.0 / 7));
+    CHECK(disc(wide).radius() >= 1.0 / 7);
+    CHECK(disc(wide).centre().real() == 1.0 / 3);
+
+    // a box of a full turn: what surrounds 0 has every direction, and the last box the negative axis
+    const PolarRange all = polar(1, 0, 1), quarter = polar(0, 2, 1), behind = polar(-2, 1e-3, 1e-6);
+    CHECK(all.inner == 0);
+    CHECK(all.outer == doctest::Approx(2));
+    CHECK(all.outer >= 2);
+    CHECK(all.from == 0);
+    CHECK(all.to > directions[n_directions - 1]);
+    CHECK(quarter.inner == doctest::Approx(1));
+    CHECK(quarter.inner <= 1);
+    CHECK(quarter.outer >= 3);
+    CHECK(quarter.from == doctest::Approx(std::numbers::pi / 3));
+    CHECK(quarter.to == doctest::Approx(2 * std::numbers::pi / 3));
+    CHECK(behind.to > directions[n_directions - 1]);
+    CHECK(polar(2, 0, 1).from == 0);
+    Points points;
+    for (int i = 0; i < 2000; ++i) {
+        const Disc z(std::polar(points.scale(1e-5, 1e5), points.between(-3.2, 3.2)), 0), with_radius(z.centre(), points.between(0, 1.2) * std::abs(z.centre()));
+        const PolarRange range = polar(with_radius);
+        const Z at = points.of(with_radius);
+        CHECK(range.inner <= std::abs(at) * (1 + 1e-15));
+        CHECK(range.outer >= std::abs(at) * (1 - 1e-15));
+        CHECK(range.from <= std::fabs(std::arg(at)) + 1e-15);
+        CHECK(std::min(std::fabs(std::arg(at)), 3.1415) <= range.to + 1e-15);
+        // E(z) over the disc
+        const Disc E = exponential_mean(with_radius);
+        if (std::isfinite(E.most())) CHECK(std::abs(mean_of(at) - E.centre()) <= E.radius() * (1 + 1e-9) + 1e-10);
+        const double m = at_most_modulus(with_radius);
+        if (m < 0.79) {
+            CHECK(E.radius() <= (m < 1e-3 ? 1.001 * m : 1.001 * (std::exp(m) - 1 - m) / m + 1e-12));
+            CHECK(E.radius() >= (m < 1e-3 ? m : 0.999 * (std::exp(m) - 1 - m) / m - 1e-12));
+            CHECK(E.centre() == Z(1));
+        }
+    }
+    CHECK(exponential_mean(disc(0.9, 0, 0)).radius() < 1e-10);
+    CHECK(exponential_mean(disc(0.79, 0, 0)).radius() > 0.1);
+}
+
+TEST_CASE("shares of sectors, bounds far out, boxes met by a range")
+{
+    const WorkingPrecision precision(bits);
+    for (const long m : {0L, 1L, 2L, 7L, 20L}) {
+        const auto shares = Levels::sector_shares(m);
+        double sum = 0;
+        for (int i = 0; i < Levels::sectors; ++i) {
+            double exact = 0; // Simpson's rule, of many points
+            const double a = std::numbers::pi / 2 * i / Levels::sectors, h = std::numbers::pi / 2 / Levels::sectors / 64;
+            for (int j = 0; j < 64; ++j)
+                for (const auto& [at, weight] : {std::pair(0.0, 1.0), {0.5, 4.0}, {1.0, 1.0}}) exact += weight * std::pow(std::sin(a + (j + at) * h), static_cast<double>(m)) * h / 6;
+            exact /= about(Levels::wallis(m));
+            sum += exact;
+            CAPTURE(m);
+            CAPTURE(i);
+            const double share = shares[static_cast<std::size_t>(i)];
+            CHECK(share >= exact * (1 - 1e-9));
+            CHECK(share <= exact * (i < 3 ? 1.5 : 1.1) + 1e-9);
+        }
+        CHECK(sum == doctest::Approx(1));
+    }
+    Points points;
+    for (const Law law : {Law::density, Law::exceedance}) {
+        const Levels levels(law, Ball(3), Ball(Rational(1, 10)), 30);
+        for (const double e : {0.01, 0.3, 0.9}) {
+            const double eta = 1e-3, bound = levels.far_kernel(e, eta);
+            double most = 0;
+            for (int i = 0; i < 4000; ++i) {
+                const Z x = std::polar(e * std::min(1.0, points.between(0, 3)), i % 4 == 0 ? 0 : i % 4 == 1 ? std::numbers::pi : points.between(-3.2, 3.2)), w4 = std::polar(eta * (1 - e) * (1 - e), points.between(-3.2, 3.2));
+                const Z R = std::sqrt((1.0 - x) * (1.0 - x) + w4), P = 1.0 + x + R, M = 1.0 - x + R;
+                most = std::max(most, std::sqrt(std::abs(law == Law::density ? P / M : P * M)) / std::abs(R));
+            }
+            CHECK(most <= bound);
+            if (law == Law::density) CHECK(most >= 0.997 * bound);
+            else CHECK(most >= 0.997 * (1 - e) / (1 + e) * bound);
+        }
+        // a range of 1 box, of 2, and beyond the last
+        Boxes boxes;
+        boxes.bound.assign(static_cast<std::size_t>(levels.shells.count() + 1) * n_directions, 1);
+        boxes.at(7, 3) = 5;
+        const double inner = levels.shells.radius(6), outer = levels.shells.radius(7), from = directions[3], to = directions[4], middle = (from + to) / 2;
+        CHECK(levels.lookup(boxes, {inner * 1.001, outer * 0.999, middle, middle}) == 5);
+        CHECK(levels.lookup(boxes, {inner * 0.5, inner * 0.999, middle, middle}) == 1);
+        CHECK(levels.lookup(boxes, {outer * 1.001, outer * 1.5, middle, middle}) == 1);
+        CHECK(levels.lookup(boxes, {inner * 0.5, inner * 1.001, middle, middle}) == 5);
+        CHECK(levels.lookup(boxes, {outer * 0.999, outer * 2, middle, middle}) == 5);
+        CHECK(levels.lookup(boxes, {outer * 1.001, outer * 1.001, 0, 3}) == 1);
+        // a range that ends where a box begins meets that box
+        CHECK(levels.lookup(boxes, {outer, outer, 0, from}) == 5);
+        CHECK(levels.lookup(boxes, {outer, outer, to, 3}) == 5);
+        CHECK(levels.lookup(boxes, {inner, inner, middle, middle}) == 5);
+        CHECK(levels.lookup(boxes, {outer, outer, 0, from - 1e-6}) == 1);
+        CHECK(levels.lookup(boxes, {outer, outer, to + 1e-6, 3}) == 1);
+        const double end = levels.shells.radius(levels.shells.count());
+        CHECK(levels.lookup(boxes, {1, end * (1 - 1e-6), 0, 1}) == 1);
+        CHECK(std::isinf(levels.lookup(boxes, {1, end * (1 + 1e-6), 0, 1})));
+    }
+}

@@ -98,6 +98,26 @@ TEST_CASE("discs: reciprocals and roots of discs that nearly reach 0")
     CHECK(finite > 1000);
 }
 
+TEST_CASE("discs: real numbers so small that their squares are subnormal")
+{
+    for (const double c : {0x1.4p-530, 0x1.c443012ed9d4p-524, 0x1.3b85c260276a8p-519, 0x1.6p-513})
+        for (const double radius : {0.0, c / 64, c / 2}) {
+            const Disc z(c, radius), root = sqrt(z), one_over = 1 / z, by_large = z * Disc({1e150, 1e150}, 1e149);
+            CAPTURE(c);
+            // what is to be held has the radius given, not the one enlarged
+            const auto on_rim = [&](const Disc& of, const auto& image) {
+                const WorkingPrecision precision(1200);
+                for (const int sign : {-1, 0, 1}) {
+                    const ComplexBall at(Ball::exactly(c) + sign * Ball::exactly(radius)), centre(Ball::exactly(of.centre().real()), Ball::exactly(of.centre().imag()));
+                    CHECK_FALSE(certainly(less(Ball::exactly(of.radius()), abs(image(at) - centre))));
+                }
+            };
+            if (std::isfinite(root.radius())) on_rim(root, [](const ComplexBall& x) { return sqrt(x); });
+            if (std::isfinite(one_over.radius())) on_rim(one_over, [](const ComplexBall& x) { return ComplexBall(1) / x; });
+            on_rim(by_large, [](const ComplexBall& x) { return x * ComplexBall(Ball::exactly(1e150), Ball::exactly(1e150)); });
+        }
+}
+
 TEST_CASE("discs: sums, differences and products hold those of their points")
 {
     const WorkingPrecision precision(200);

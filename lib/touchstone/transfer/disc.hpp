@@ -11,10 +11,10 @@
 namespace touchstone::transfer {
 
 /// Centre and radius, the radius enlarged for every rounding, and by more than what can underflow. Numbers below 1e150; a radius that is infinite or not a
-/// number: nothing is known.
+/// number: nothing is known. A constant of a formula, 0 or one whose square is far from underflow, is a point.
 class Disc {
 public:
-    Disc(double c = 0, double r = 0) : c_(c), r_(r) {}
+    Disc(double constant = 0) : c_(constant), r_(0) {}
     Disc(std::complex<double> c, double r) : c_(c), r_(r + tiny * (size(c) + r) + floor) {}
     double most() const { return size(c_) + r_; }
     std::complex<double> centre() const { return c_; }

@@ -21,16 +21,16 @@ double above(const Ball& x)
 
 double at_most_modulus(const Disc& z)
 {
-    const double most = z.most() * (1 + slack);
+    const double most = up(z.most());
     return std::isfinite(most) ? std::max(most, smallest_bound) : infinity;
 }
 
 /// |centre|, but for its rounding.
-static double size_of(const Disc& z) { return std::sqrt(std::norm(z.centre())) * (1 - slack); }
+static double size_of(const Disc& z) { return down(std::sqrt(std::norm(z.centre()))); }
 
 double at_least_modulus(const Disc& z)
 {
-    const double least = (size_of(z) - z.radius()) * (1 - slack);
+    const double least = down(size_of(z) - z.radius());
     return least > 0 ? std::min(least, 1 / smallest_bound) : 0;
 }
 
@@ -48,13 +48,13 @@ Disc exponential_mean(const Disc& z)
 {
     const double m = at_most_modulus(z);
     if (m > 0.8) return (1 - exp(0 - z)) / z;
-    return disc(1, 0, m < 1e-3 ? m : (std::expm1(m) / m - 1) * (1 + slack));
+    return disc(1, 0, m < 1e-3 ? m : up(std::expm1(m) / m - 1));
 }
 
 PolarRange polar(double re, double im, double radius)
 {
     const double r = std::hypot(re, im);
-    radius = radius * (1 + slack) + r * slack;
+    radius = up(radius) + r * slack;
     if (radius >= r) return {0, r + radius, 0, 3.1415};
     const double a = std::fabs(std::atan2(im, re)), half = std::asin(radius / r) + slack;
     return {r - radius, r + radius, std::max(0.0, a - half), std::min(3.1415, a + half)};
@@ -81,14 +81,14 @@ double Levels::modulus(const Disc& x, const Disc& one_minus, const Disc& w4, con
     const Disc E = exponential_mean(D);
     if (kind == Kind::share) { // z^2 = 2 x (1 - e^-D)/P = 2 x D E/P, and D's root is cos theta: E must have one too, however small z is
         if (mean_meets_cut(D, E)) return infinity;
-        const double z2 = 2 * at_most_modulus(x) * at_most_modulus(1 - exp(0 - D)) / at_least_modulus(P) * (1 + slack);
-        return z2 < 1 ? std::numbers::pi / 2 * std::sqrt(z2) * (1 + slack) : infinity; // |arcsin z| <= (pi/2)|z| for |z| < 1
+        const double z2 = up(2 * at_most_modulus(x) * at_most_modulus(1 - exp(0 - D)) / at_least_modulus(P));
+        return z2 < 1 ? up(std::numbers::pi / 2 * std::sqrt(z2)) : infinity; // |arcsin z| <= (pi/2)|z| for |z| < 1
     }
-    double inverse = meets_cut(E) ? infinity : 1 / at_least_modulus(E) * (1 + slack);
+    double inverse = meets_cut(E) ? infinity : up(1 / at_least_modulus(E));
     inverse = std::min(inverse, direct);
     const double square = law == Law::density ? at_most_modulus(P) / at_least_modulus(M) * inverse
                                               : at_most_modulus(P) * at_most_modulus(M) * inverse;
-    return std::sqrt(square) / at_least_modulus(R) * (1 + slack);
+    return up(std::sqrt(square) / at_least_modulus(R));
 }
 
 double Levels::first_bound(const Disc& d) const
@@ -97,11 +97,11 @@ double Levels::first_bound(const Disc& d) const
     if (full && law == Law::density) { // R = 2 e^-d: v_1 = e^(3d/2) (1 + e^-d)^(1/2)/2 / E(2d)^(1/2)
         const Disc P = 1 + exp(0 - d), E = exponential_mean(2 * d);
         if (meets_cut(P) || meets_cut(E)) return infinity;
-        return std::sqrt(at_most_modulus(P) / at_least_modulus(E)) / 2 * (1 + slack);
+        return up(std::sqrt(at_most_modulus(P) / at_least_modulus(E)) / 2);
     }
     const double decay = at_most_modulus(exp(-beta * d));
     if (full && d.centre().real() - d.radius() > 0.5) // arccos(e^(-d/2)), |e^(-d/2)| < 1: at most pi
-        return decay * std::numbers::pi / std::sqrt(2 * at_least_modulus(d)) * (1 + slack);
+        return up(decay * std::numbers::pi / std::sqrt(2 * at_least_modulus(d)));
     const Disc w4 = 4 * x * exp(-2 * d);
     if (law == Law::density) return decay * modulus(x, one_minus, w4, 2 * d, infinity, Kind::step);
     const Disc R2 = one_minus * one_minus + w4;
@@ -115,14 +115,15 @@ double Levels::first_bound(const Disc& d) const
     if (meets_cut(P)) return infinity;
     const Disc E = exponential_mean(2 * d); // z^2 = 4 d x E/P: as in `modulus`, E must have a root
     if (mean_meets_cut(2 * d, E)) return infinity;
-    const double z2 = 2 * above(load) * at_most_modulus(1 - exp(-2 * d)) / at_least_modulus(P) * (1 + slack);
+    const double z2 = up(2 * above(load) * at_most_modulus(1 - exp(-2 * d)) / at_least_modulus(P));
     if (!(z2 < 1)) return infinity;
-    return decay * std::numbers::pi / 2 * std::sqrt(2 * above(load) * at_most_modulus(E) / at_least_modulus(P)) * (1 + slack);
+    return up(decay * std::numbers::pi / 2 * std::sqrt(2 * above(load) * at_most_modulus(E) / at_least_modulus(P)));
 }
 
 double Levels::lookup(const Boxes& boxes, const PolarRange& p) const
 {
-    const int from = shells.shell(p.inner * (1 - slack)), to = shells.shell(p.outer * (1 + slack));
+    if (!std::isfinite(p.outer)) return infinity;
+    const int from = shells.shell(down(p.inner)), to = shells.shell(up(p.outer));
     if (to > shells.count()) return infinity;
     double most = 0;
     for (int m = 0; m < n_directions; ++m) {
@@ -137,7 +138,7 @@ double Levels::over_box(double inner, double outer, double from, double to, int 
 {
     const double r = (inner + outer) / 2, a = (from + to) / 2;
     const double radius = (outer - inner) / 2 + outer * (to - from) / 2;
-    const double b = f(disc(r * std::cos(a), r * std::sin(a), radius * (1 + slack)));
+    const double b = f(disc(r * std::cos(a), r * std::sin(a), up(radius)));
     if (std::isfinite(b) || depth == 0) return b;
     double most = 0;
     for (int i = 0; i < 4 && std::isfinite(most); ++i) {
@@ -186,10 +187,10 @@ std::unique_ptr<Level> Levels::first_level() const
         const double decay = std::max(std::exp(-beta * r * cosine), smallest_bound);
         if (full) b = law == Law::density ? std::sqrt(2 * (2 * r + 1 / cosine)) / 2 : 4 * decay;
         else {
-            const double eta = 4 * std::exp(-2 * r * cosine) * load_d / ((1 - load_d) * (1 - load_d)) * (1 + slack);
+            const double eta = up(4 * std::exp(-2 * r * cosine) * load_d / ((1 - load_d) * (1 - load_d)));
             if (eta < 1e-3 * (1 - load_d)) b = decay * far_kernel(load_d, eta) * std::sqrt(2 * r + 1 / cosine) * 2;
         }
-        level->boxes.far[static_cast<std::size_t>(m)] = std::max(b / std::sqrt(r) * (1 + slack), smallest_bound);
+        level->boxes.far[static_cast<std::size_t>(m)] = std::max(up(b / std::sqrt(r)), smallest_bound);
     }
     estimate_first(*level);
     return level;
@@ -198,7 +199,7 @@ std::unique_ptr<Level> Levels::first_level() const
 double Levels::far_kernel(double e, double eta) const
 {
     const double P = 2 + 2 * eta, R = (1 - e) * (1 - eta);
-    return (law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) : std::sqrt(P * (1 + e) * (2 + eta))) / R * (1 + 1e-6);
+    return up((law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) : std::sqrt(P * (1 + e) * (2 + eta))) / R);
 }
 
 std::array<double, Levels::sectors> Levels::sector_shares(long m)
@@ -209,7 +210,7 @@ std::array<double, Levels::sectors> Levels::sector_shares(long m)
     for (int i = 0; i < sectors * fine; ++i) share[static_cast<std::size_t>(i / fine)] += std::pow(std::sin((i + 1) * h), static_cast<double>(m)) * h;
     const WorkingPrecision low(bound_bits);
     const double whole = about(wallis(m));
-    for (double& s : share) s *= (1 + slack) / whole;
+    for (double& s : share) s = up(s / whole);
     return share;
 }
 
@@ -226,8 +227,8 @@ void Levels::bound_boxes(const Level& from, Level& to) const
 
     const std::function<double(const Disc&, double, double, double, int)> kernel_over =
         [&](const Disc& d, double a, double b, double direct, int depth) -> double { // theta in [a, b]
-        const double s0 = std::pow(std::sin(a), 2) * (1 - slack), s1 = std::min(1.0, std::pow(std::sin(b), 2) * (1 + slack));
-        const double c0 = std::pow(std::cos(b), 2) * (1 - slack), c1 = std::min(1.0, std::pow(std::cos(a), 2) * (1 + slack));
+        const double s0 = down(std::pow(std::sin(a), 2)), s1 = std::min(1.0, up(std::pow(std::sin(b), 2)));
+        const double c0 = down(std::pow(std::cos(b), 2)), c1 = std::min(1.0, up(std::pow(std::cos(a), 2)));
         const double bound = kernel_bound(e, d, disc_over(s0, s1), disc_over(c0, c1), direct);
         if (std::isfinite(bound) || depth == 0) return bound;
         const double mid = (a + b) / 2;
@@ -241,32 +242,32 @@ void Levels::bound_boxes(const Level& from, Level& to) const
         double sum = 0;
         for (int i = 0; i < sectors; ++i) {
             const double a = std::numbers::pi / 2 * i / sectors, b = std::numbers::pi / 2 * (i + 1) / sectors;
-            const double s0 = std::pow(std::sin(a), 2), s1 = std::min(1.0, std::pow(std::sin(b), 2) * (1 + slack)), c1 = std::pow(std::cos(a), 2) * (1 + slack);
+            const double s0 = std::pow(std::sin(a), 2), s1 = std::min(1.0, up(std::pow(std::sin(b), 2))), c1 = up(std::pow(std::cos(a), 2));
             double u = 0;
             if (m < 0) u = from.boxes.at(from.boxes.disc, 0);
             else {
                 const double near = 2 * (j == 0 ? 0 : shells.radius(j - 1)) * s0, far = 2 * outer * s1;
-                const int j0 = shells.shell(near * (1 - slack)), j1 = std::min(shells.shell(far * (1 + slack)), j + Shells::density); // |2 d s| <= 2 |d|
+                const int j0 = shells.shell(down(near)), j1 = std::min(shells.shell(up(far)), j + Shells::density); // |2 d s| <= 2 |d|
                 for (int q = j0; q <= std::min(j1, shells.count()); ++q) u = std::max(u, from.boxes.at(q, m));
                 if (far > end) u = std::max(u, from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far));
             }
             if (!std::isfinite(u)) return infinity;
             const double direct = cosine > 0.001 ? 2 * outer * c1 + 1 / cosine : infinity;
-            const double k = kernel_over(d, a, b, direct * (1 + slack), 5);
+            const double k = kernel_over(d, a, b, up(direct), 5);
             if (!std::isfinite(k)) return infinity;
             sum += product_of_bounds({share[static_cast<std::size_t>(i)], k, u});
         }
-        return decay * sum * (1 + slack);
+        return up(decay * sum);
     });
     to.boxes.far.assign(n_directions, infinity);
     for (int m = 0; m < n_directions; ++m) {
         const double cosine = std::cos(directions[static_cast<std::size_t>(m) + 1]);
         if (cosine <= 0.001 || beta * end * cosine < 4) continue;
-        const double eta = 4 * std::exp(-2 * end * cosine) * e_d / ((1 - e_d) * (1 - e_d)) * (1 + slack);
+        const double eta = up(4 * std::exp(-2 * end * cosine) * e_d / ((1 - e_d) * (1 - e_d)));
         if (!(eta < 1e-3) || e_d > 0.99999) continue; // R^2 = (1-x)^2 (1 + eta') off its cut: 2 arcsin e + eta < pi
         const double u = std::max(most[static_cast<std::size_t>(m)], from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end));
         to.boxes.far[static_cast<std::size_t>(m)] =
-            product_of_bounds({std::exp(-beta * end * cosine), far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) / std::sqrt(end) * (1 + 1e-6), u});
+            product_of_bounds({std::exp(-beta * end * cosine), up(far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) / std::sqrt(end)), u});
     }
 }
 

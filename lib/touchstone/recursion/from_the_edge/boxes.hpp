@@ -29,6 +29,9 @@ constexpr double smallest_bound = 1e-300;
 /// Above, the tolerances, 1e-6 e^-accuracy and less, would come down to smallest_bound.
 constexpr double most_accuracy = 660;
 
+inline double up(double bound) { return bound * (1 + slack); }
+inline double down(double bound) { return bound * (1 - slack); }
+
 double product_of_bounds(std::initializer_list<double> factors);
 
 double above(const Ball& x);
