@@ -33,18 +33,24 @@ FINDERS = {
     "lib/touchstone/recursion/from_the_edge/rows.cpp": ["boxes", "transfer"],
     "lib/touchstone/recursion/from_the_edge/values.cpp": ["boxes", "transfer"],
     "lib/touchstone/recursion/from_the_edge/whole_support.cpp": ["transfer"],
+    "lib/touchstone/paper/archard_constants.cpp": ["formulas", "catalogue"],
+    "lib/touchstone/paper/weierstrass_profile.cpp": ["formulas", "catalogue"],
+    "lib/touchstone/paper/westergaard_nearest.cpp": ["westergaard_nearest"],
 }
+OF_QUADRATURE = ["public_integrals", "typed_formulas", "quadrature"]
 # header -> tests that are compiled anew with it
 HEADERS = {
     "lib/touchstone/transfer/disc.hpp": {"binary64": "transfer/binary64.cpp"},
-    "lib/touchstone/scalar/double_double.hpp": {"proven_levels": "transfer/double_double.cpp"},
+    "lib/touchstone/scalar/double_double.hpp": {"double_double": "transfer/double_double.cpp"},
+    "lib/touchstone/scalar/pair_ball.hpp": {"westergaard_nearest": "paper/westergaard_nearest.cpp"},
 }
 COMPARISONS = [(r" <( |$)", " <= "), (r" >( |$)", " >= "), (r" <=( |$)", " < "), (r" >=( |$)", " > "), (r"&&", "||"), (r"\|\|", "&&")]
 SECONDS = 240
 
 
 def changes(source):
-    for path in sorted([*FINDERS, *HEADERS]):
+    quadrature = {str(p.relative_to(source)) for p in source.glob("lib/touchstone/quadrature/*.cpp")}
+    for path in sorted({*FINDERS, *HEADERS, *quadrature}):
         for line, text in enumerate((source / path).read_text().splitlines()):
             code = mutate_sources.masked(text)
             if mutate_sources.NO_PROOF.search(text) or "template" in text or "static_assert" in text:
@@ -94,11 +100,11 @@ class Program(mutate_sources.Program):
         header = HEADERS.get(str(change.path))
         mutant = scratch / "mutant.o"
         if not header:
-            library = "touchstone_quadrature" if change.path.parts[2] == "scalar" else "touchstone"
+            library = "touchstone_quadrature" if change.path.parts[2] in ("scalar", "quadrature") else "touchstone"
             if self.run(self.compiled(str(change.path).removeprefix("lib/"), library, mutant, target)).returncode:
                 return "the compiler"
-        for test in header or FINDERS[str(change.path)]:
-            link = from_compiler(self.words(f"test_{test}", f" -o tests/test_{test}\\b"))
+        for test in header or FINDERS.get(str(change.path), OF_QUADRATURE):
+            link = from_compiler(self.words(f"test_{test}", f" -o tests/(quadrature/)?test_{test}\\b"))
             program = scratch / f"test_{test}"
             link[link.index("-o") + 1] = str(program)
             if header:
