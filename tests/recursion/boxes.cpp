@@ -154,6 +154,7 @@ struct Direct {
     }
     Z first(Z d) const
     {
+        if (full && law == Law::density) return std::sqrt(1.0 + std::exp(-d)) / std::sqrt(mean_of(2.0 * d)) / 2.0;
         const Z R = full ? 2.0 * std::exp(-d) : std::sqrt((1 - load) * (1 - load) + 4 * load * std::exp(-2.0 * d)), P = 1 + load + R, M = 1 - load + R, E = mean_of(2.0 * d);
         if (law == Law::density) return std::exp(-1.5 * d) * std::sqrt(P) / std::sqrt(M) / std::sqrt(E) / R;
         const Z z = std::sqrt(4 * load * d * E / P);
@@ -213,9 +214,71 @@ TEST_CASE("every box of the first three levels bounds the level at complex point
                     double& t = tightest[disc ? 0 : angle < 1.5 ? 1 : 2];
                     t = std::max(t, u / bound);
                 }
-                CHECK(inside > 0);
+                CHECK(inside > (k == 3 ? 95 : 335)); // what is proven reaches far
                 CHECK(open > 0);
                 for (const double t : tightest) CHECK(t > std::array{0.28, 0.17, 0.13}[static_cast<std::size_t>(k) - 1]);
+            }
+        }
+}
+
+TEST_CASE("beyond the last shell the first two levels stay below the bounds of their directions")
+{
+    const WorkingPrecision precision(Levels::precision_for(10));
+    for (const Law law : {Law::density, Law::exceedance})
+        for (const Rational& load : {Rational(1), Rational(1, 2), Rational(1, 1000)}) {
+            Levels levels(law, Ball(3), Ball(load), 10);
+            levels.extend_to(2);
+            const Direct direct{law, 3, about(Ball(load)), load == 1};
+            const double end = levels.shells.radius(levels.shells.count());
+            for (long k = 1; k <= 2; ++k) {
+                const Boxes& boxes = levels.levels[static_cast<std::size_t>(k)]->boxes;
+                for (int m = 0; m < n_directions; ++m) {
+                    const double far = boxes.far[static_cast<std::size_t>(m)], least = std::cos(directions[static_cast<std::size_t>(m) + 1]);
+                    CAPTURE(m);
+                    CAPTURE(k);
+                    if (k == 1) CHECK(std::isfinite(far) == (least > 0.001));
+                    else if (least < 0.001) CHECK(std::isinf(far));
+                    if (!std::isfinite(far) || directions[static_cast<std::size_t>(m)] < 0.99) continue; // nearer to the axis all underflows
+                    double tightest = 0;
+                    for (const double beyond : {1.0, 1.02, 1.5, 3.0})
+                        for (const double f : {0.0, 0.5, 1.0}) {
+                            const Z d = std::polar(end * beyond, directions[static_cast<std::size_t>(m)] * (1 - f) + directions[static_cast<std::size_t>(m) + 1] * f);
+                            const double u = std::abs(direct.level(k, d, 4000)), bound = far * std::sqrt(std::abs(d));
+                            if (u < 1e-280) continue; // the decay underflows
+                            CHECK(u <= bound * (1 + 1e-6));
+                            tightest = std::max(tightest, u / bound);
+                        }
+                    if (law == Law::density && k == 1 && tightest > 0 && directions[static_cast<std::size_t>(m)] < 1.35) CHECK(tightest > (load == 1 ? 0.7 : 0.35));
+                }
+            }
+            if (load > Rational(1, 100)) continue; // boxes of a direction end before the last shell
+            // a level of which nothing is known but what it is far out
+            Level from, to;
+            from.k = 1;
+            from.edge = levels.levels[1]->edge;
+            from.edge_bound = levels.levels[1]->edge_bound;
+            from.boxes = levels.levels[1]->boxes;
+            to.boxes.disc = 0;
+            for (double& b : from.boxes.bound) b = smallest_bound;
+            for (double& f : from.boxes.far) f = 1;
+            levels.bound_boxes(from, to);
+            const double e = direct.edge(1);
+            for (const int m : {15, 16, 17}) {
+                const double angle = directions[static_cast<std::size_t>(m) + 1];
+                const Z d = std::polar(end * (1 - 1e-9), angle);
+                double sum = 0, weight = 0, power = law == Law::density ? 0 : 2;
+                for (int i = 0; i < 20000; ++i) {
+                    const double theta = std::numbers::pi / 2 * (i + 0.5) / 20000, s = std::pow(std::sin(theta), 2), w = std::pow(std::sin(theta), power);
+                    weight += w;
+                    if (2 * std::abs(d) * s > end) sum += w * std::abs(direct.kernel(e, d, s)) * std::sqrt(2 * std::abs(d) * s);
+                }
+                const double least = std::exp(-direct.beta() * d.real()) * sum / weight, bound = to.boxes.at(levels.shells.count(), m);
+                CAPTURE(m);
+                CHECK(least <= bound * (1 + 1e-6));
+                // all that is far out, and what a wave makes of the whole shells
+                const double far = to.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(std::abs(d));
+                CHECK(far >= least);
+                CHECK(far <= 1e3 * least);
             }
         }
 }

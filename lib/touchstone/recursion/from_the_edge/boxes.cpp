@@ -56,7 +56,7 @@ PolarRange polar(double re, double im, double radius)
     const double r = std::hypot(re, im);
     radius = up(radius) + r * slack;
     if (radius >= r) return {0, r + radius, 0, 3.1415};
-    const double a = std::fabs(std::atan2(im, re)), half = std::asin(radius / r) + slack;
+    const double a = std::fabs(std::atan2(im, re)), half = std::asin(radius / r); // widened as the radius is, and more
     return {r - radius, r + radius, std::max(0.0, a - half), std::min(3.1415, a + half)};
 }
 
