@@ -35,7 +35,12 @@ unsigned long setting(const char* name, unsigned long otherwise)
 
 Real real(const Rational& r) { return Real(Real(r.get_num_mpz_t()) / Real(r.get_den_mpz_t())); }
 
-Real pi() { return 4 * atan(Real(1)); }
+Real pi()
+{
+    Real r;
+    mpfr_const_pi(r.backend().data(), MPFR_RNDN); // MPFR keeps it
+    return r;
+}
 
 Real squared(const Real& x) { return x * x; }
 
@@ -43,6 +48,7 @@ Real squared(const Real& x) { return x * x; }
 struct Case {
     const char* quantity;
     std::function<Real(const std::function<Real(const char*)>&)> value;
+    bool subtracts = true; ///< what can cancel
 };
 using In = const std::function<Real(const char*)>&;
 
@@ -58,12 +64,15 @@ Real iterate(long n, Real x, const Real& G)
 
 Real K(long n) // (7.13)
 {
+    static std::map<std::pair<long, unsigned>, Real> kept;
+    Real& known = kept[{n, Real::default_precision()}];
+    if (known != 0) return known;
     Real k = 2 / pi(), delta = Real(1) / 2;
     for (long i = 0; i < n; ++i) {
         k *= pow(Real(2), delta) / pi() * sqrt(pi()) * tgamma(Real(1 + delta / 2)) / tgamma(Real(Real(3) / 2 + delta / 2));
         delta = (delta + 1) / 2;
     }
-    return k;
+    return known = k;
 }
 
 const std::vector<Case>& cases()
@@ -86,7 +95,7 @@ const std::vector<Case>& cases()
              const Real b = 1 + load, s = (b - sqrt(b * b - 4 * (load - p * p / 4))) / 2;
              return 2 * asin(sqrt(s)) / pi();
          }},
-        {"hertz.half_width", [](In in) -> Real { return sqrt(in("load")) / pi(); }},                // (2.7)
+        {"hertz.half_width", [](In in) -> Real { return sqrt(in("load")) / pi(); }, false},                // (2.7)
         {"hertz.pressure",
          [](In in) -> Real {
              const Real inside = in("load") - squared(pi() * in("x"));
@@ -115,13 +124,13 @@ const std::vector<Case>& cases()
              const long n = in("n").convert_to<long>();
              const Real last = pow(Real(2), -n);
              return K(n) * pow(in("G"), Real(-(n - 1 + last))) * pow(in("load"), Real(1 - last / 2)); // (7.18), corrected
-         }},
+         }, false},
         {"archard.segments",
          [](In in) -> Real {
              const long n = in("n").convert_to<long>();
              const Real last = pow(Real(2), -n), D = in("D");
              return K(n - 1) * pow(in("gamma"), Real((2 - D) * n + 2 * (D - 1) * (1 - last))) * pow(in("load"), Real(1 - last)); // (8.2)
-         }}};
+         }, false}};
     return all;
 }
 
@@ -214,7 +223,7 @@ TEST_CASE("closed forms hold what the equations give")
         catch (const DomainError&) {
             continue;
         }
-        Real::default_precision(static_cast<unsigned>(digits + spare_digits(inputs)));
+        Real::default_precision(c.subtracts ? static_cast<unsigned>(digits + spare_digits(inputs)) : digits <= 25 ? 180 : 360);
         const Evaluation e = evaluate(q, Inputs(inputs), {.digits = digits});
         check(e, c.value([&](const char* name) { return real(inputs.at(name)); }), digits, shown(c.quantity, inputs, digits));
         ++held;
