@@ -90,6 +90,7 @@ TEST_CASE("discs: reciprocals and roots of discs that nearly reach 0")
         finite += std::isfinite(one_over.radius());
         CAPTURE(i);
         CAPTURE(near);
+        if (near < 0x1p-43) CHECK_FALSE(std::isfinite(one_over.radius())); // too near 0 for the bound of its roundings
         if (std::isfinite(one_over.radius())) CHECK(holds(b, one_over, [](const ComplexBall& z) { return ComplexBall(1) / z; }));
         if (std::isfinite(root.radius())) CHECK(holds(b, root, [](const ComplexBall& z) { return sqrt(z); }));
         const double q = b.radius() / std::abs(c); // towards 0 a root of the disc is as far away as this
@@ -161,6 +162,14 @@ TEST_CASE("discs: exponentials, from those that underflow to those of which noth
         CHECK(holds(z, exp(z), image));
     }
     CHECK_FALSE(std::isfinite(exp(Disc({1, 0}, std::numeric_limits<double>::quiet_NaN())).most()));
+    // the largest e^z of the disc is on its rim, and all that is held
+    for (int i = 0; i < 200; ++i) {
+        const Disc z({-301 - 50 * unit(random), 0}, 360 * unit(random)), of_it = exp(z);
+        CAPTURE(i);
+        CHECK(holds(z, of_it, image));
+        const double most = z.centre().real() + z.radius();
+        if (most > -299) CHECK(of_it.most() <= std::exp(most) * (1 + 1e-10));
+    }
     // as small as can be: a product of two still holds it
     const Disc small = exp(Disc({-295, 0.3}, 1e-20)), smaller = small * small * small;
     CHECK(smaller.most() > 0);

@@ -78,6 +78,22 @@ TEST_CASE("four at a time give what one at a time gives")
     }
 }
 
+TEST_CASE("a pair on all lanes, and operations in place")
+{
+    const DoubleDouble<double> third = DoubleDouble<double>(1) / 3, root = sqrt(DoubleDouble<double>(2));
+    CHECK(third.low != 0);
+    const DoubleDouble<Lanes> wide(third);
+    for (int i = 0; i < 4; ++i) {
+        CHECK(wide.high[i] == third.high);
+        CHECK(wide.low[i] == third.low);
+    }
+    DoubleDouble<double> x = third;
+    CHECK((x += root) == third + root);
+    CHECK((x -= third) == third + root - third);
+    CHECK((x *= third) == (third + root - third) * third);
+    CHECK((x /= root) == (third + root - third) * third / root);
+}
+
 TEST_CASE("sums of products, moments and the kernel of a wave, within their counts")
 {
     const WorkingPrecision precision(400);

@@ -49,7 +49,7 @@ TOUCHSTONE_INLINE Lanes root(Lanes a)
     return r;
 }
 TOUCHSTONE_INLINE double divisor(double a) { return a > 0 ? a : 1; }
-TOUCHSTONE_INLINE Lanes divisor(Lanes a) { return a > 0 ? a : Lanes{1, 1, 1, 1}; }
+TOUCHSTONE_INLINE Lanes divisor(Lanes a) { return a > 0 ? a : Lanes{} + 1; }
 
 } // namespace double_double
 
