@@ -126,6 +126,20 @@ TEST_CASE("every operation on balls of pairs encloses what it does to each numbe
     CHECK(tight > count * 9 / 10); // a ball that holds every number would pass the rest
     CHECK(cancelled > count / 20);
     CHECK(ball(ScalarTraits<PairBall>::pi()).contains(pi<Ball>()));
+    // roots of what may be negative, and an order that is not decided
+    const auto about_minus_one = [](double radius) {
+        Ball b(-1);
+        arb_add_error(b.get(), Ball::exactly(radius).get());
+        return PairBall::around(b);
+    };
+    CHECK(PairBall::root(PairBall(0)).radius() == 0);
+    CHECK(PairBall::root(about_minus_one(0.4)).radius() == 0);
+    CHECK(PairBall::root(about_minus_one(0.4)).middle().high == 0);
+    CHECK(std::isinf(PairBall::root(about_minus_one(1.5)).radius()));
+    CHECK(less(PairBall(1), PairBall(1)) == Truth::no);
+    CHECK(less(PairBall(2), PairBall(1)) == Truth::no);
+    CHECK(less(about_minus_one(0.4), PairBall(0)) == Truth::yes);
+    CHECK(less(about_minus_one(1.5), PairBall(0)) == Truth::unknown);
     // what would lose bits to underflow knows nothing
     const PairBall least = PairBall::exactly(0x1p-430);
     CHECK(least.radius() == 0);

@@ -87,6 +87,11 @@ TEST_CASE("a pair on all lanes, and operations in place")
         CHECK(wide.high[i] == third.high);
         CHECK(wide.low[i] == third.low);
     }
+    CHECK_FALSE(third == DoubleDouble<double>(third.high, 0));
+    CHECK_FALSE(third == DoubleDouble<double>(0, third.low));
+    CHECK(abs(-third) == third);
+    const auto zero = sqrt(DoubleDouble<Lanes>()); // no division by 0
+    for (int i = 0; i < 4; ++i) CHECK((zero.high[i] == 0 && zero.low[i] == 0));
     DoubleDouble<double> x = third;
     CHECK((x += root) == third + root);
     CHECK((x -= third) == third + root - third);
