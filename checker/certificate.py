@@ -72,9 +72,9 @@ def span(text):
 
 
 READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error"), dyadic),
-           **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "panel", "middle", "half"), integer)}
+           **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "aim", "panel", "middle", "half"), integer)}
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
-         "mesh": "G p scale bits kept accuracy rise", "polynomials": "panel middle half terms", "share": "claim"}
+         "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim"}
 WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials"), ("value", "limit", "share")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error"}
 
@@ -255,33 +255,33 @@ class Replay:
         self.proved.add(claim)
         return below[0], inputs, value, error
 
-    def mesh(self, below, G, p, scale, bits, kept, accuracy, rise, edges):
+    def mesh(self, below, G, p, scale, load, bits, kept, accuracy, rise, edges):
         need(not below and bits >= 64 and kept > 0 and accuracy > 0 and rise >= 0 and len(edges) <= MOST_PANELS_OF_A_MESH, "not a mesh", Refused)
         need(101 ** G[1] < G[0] * 100 ** G[1] and G[0] < 2 ** (40 * G[1]), "G is not between 1.01 and 2^40", Refused)
-        return "mesh", self.number, (G, p, scale, bits, kept, accuracy, rise, edges)
+        return "mesh", self.number, (G, p, scale, load, bits, kept, accuracy, rise, edges)
 
-    def polynomials(self, below, panel, middle, half, terms, coefficients):
-        need([b[0] for b in below] == ["mesh"] and half > 0 and 1 < terms <= 64 and coefficients and len(coefficients) % terms == 0, "not the polynomials of a panel", Refused)
-        return "polynomials", self.number, panel, (middle, half), [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
+    def polynomials(self, below, panel, middle, half, terms, aim, coefficients):
+        need([b[0] for b in below] == ["mesh"] and half > 0 and 0 <= aim <= below[0][2][-3] and 1 < terms <= 64 and coefficients and len(coefficients) % terms == 0, "not the polynomials of a panel", Refused)
+        return "polynomials", self.number, panel, (middle, half), aim, [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
 
     def share(self, below, claim):
         mesh, (n, *pressure, load), value, error = self.claimed(self.certificate.quantity, below, claim)
         need(mesh[0] == "mesh", "a share rests on a mesh", Refused)
-        (base, degree), p, scale, bits, kept, accuracy, rise, edges = mesh[2]
+        (base, degree), p, scale, highest, bits, kept, accuracy, rise, edges = mesh[2]
         need((pressure or [0]) == [p] and (not p or scale == n), "does not rest on a mesh of its pressure", Refused)
         below = below[1:]
         need(all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
-        need([b[2] for b in below] == list(range(len(edges) - 1)) and len({(len(b[4]), len(b[4][0])) for b in below}) == 1, "polynomials are missing", Refused)
-        need(n <= len(below[0][4]) and load * 2**bits <= edges[-1], "the mesh does not reach so far", Refused)
+        need([b[2] for b in below] == list(range(len(edges) - 1)) and len({(len(b[5]), len(b[5][0])) for b in below}) == 1, "polynomials are missing", Refused)
+        need(n <= len(below[0][5]) and load <= highest, "the mesh does not reach so far", Refused)
         if self.proving():
             key = mesh[1], tuple(b[1] for b in below)
             if key not in self.rules:
                 Interval.bits = bits + 128
                 pressure = p / power_of(base, degree, scale)  # in p*_n, whatever the scale is
-                made = full_contact.Mesh(root_of(base, degree), pressure, bits, edges, [b[3] for b in below], [b[4] for b in below], kept, accuracy, rise)
-                self.rules = {key: (made, made.effects(self.progress))}  # of one mesh at a time
-            made, effects = self.rules[key]
-            low, high = made.value(n, load, effects)
+                made = full_contact.Mesh(root_of(base, degree), pressure, highest, bits, edges, *zip(*(b[3:6] for b in below)), kept, accuracy, rise)
+                self.rules = {key: (made, made.errors(self.progress))}  # of one mesh at a time
+            made, errors = self.rules[key]
+            low, high = made.value(n, load, errors)
             need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
         return "share", self.number
 
@@ -335,7 +335,9 @@ def main():
         first, last = span(arguments.lines) if arguments.lines else (1, certificate.count)
         need(0 < first <= last <= certificate.count, f"there are no lines {first}-{last}")
         if arguments.join:
-            return join(certificate, arguments.join)
+            join(certificate, arguments.join)
+            print(f"yes: the pieces cover all {certificate.count} lines, {len(certificate.claims)} claims are proved")
+            return 0
         Replay(certificate, first, last)
     except (Malformed, Refused) as why:
         print("".join(c if c.isprintable() else "?" for c in f"no: {arguments.file}: {why}"))
@@ -363,8 +365,6 @@ def join(certificate, reports):
         held.update(range(int(said[1]), min(int(said[2]), certificate.count) + 1))
     missing = sorted(set(range(1, certificate.count + 1)) - held)
     need(not missing, f"line {missing[0] if missing else 0} was proved by no piece", Refused)
-    print(f"yes: the pieces cover all {certificate.count} lines, {len(certificate.claims)} claims are proved")
-    return 0
 
 
 if __name__ == "__main__":

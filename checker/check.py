@@ -61,8 +61,12 @@ def with_certificates(forms, paths):
     """the forms, and what the claims of certificates say of rows without one: A_n, and with it (8.1) the number gamma^n A_(n-1) of segments"""
     known = {}
     for path in paths:
+        path, *reports = path.split(",")
         read = certificate.Certificate(path)
-        certificate.Replay(read, 1, read.count)
+        if reports:
+            certificate.join(read, reports)
+        else:
+            certificate.Replay(read, 1, read.count)
         for *inputs, value, error in read.claims.values():
             known[read.quantity, *inputs] = Interval.of(value) + iv.error_term(Interval.of(error))
 
@@ -137,7 +141,7 @@ def keep(path, found):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--limit", type=int, help="check at most N rows of a table, evenly spread")
-    parser.add_argument("--certificate", action="append", default=[], metavar="FILE", help="of areas, proved first")
+    parser.add_argument("--certificate", action="append", default=[], metavar="FILE[,REPORT...]", help="proved first, or, of a long one, what certificate.py printed for its pieces")
     parser.add_argument("--coverage", metavar="FILE", help="keep there what was found of whole tables")
     parser.add_argument("tables", nargs="+")
     arguments = parser.parse_args()

@@ -4,13 +4,14 @@
 B_m(x) = A_m at load x, B_(m+1) = T B_m, (T f)(x) = (1/pi) int f(y) dtheta over 0 < theta < pi, c = cos theta,
     y^2 = z(c) = ((x + c)/G)^2 where x >= 1,   z(c) = (1 + c)(2 x - 1 + c)/G^2 where x < 1, and f counts as 0 where that is negative.
 V_m are polynomials of z = y^2 on panels of y, any; what is proved, on intervals J of x that this program chooses, is
-D_m >= |V_m - T V_(m-1)|, D_0 >= |V_0 - B_0|. As T is positive, |B_n - T V_(n-1)| <= sum T^(n-m) D_m (G).
+D_m >= |V_m - T V_(m-1)|, D_0 >= |V_0 - B_0|. As T is positive, |B_m - V_m| <= e_m = D_m + T e_(m-1) (G), a step function on cells (H).
 
 Fixed point: an integer stands for that many units 2^-bits. Bounds are fractions or integers rounded up.
 """
 from bisect import bisect_left, bisect_right
 from fractions import Fraction
 from functools import lru_cache
+from itertools import accumulate
 from math import factorial, isqrt
 from operator import mul
 
@@ -29,6 +30,10 @@ SPARE_BITS = 24             # of a lane: sums of a row are that much larger than
 FAR = (4, 7, 12)            # powers rho = 2^FAR of larger ellipses: what panels far from the ends of a wave give needs fewer points
 WORK = 46                   # bits of Chebyshev's polynomials beyond the accuracy: 14 for MOST_NODES, 12 for terms^2, 8 for CONTINUED
 MOST_NODES = 1 << 14        # in a row
+SMALL = 4                   # bits: a bound so far above what is wanted has no cell of its own
+FINE = 16                   # cells are no wider than 1/FINE of the ratio; below 2^-FINE they are as they come
+MOST_PARTS = 64             # of one cell
+FEW = 64                    # what is counted by (H) is so much less than the rest
 DEEPER = 5                  # bits: to 2^-DEEPER of the largest defect seen on a panel the others are looked into
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
@@ -138,11 +143,11 @@ def lebesgue(count):
 class Mesh:
     """V_0 ... V_(levels-1) on panels edges[p] <= y <= edges[p+1]: 2^lift[m] V_m = sum c_k T_k((y^2 - middle)/half), lift[m] = m rise/16
     rounded down, the c_k in units 2^-kept. All values and bounds of a level are those of 2^lift V, so that late levels, small as G^-m, are
-    as accurate as the first. `accuracy`: what is aimed at, 2^-accuracy."""
+    as accurate as the first. It serves loads up to `load`. What is aimed at: defects of 2^-aims[p] on a panel, no less than 2^-accuracy."""
 
-    def __init__(self, G, pressure, bits, edges, places, series, kept, accuracy, rise):
+    def __init__(self, G, pressure, load, bits, edges, places, aims, series, kept, accuracy, rise):
         self.trig = Trigonometry(bits)
-        self.bits, self.one, self.kept, self.accuracy = bits, 1 << bits, kept, accuracy
+        self.bits, self.one, self.kept, self.accuracy, self.aims = bits, 1 << bits, kept, accuracy, aims
         self.work = min(bits, accuracy + WORK)  # a polynomial needs fewer bits than the root at an end of a wave
         self.unit, self.spread = 1 << self.work + kept, {}
         self.edges, self.places, self.series = edges, places, series
@@ -152,12 +157,18 @@ class Mesh:
         Interval.bits = bits + 64
         self.G, self.inverse, self.P = fixed(G, bits), fixed(1 / G.square(), bits), fixed(Interval.of(pressure), bits)
         rising = 0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:]))
-        if not rising or not self.one <= edges[-1] <= HIGHEST * self.one or any(half <= 0 for _, half in places):
+        if not rising or not edges[-1] <= HIGHEST * self.one or any(half <= 0 for _, half in places):
             raise Refused("not a mesh")
         if any(abs(self.local(p, y * y >> bits)) > (1 << self.work) + (1 << self.work >> BEYOND) for p in range(len(places)) for y in edges[p:p + 2]):
             raise Refused("a polynomial is of another panel")
-        if (edges[-1] + self.one) << bits > (self.G - 1) * edges[-1]:
-            raise Refused("ratios leave the mesh")
+        self.farthest = []  # up to which panel a level matters, the last level first
+        for _ in range(self.levels):
+            x = max([-(-load * self.one // 1), *(edges[p] for p in self.farthest[-1:])])
+            p = bisect_left(edges, self.most(x) + (x >> bits) + 4)
+            if p == len(edges):
+                raise Refused("ratios leave the mesh")
+            self.farthest.append(max(p, 1))
+        self.farthest.reverse()
         # The levels side by side in one integer, so that one product serves all of them (Kronecker's substitution).
         self.sizes = [[max(map(abs, c)) for c in zip(*of_panel)] for of_panel in series]
         self.lane = self.work + max(map(max, self.sizes)).bit_length() + SPARE_BITS
@@ -424,20 +435,20 @@ class Mesh:
             beyond += (1 + lebesgue(fewer)) * 2 * Fraction(2) ** (size - power * (fewer - 1)) / (2**power - 1)
         return rows, each + beyond
 
-    def on_interval(self, p, x1, x2, wanted):
-        """(K): |V_m - T V_(m-1)| on J = [x1, x2] in the panel p, m = 1 ... levels: fractions. wanted: log2"""
+    def on_interval(self, p, x1, x2, wanted, levels):
+        """(K): |V_m - T V_(m-1)| on J = [x1, x2] in the panel p, 0 < m < levels: fractions. wanted: log2"""
         low, high, log_size = self.disc(p, x1, x2)
         count, beyond = self.interpolation(log_size + max(self.up), wanted)
-        off = [o * 2**up for o, up in zip(self.mismatch(low, high, x1, x2), self.up)]
+        ups = self.up[:levels - 1]
+        off = [o * 2**up for o, up in zip(self.mismatch(low, high, x1, x2), ups)]
         if max(off) > Fraction(2) ** wanted:
             raise Far
         rows, off_by = self.wave(x1, x2, low, high, count, wanted)
-        worst = [0] * len(self.up)
+        worst = [0] * len(ups)
         for x, row in zip(self.chebyshev_points(x1, x2, count), rows):
             here = self.values(p, x * x >> self.bits)
-            for m in range(self.levels - 1):
-                worst[m] = max(worst[m], abs((row[m] << self.up[m]) - here[m + 1]))
-        return [lebesgue(count) * (Fraction(w, self.unit) + self.round + off_by * 2**up) + beyond + o for w, o, up in zip(worst, off, self.up)]
+            worst = [max(w, abs((t << up) - v)) for w, t, up, v in zip(worst, row, ups, here[1:])]
+        return [lebesgue(count) * (Fraction(w, self.unit) + self.round + off_by * 2**up) + beyond + o for w, o, up in zip(worst, off, ups)]
 
     def between(self, p, x1, x2):
         """|V_m - v| for any v between T V_(m-1)(x1) and T V_(m-1)(x2), m = 1 ... levels: with (G) and monotony a bound of |V_m - B_m|"""
@@ -445,34 +456,42 @@ class Mesh:
         of_levels = self.furthest(p, x1, x2, lambda z: ends)[1:]
         return [d + (self.quadrature + self.round) * 2**up for d, up in zip(of_levels, self.up)]
 
-    def seen(self, p):
+    def seen(self, p, levels):
         """log2 of the largest |V_m - T V_(m-1)| at three points of the panel: what is far below adds little to the bound that is found"""
         largest = 1
         for z in self.chebyshev_points(*(y * y >> self.bits for y in self.edges[p:p + 2]), 3):
             rows = self.exact_row(isqrt(z << self.bits))
-            largest = max(largest, *(abs((v << up) - w) for v, w, up in zip(rows, self.values(p, z)[1:], self.up)))
+            largest = max(largest, *(abs((v << up) - w) for v, w, up in zip(rows, self.values(p, z)[1:levels], self.up)))
         return largest.bit_length() - self.unit.bit_length()
 
-    def cover(self, p, bound, hole):
-        """bound(x1, x2) on intervals that cover the panel, cut at 1; hole(x1, x2) where one is too narrow for that. Returns the largest,
-        all m, and the holes with their widths."""
+    def cover(self, p, bound, hole, wanted, levels):
+        """bound(x1, x2) on intervals that cover the panel, cut at 1, or hole(x1, x2) where that is as good, or one is too narrow. Returns
+        (x1, x2, bounds), ascending; neighbours that have what is wanted are put together"""
         a, b = self.edges[p], self.edges[p + 1]
-        stack, largest, holes = [(a, self.one), (self.one, b)] if a < self.one < b else [(a, b)], [], []
+        stack, found = [(self.one, b), (a, self.one)] if a < self.one < b else [(a, b)], []
         for _ in range(MOST_INTERVALS):
             if not stack:
-                return largest, holes
+                return found
             a, b = stack.pop()
             if b - a < 1 << self.bits // 2:
                 raise Refused("a panel is too narrow")  # for the rounding of points on it
             try:
                 here = bound(a, b)
-                largest = list(map(max, largest, here)) if largest else here
             except Far:
-                if b - a <= self.one >> self.accuracy:
-                    holes.append((b - a, hole(a, b)))
-                else:
-                    stack += [(a, a + b >> 1), (a + b >> 1, b)]
+                if b - a > self.one >> self.accuracy and self.risen(p, a, b, levels) > wanted:
+                    stack += [(a + b >> 1, b), (a, a + b >> 1)]
+                    continue
+                here = hole(a, b)
+            small = all(d <= Fraction(2) ** (wanted + SMALL) for d in here)
+            if found and small and found[-1][3]:
+                a, here = found[-1][0], list(map(max, here, found.pop()[2]))
+            found.append((a, b, here, small))
         raise Refused("the polynomials of a panel are no approximations")
+
+    def risen(self, p, a, b, levels):
+        """log2 of how much V rises on an interval: what a hole would give"""
+        low, high = (self.values(p, y * y >> self.bits)[:levels] for y in (a, b))
+        return max(abs(v - u) for u, v in zip(low, high)).bit_length() - self.unit.bit_length()
 
     def first_wave(self, x):
         """B_0, the share of one wave above the pressure P, in units 2^-work"""
@@ -507,50 +526,76 @@ class Mesh:
         ends = [[self.first_wave(x) << self.kept] for x in (x1, x2)]
         return self.furthest(p, x1, x2, lambda z: ends)
 
-    def effects(self, progress=lambda done: None):
-        """(G), (H): sup T D_m, all m"""
-        below, above = self.reach(Fraction(self.edges[0], self.one)), self.reach(Fraction(self.edges[-1], self.one))
-        # Below the first panel V_m = 0 and B_m <= T^(m+1) 1.
-        parts, effects = [[(below[m + 1] * 2**lift, self.edges[0], False)] for m, lift in enumerate(self.lift)], []
-        for p, (low, high) in enumerate(zip(self.edges, self.edges[1:])):
-            progress(f"panel {p + 1} of {len(self.series)}")
-            share = self.share(high - low)
-            wanted = (share.denominator // share.numerator).bit_length() - 1 - self.accuracy
-            for first, bound, hole in ((0, self.first_on, self.first_between), (1, self.on_interval, self.between))[:self.levels]:
-                wanted = max(wanted, self.seen(p) - DEEPER) if first else wanted
-                largest, holes = self.cover(p, lambda a, b: bound(p, a, b, wanted), lambda a, b: hole(p, a, b))  # noqa: B023
-                for m in range(first, self.levels if first else 1):
-                    parts[m] += [(largest[m - first], high - low, False)] if largest else []
-                    parts[m] += [(values[m - first], narrow, first > 0) for narrow, values in holes]
-        for m, of_level in enumerate(parts):
-            # a hole bounds |V_m - v|, and |B_m - v| is at most what is known of the levels before
-            known = sum(effects[k] * above[m - 1 - k] * 2 ** (self.lift[m] - self.lift[k]) for k in range(m))
-            least, sum_of_larger = [], Fraction(0)
-            for d, share in sorted(((d + known * hole, self.share(w)) for d, w, hole in of_level), reverse=True):
-                least.append(d + sum_of_larger)
-                sum_of_larger += d * share
-            effects.append(min(*least, sum_of_larger))
-        return effects
+    def defects(self, progress=lambda done: None):
+        """(G): of each level, D_m on intervals, ascending"""
+        first = [(0, self.edges[0], self.first_between(-1, 0, self.edges[0]))]
+        later = [(0, self.edges[0], self.between(-1, 0, self.edges[0]))] if self.levels > 1 else []
+        for p in range(self.farthest[0]):
+            progress(f"panel {p + 1} of {self.farthest[0]}")
+            wanted, levels = -self.aims[p], sum(p < farthest for farthest in self.farthest)
+            first += self.cover(p, lambda a, b: self.first_on(p, a, b, wanted), lambda a, b: self.first_between(p, a, b), wanted, 1)  # noqa: B023
+            if levels > 1:
+                wanted = max(wanted, self.seen(p, levels) - DEEPER)
+                later += self.cover(p, lambda a, b: self.on_interval(p, a, b, wanted, levels), lambda a, b: self.between(p, a, b)[:levels - 1], wanted, levels)  # noqa: B023
+        return first, later
 
-    def reach(self, x):
-        """(G): T^k 1 <= C_k x^(a_k), k = 0 ... levels"""
-        Interval.bits = self.bits
-        G, bounds, a, C = Interval(self.G, self.G + 1, -self.bits), [Fraction(1)], Fraction(1, 2), Interval.of(1)
-        for _ in range(self.levels):
-            bounds.append(min(Fraction(1), (C * iv.power(x, a)).ends()[1]))
-            C, a = C / iv.power(G, a), (1 + a) / 2
-        return bounds
+    def errors(self, progress=lambda done: None):
+        """(G), (H): the ends of cells and e_m >= |B_m - V_m| on each, all m, in units 2^-bits"""
+        first, later = self.defects(progress)
+        ends = sorted({y for a, b, *_ in first + later for y in (a, b)})
+        for a, b in zip(ends[:], ends[1:]):  # a step function is larger than what it is above by as much as that rises on a cell
+            parts = min(MOST_PARTS, 1 + FINE * (b - a) // max(a, self.one >> FINE))
+            ends += [a + (b - a) * i // parts for i in range(1, parts)]
+        ends.sort()
+        cells, defects = range(len(ends) - 1), [[0] * (len(ends) - 1) for _ in range(self.levels)]
+        for start, parts in ((0, first), (1, later)):
+            for a, b, of_levels, *_ in parts:
+                for c in range(bisect_left(ends, a), bisect_left(ends, b)):
+                    for m, d in enumerate(of_levels):
+                        defects[start + m][c] = -(-d * self.one // 1)
+        shares = [self.shares(y, ends) for y in ends]
+        errors = []
+        for m, D in enumerate(defects):
+            if m:
+                parts = self.parted(errors[-1], ends)
+                D = [d + (self.averaged(parts, shares[c], shares[c + 1]) << self.up[m - 1]) if d else 0 for c, d in zip(cells, D)]
+            errors.append(D)
+        return ends, errors
 
-    def value(self, n, load, effects):
+    def shares(self, x, ends):
+        """(H): of a wave of mean x above each of these ratios, in units 2^-work, as far as there is any; their last end lies beyond all"""
+        found = []
+        for y in ends[:-1]:
+            found.append((self.theta(x, y) << self.work) // self.trig.pi)
+            if not found[-1]:
+                break
+        return found
+
+    def parted(self, e, ends):
+        """(H): a step function as one that is at most d, by its jumps; what T makes of the rest, summed from the first cell on; and its largest"""
+        wide = [isqrt((self.G * (b - a) >> 1) + 1) + 1 for a, b in zip(ends, ends[1:])]
+
+        def beyond(d):
+            return [(max(0, v - d) * w >> self.bits) + (v > d) for v, w in zip(e, wide)]
+
+        d = 1 << max(e).bit_length()
+        while sum(beyond(d >> 1)) * FEW < d:
+            d >>= 1
+        steps = [min(v, d) for v in e]
+        return [b - a for a, b in zip([0, *steps], steps)], list(accumulate(beyond(d))), max(e)
+
+    def averaged(self, parts, less, more):
+        """(H): above T e for a step function e, from the shares at the ends of an interval of x"""
+        (jumps, beyond, most), ends = parts, 1 + (1 << max(0, self.work - self.bits // 2 + 10))
+        total = sum(j * (s + ends if j > 0 else 0) for j, s in zip(jumps, more)) + sum(j * max(0, s - ends) for j, s in zip(jumps, less) if j < 0)
+        total += ends * sum(j for j in jumps[len(more):] if j > 0)
+        return min(most, (total >> self.work) + 1 + beyond[min(len(more), len(beyond)) - 1])
+
+    def value(self, n, load, errors):
         """B_n at this load: low and high, fractions"""
-        below, above = load * 2**self.bits // 1, -(-load * 2**self.bits // 1)
-        reach = self.reach(Fraction(above, self.one))
-        rows = [self.exact_row(x) for x in {below, above}]  # B_n increases
-        for k in range(1, n + 1):
-            units = self.unit << self.lift[k - 1]
-            error = sum(effects[m] * reach[k - 1 - m] / 2 ** self.lift[m] for m in range(k))
-            error += (2 * self.round + self.quadrature) / 2 ** self.lift[k - 1]
-            low, high = (Fraction(which(row[k - 1] for row in rows), units) for which in (min, max))
-            if not self.P and k < self.levels:
-                reach[k + 1] = min(reach[k + 1], high + error)  # T^(k+1) 1 = B_k for areas
-        return low - error, high + error
+        (ends, errors), units = errors, self.unit << self.lift[n - 1]
+        at = load * self.one // 1, -(-load * self.one // 1)
+        rows = [self.exact_row(x)[n - 1] for x in set(at)]  # B_n increases
+        error = Fraction(self.averaged(self.parted(errors[n - 1], ends), *(self.shares(x, ends) for x in at)), self.one)
+        error = (error + 2 * self.round + self.quadrature) / 2 ** self.lift[n - 1]
+        return Fraction(min(rows), units) - error, Fraction(max(rows), units) + error

@@ -6,6 +6,7 @@ import functools
 import hashlib
 import itertools
 import json
+import math
 import pathlib
 import random
 import subprocess
@@ -207,6 +208,10 @@ class Certificates(unittest.TestCase):
         self.assertEqual(check(self.path, "--join", *reports).returncode, 0)
         gap = check(self.path, "--join", reports[0], reports[2])
         self.assertEqual((gap.returncode, gap.stdout.count("proved by no piece")), (1, 1))
+        table = known.checker.parent / "data/reference/limit_ratio.txt"
+        for pieces, code in ((reports, 0), (reports[1:], 65)):  # check.py takes pieces too
+            said = subprocess.run([sys.executable, known.checker / "check.py", "--certificate", ",".join(map(str, [self.path, *pieces])), table], capture_output=True, text=True)
+            self.assertEqual((said.returncode, said.stderr.count("proved by no piece")), (code, code // 65), said.stderr)
         self.path.write_text(signed(self.text.replace("load=1/10", "load=1/11")))
         self.assertEqual(check(self.path, "--join", *reports).returncode, 65)
         self.assertEqual(check("--lines", f"1-{count + 1}", self.path).returncode, 65)
@@ -248,9 +253,9 @@ class Certificates(unittest.TestCase):
     def test_what_is_written_to_deceive_is_refused(self):
         """Lines by hand that rest on what they may not, and numbers that no arithmetic holds: an answer, never a crash."""
         area, constant, one = "n=1 load=1/2 G=3 value=1:-1 error=1:-2", "G=3 value=1:0 error=1:-1", 1 << 64
-        grid, mesh = "G=3 bits=40 step=1:-3 points=40", f"G=3 p=0 scale=0 bits=40 kept=40 accuracy=a rise=0 {one // 100:x} "
+        grid, mesh = "G=3 bits=40 step=1:-3 points=40", f"G=3 p=0 scale=0 load=1/2 bits=40 kept=40 accuracy=a rise=0 {one // 100:x} "
         panel, level = "panel 1 3 low=1:-2 high={} terms=2 rho=1000001:-24", "level 1-2 4 m=0 error=1:10 exponent=0 1 0"
-        V = "terms=2 8000000000000000 4000000000000000"
+        V = "terms=2 aim=a 8000000000000000 4000000000000000"
         for why, quantity, claim, lines in (
                 ("does not rest on levels", "limit.area_constant", constant, [f"grid - 3 {grid}", panel.format("1:0"), "limit 1-2 3 claim=1 m=0 exponent=0 1"]),
                 ("a share rests on a mesh", "contact.area", area, [f"grid - 2 {grid}", "share 1 2 claim=1"]),
@@ -260,9 +265,12 @@ class Certificates(unittest.TestCase):
                 ("a panel is too far out", "contact.area", area, [f"grid - 3 {grid}", panel.format("1:200").replace("1000001:-24", f"{2**300 + 1:x}:-300"), level, "value 1,3 4 claim=1"]),
                 ("claim 1: is none", "contact.area", area.replace("error=1:-2", "error=1:9000"), [f"grid - 3 {grid}", panel.format("1:2"), level, "value 1,3 4 claim=1"]),
                 ("a polynomial is of another panel", "contact.area", area, [f"mesh - 3 {mesh}{2 * one:x}", f"polynomials 1 3 panel=0 middle={2 * one:x} half={one // 9:x} {V}", "share 1-2 3 claim=1"]),
-                ("a panel is too narrow", "contact.area", area, [f"mesh - 5 {mesh}{one // 2:x} {one // 2 + (1 << 31):x} {2 * one:x}", *(
+                ("a panel is too narrow", "contact.area", area, [f"mesh - 5 {mesh.replace('load=1/2', 'load=1')}{one // 2:x} {one // 2 + (1 << 31):x} {2 * one:x}", *(
                     f"polynomials 1 5 panel={p} middle={(a * a + b * b) >> 65:x} half={((b * b - a * a) >> 65) + 4:x} {V}"
                     for p, (a, b) in enumerate([(one // 100, one // 2), (one // 2, one // 2 + (1 << 31)), (one // 2 + (1 << 31), 2 * one)])), "share 1-4 5 claim=1"]),
+                ("ratios leave the mesh", "contact.area", area, [f"mesh - 3 {mesh}{one // 3:x}", f"polynomials 1 3 panel=0 middle={one // 18:x} half={one // 18:x} {V}", "share 1-2 3 claim=1"]),
+                ("the mesh does not reach so far", "contact.area", area.replace("1/2 G", "2/3 G"), [f"mesh - 3 {mesh}{2 * one:x}", f"polynomials 1 3 panel=0 middle={2 * one:x} half={2 * one:x} {V}", "share 1-2 3 claim=1"]),
+                ("not the polynomials of a panel", "contact.area", area, [f"mesh - 3 {mesh}{2 * one:x}", f"polynomials 1 3 panel=0 middle={2 * one:x} half={2 * one:x} {V.replace('aim=a', 'aim=b')}", "share 1-2 3 claim=1"]),
                 ("not a mesh", "contact.area", area, [f"mesh - 3 {mesh}{one << 99:x}", f"polynomials 1 3 panel=0 middle={one << 197:x} half={one << 197:x} {V}", "share 1-2 3 claim=1"])):
             self.write(quantity, [claim], lines)
             with self.subTest(why):
@@ -283,11 +291,39 @@ class Certificates(unittest.TestCase):
             edges = [4 * one, low, at - h + 1, at + h - 1, 60 * one]
             places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
             series = [[[one, 0], [0 if p == 2 else one, 0]] for p in range(4)]
-            mesh = full_contact.Mesh(transfer.Interval.of(G), Fraction(0), bits, edges, places, series, bits, 10, 0)
+            mesh = full_contact.Mesh(transfer.Interval.of(G), Fraction(0), 60, bits, edges, places, [8] * 4, series, bits, 10, 0)
             tried += 1
             with self.assertRaises(full_contact.Far):
-                mesh.on_interval(2, edges[2], edges[3], -8)
+                mesh.on_interval(2, edges[2], edges[3], -8, 2)
         self.assertGreater(tried, 0)
+
+    def test_step_functions_are_averaged_from_above(self):
+        """(H): T of a step function, by sums over the wave in doubles, is nowhere above what is said of an interval, nor far below."""
+        bits, chosen, G = 64, random.Random(20261123), 3
+        one, tight = 1 << bits, []
+        edges = [one // 64 * k for k in range(1, 129)]
+        places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
+        mesh = full_contact.Mesh(transfer.Interval.of(G), Fraction(0), 4, bits, edges, places, [10] * len(places), [[[one, 0]]] * len(places), bits, 10, 0)
+        ends = [0, *edges]
+        cosines = [math.cos(math.pi * (k + 0.5) / 20000) for k in range(20000)]
+        for _ in range(60):
+            e = [chosen.randrange(1, one >> chosen.choice([0, 8, 30])) for _ in ends[1:]]
+            c = chosen.randrange(len(edges) - 1)
+            low, high = edges[c], edges[c + 1]
+            said = mesh.averaged(mesh.parted(e, ends), mesh.shares(low, ends), mesh.shares(high, ends)) / one
+            for x in (low / one, chosen.uniform(low / one, high / one), high / one):
+                squares = [((x + w) / G) ** 2 if x >= 1 else (1 + w) * (2 * x - 1 + w) / G**2 for w in cosines]
+                true = sum(e[min(int(64 * math.sqrt(z)), len(e) - 1)] for z in squares if z > 0) / one / len(cosines)
+                self.assertLessEqual(true, said * (1 + 1e-3) + 1e-12, (low / one, x))
+            tight.append(true / said)
+        self.assertGreater(sorted(tight)[30], 0.3)
+        x, width = 3 * one // 2, one >> 40  # a narrow cell where the wave ends: of cos theta > 1 - G width
+        spiked = sorted({*ends, mesh.most(x) - width, mesh.most(x)})
+        e = [one << 24 if a == mesh.most(x) - width else one for a in spiked[:-1]]
+        said = mesh.averaged(mesh.parted(e, spiked), mesh.shares(x, spiked), mesh.shares(x + width, spiked)) / one
+        true = 1 + 2**24 * math.sqrt(2 * G * 2**-40) / math.pi
+        self.assertLess(true, said)
+        self.assertLess(said, 2 * true)
 
     def test_levels_packed_into_one_integer_are_those_of_each(self):
         bits, chosen = 64, random.Random(20261123)
@@ -297,7 +333,7 @@ class Certificates(unittest.TestCase):
         series = [[[chosen.randrange(-one, one) >> 2 * k for k in range(terms)] for _ in range(5)] for _ in places]
 
         def mesh(levels):
-            return full_contact.Mesh(transfer.Interval.of(3), Fraction(0), bits, edges, places, [[p[m] for m in levels] for p in series], bits, 10, 0)
+            return full_contact.Mesh(transfer.Interval.of(3), Fraction(0), 2, bits, edges, places, [9] * 4, [[p[m] for m in levels] for p in series], bits, 10, 0)
         for at in (one // 3, one // 2, 3 * one // 2, 2 * one):
             low, high = 0, len(places) - 1
             with unittest.mock.patch.object(full_contact.Mesh, "order", lambda *_: 8):  # one rule for all, whatever the level
@@ -314,7 +350,7 @@ class Certificates(unittest.TestCase):
         edges = [one // 64 * k for k in (1, 2, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 56, 64, 80, 96, 104)]
         places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
         series = [[[chosen.randrange(-one, one) >> 2 * k for k in range(terms)] for _ in range(3)] for _ in places]
-        mesh, seen = full_contact.Mesh(transfer.Interval.of(3), Fraction(0), bits, edges, places, series, bits, 30, 0), set()
+        mesh, seen = full_contact.Mesh(transfer.Interval.of(3), Fraction(0), 1, bits, edges, places, [30] * len(places), series, bits, 30, 0), set()
         for at, half in itertools.product((one // 3, one // 2, 9 * one // 10, one + one // 50, 3 * one // 2), (one >> 6, one >> 8, one >> 12, one >> 30)):
             x1, x2 = at - half, at + half
             low, high = -1 if x2 < one else mesh.panel(mesh.least(x2)), mesh.panel(mesh.most(x1))
@@ -348,7 +384,7 @@ class Certificates(unittest.TestCase):
         one = 1 << bits
         edges = [one // 512 * k for k in range(1, 1537)]
         places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
-        mesh = full_contact.Mesh(transfer.Interval.of(3), Fraction(0), bits, edges, places, [[[one << 99] * terms]] * len(places), bits, 100, 0)
+        mesh = full_contact.Mesh(transfer.Interval.of(3), Fraction(0), 2, bits, edges, places, [100] * len(places), [[[one << 99] * terms]] * len(places), bits, 100, 0)
         with self.assertRaisesRegex(full_contact.Refused, "too many points"):
             mesh.exact_row(2 * one)
         self.assertLessEqual(mesh.nodes, full_contact.MOST_NODES + 32)

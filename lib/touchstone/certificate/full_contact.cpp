@@ -18,7 +18,9 @@ constexpr double smallest = 1e-14; ///< shares
 
 /// What the checker is told to do.
 struct Choices {
-    long accuracy;                                  ///< defects are looked into down to 2^-accuracy
+    long accuracy;                                  ///< defects are looked into down to 2^-accuracy,
+    long relative;                                  ///< or to 2^-relative of V where that is more
+    double least;                                   ///< the first ratio of the smallest load
     long rise;                                      ///< 2^(m rise/16) V_m is written, for B_m falls like G^-m
     long bits() const { return 2 * accuracy + 64; } ///< a root at an end of a wave loses half of them
     long kept() const { return accuracy + 26; }      ///< of the coefficients: jumps between panels stay as small where one is continued
@@ -39,18 +41,51 @@ mpz_class units(const transfer::levels::Real& x, long b)
 double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }
 
-/// The numbers of the lines mesh and polynomials.
-std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Area& a, long levels, const Choices& c, Lines& lines)
+/// How many panels so many scales below this load meet, (2.10), (2.13), from the end of a panel to the end of another; one more for rounding.
+std::size_t panels_below(double load, double G, long levels, const transfer::levels::Layer& V)
 {
-    std::string mesh = fmt::format("G={} p={} scale={:x} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(a.G), a.p.get_str(),
-                                   a.p == 0 ? 0 : a.n, c.bits(), c.kept(), c.accuracy, c.rise);
-    for (const auto& p : V.panels) mesh += ' ' + hex(units(p.y0, c.bits()));
-    mesh += ' ' + hex(units(V.panels.back().y1, c.bits()));
+    std::size_t count = 0;
+    double x = load;
+    for (long k = 0; k < levels; ++k) {
+        const double farthest = x < 1 ? 2 * std::sqrt(x) / G : (1 + x) / G;
+        while (count < V.panels.size() && V.panels[count].y1.high < farthest) ++count;
+        x = std::max(load, V.panels[std::min(count, V.panels.size() - 1)].y1.high);
+    }
+    return std::min(V.panels.size(), count + 2);
+}
+
+/// log2 of what the checker is to look for on a panel: relative to the least level there, or to that at the first ratio of the smallest load where
+/// ratios are smaller; less on a panel so narrow that of many like it a wave has little (H). Nothing is proved by it.
+long aim(const transfer::levels::Layer& V, std::size_t panel, long levels, double G, const Choices& c)
+{
+    const double width = V.panels[panel].y1.high - V.panels[panel].y0.high;
+    std::size_t at = panel;
+    while (at + 1 < V.panels.size() && V.panels[at].y1.high < c.least) ++at;
+    double size = 1;
+    for (long m = 0; m < levels; ++m) {
+        double value = 0; // at the lower end, where T_k = (-1)^k
+        for (int k = 0; k < V.orders.terms; ++k) value += (k % 2 == 0 ? 1 : -1) * V.coefficients.high[V.row(at, k) + static_cast<std::size_t>(m)];
+        size = std::min(size, std::ldexp(std::abs(value), static_cast<int>(c.lift(m))));
+    }
+    const double bits = std::min(static_cast<double>(c.relative) - std::log2(size), static_cast<double>(c.accuracy));
+    constexpr double many = 8; // log2
+    return std::clamp(static_cast<long>(bits + std::min(0.0, std::log2(G * width / 2) / 2 + many)), 0L, c.accuracy);
+}
+
+/// The numbers of the lines mesh and polynomials.
+std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Area& a, const Rational& load, long levels, const Choices& c, Lines& lines)
+{
+    std::string mesh = fmt::format("G={} p={} scale={:x} load={} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(a.G), a.p.get_str(),
+                                   a.p == 0 ? 0 : a.n, load.get_str(), c.bits(), c.kept(), c.accuracy, c.rise);
+    const double G = nearest(number(a.G));
+    const std::size_t panels = panels_below(load.get_d(), G, levels, V);
+    for (std::size_t i = 0; i < panels; ++i) mesh += ' ' + hex(units(V.panels[i].y0, c.bits()));
+    mesh += ' ' + hex(units(V.panels[panels - 1].y1, c.bits()));
     std::vector<std::size_t> numbers{lines.add("mesh", {}, mesh)};
-    for (std::size_t i = 0; i < V.panels.size(); ++i) {
+    for (std::size_t i = 0; i < panels; ++i) {
         const auto& panel = V.panels[i];
-        std::string data = fmt::format("panel={:x} middle={} half={} terms={:x}", i, hex(units(panel.centre, c.bits())),
-                                       hex(units(panel.half, c.bits())), V.orders.terms);
+        std::string data = fmt::format("panel={:x} middle={} half={} terms={:x} aim={:x}", i, hex(units(panel.centre, c.bits())),
+                                       hex(units(panel.half, c.bits())), V.orders.terms, aim(V, i, levels, G, c));
         for (int m = 0; m < levels; ++m)
             for (int k = 0; k < V.orders.terms; ++k) {
                 const std::size_t at = V.row(i, k) + static_cast<std::size_t>(m);
@@ -76,19 +111,19 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
 {
     const WorkingPrecision precision(256);
     long levels = 1;
-    double highest = 1;
-    for (const Area& a : areas) levels = std::max(levels, a.n), highest = std::max(highest, a.load.get_d());
+    Rational load = areas.front().load, lightest = load;
+    for (const Area& a : areas) levels = std::max(levels, a.n), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
-    const long spare_bits = 11 + static_cast<long>(std::bit_width(
-                                    static_cast<unsigned long>(levels))); // and what it is off by itself adds up over the narrow panels
+    const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
     double tolerance = std::min(goal, 1e-5);                              // the coarsest there is
     std::vector<Ball> values;
     const std::size_t first = lines.count() + 1;
     for (int attempt = 0;; ++attempt) {
-        const transfer::ProvenLevels V = levels_of(areas.front(), highest, tolerance, static_cast<int>(levels));
+        const transfer::ProvenLevels V = levels_of(areas.front(), std::max(1.0, load.get_d()), tolerance, static_cast<int>(levels));
         values.clear();
-        Choices choices{0, static_cast<long>(16 * std::log2(nearest(number(areas.front().G))))};
+        const double G = nearest(number(areas.front().G));
+        Choices choices{0, 0, 2 * std::sqrt(std::min(1.0, lightest.get_d())) / G, static_cast<long>(16 * std::log2(G))};
         double worst = 0, least = 1;
         for (const Area& a : areas) {
             values.push_back(V.share(a.n, Ball(a.load)));
@@ -103,7 +138,8 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
             continue;
         }
         choices.accuracy = static_cast<long>(std::ceil(-std::log2(goal * least))) + spare_bits;
-        const std::vector<std::size_t> rests_on = write_mesh(V.layer(), areas.front(), levels, choices, lines);
+        choices.relative = static_cast<long>(std::ceil(-std::log2(goal))) + spare_bits;
+        const std::vector<std::size_t> rests_on = write_mesh(V.layer(), areas.front(), load, levels, choices, lines);
         for (std::size_t i = 0; i < areas.size(); ++i) {
             lines.add("share", rests_on, fmt::format("claim={}", first_claim + i));
             const double error = goal * nearest(values[i]);
