@@ -134,6 +134,10 @@ def axis(t, d):
     return min(max(1 << 32, t) + d, isqrt((1 << 64) + (t + d) ** 2) + 1)
 
 
+def jumps(e):
+    return [b - a for a, b in zip([0, *e], e)]
+
+
 @lru_cache(maxsize=None)
 def lebesgue(count):
     """of Chebyshev's points, a hundredth more for that they are rounded"""
@@ -581,14 +585,13 @@ class Mesh:
         d = 1 << max(e).bit_length()
         while sum(beyond(d >> 1)) * FEW < d:
             d >>= 1
-        steps = [min(v, d) for v in e]
-        return [b - a for a, b in zip([0, *steps], steps)], list(accumulate(beyond(d))), max(e)
+        return jumps([min(v, d) for v in e]), list(accumulate(beyond(d))), max(e)
 
     def averaged(self, parts, less, more):
         """(H): above T e for a step function e, from the shares at the ends of an interval of x"""
-        (jumps, beyond, most), ends = parts, 1 + (1 << max(0, self.work - self.bits // 2 + 10))
-        total = sum(j * (s + ends if j > 0 else 0) for j, s in zip(jumps, more)) + sum(j * max(0, s - ends) for j, s in zip(jumps, less) if j < 0)
-        total += ends * sum(j for j in jumps[len(more):] if j > 0)
+        (steps, beyond, most), ends = parts, 1 + (1 << max(0, self.work - self.bits // 2 + 10))
+        total = sum(j * (s + ends if j > 0 else 0) for j, s in zip(steps, more)) + sum(j * max(0, s - ends) for j, s in zip(steps, less) if j < 0)
+        total += ends * sum(j for j in steps[len(more):] if j > 0)
         return min(most, (total >> self.work) + 1 + beyond[min(len(more), len(beyond)) - 1])
 
     def value(self, n, load, errors):
@@ -596,6 +599,7 @@ class Mesh:
         (ends, errors), units = errors, self.unit << self.lift[n - 1]
         at = load * self.one // 1, -(-load * self.one // 1)
         rows = [self.exact_row(x)[n - 1] for x in set(at)]  # B_n increases
-        error = Fraction(self.averaged(self.parted(errors[n - 1], ends), *(self.shares(x, ends) for x in at)), self.one)
+        e = errors[n - 1]  # nothing taken out: at one load the shares are what they are
+        error = Fraction(self.averaged((jumps(e), [0] * len(e), max(e)), *(self.shares(x, ends) for x in at)), self.one)
         error = (error + 2 * self.round + self.quadrature) / 2 ** self.lift[n - 1]
         return Fraction(min(rows), units) - error, Fraction(max(rows), units) + error

@@ -58,7 +58,8 @@ std::size_t panels_below(double load, double G, long levels, const transfer::lev
 /// ratios are smaller; less on a panel so narrow that of many like it a wave has little (H). Nothing is proved by it.
 long aim(const transfer::levels::Layer& V, std::size_t panel, long levels, double G, const Choices& c)
 {
-    const double width = V.panels[panel].y1.high - V.panels[panel].y0.high;
+    const auto &low = V.panels[panel].y0, &high = V.panels[panel].y1;
+    const double width = (high.high - low.high) + (high.low - low.low); // may be less than a unit of the last place of either
     std::size_t at = panel;
     while (at + 1 < V.panels.size() && V.panels[at].y1.high < c.least) ++at;
     double size = 1;
@@ -115,7 +116,8 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
     for (const Area& a : areas) levels = std::max(levels, a.n), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
-    const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
+    const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))) + levels / 6; // errors add up over the levels, and a
+                                                                                                                  // step function is larger than they are
     double tolerance = std::min(goal, 1e-5);                              // the coarsest there is
     std::vector<Ball> values;
     const std::size_t first = lines.count() + 1;
