@@ -33,7 +33,7 @@ MOST_NODES = 1 << 14        # in a row
 SMALL = 4                   # bits: a bound so far above what is wanted has no cell of its own
 FINE = 16                   # cells are no wider than 1/FINE of the ratio; below 2^-FINE they are as they come
 MOST_PARTS = 64             # of one cell
-FEW = 64                    # what is counted by (H) is so much less than the rest
+NARROW = 64                 # cells of which a wave has at most 1/NARROW are narrow
 DEEPER = 5                  # bits: to 2^-DEEPER of the largest defect seen on a panel the others are looked into
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
@@ -576,16 +576,14 @@ class Mesh:
         return found
 
     def parted(self, e, ends):
-        """(H): a step function as one that is at most d, by its jumps; what T makes of the rest, summed from the first cell on; and its largest"""
+        """(H): a step function as one without what stands out on narrow cells, by its jumps; what T makes of the rest, summed from the first cell
+        on; and its largest"""
         wide = [isqrt((self.G * (b - a) >> 1) + 1) + 1 for a, b in zip(ends, ends[1:])]
-
-        def beyond(d):
-            return [(max(0, v - d) * w >> self.bits) + (v > d) for v, w in zip(e, wide)]
-
-        d = 1 << max(e).bit_length()
-        while sum(beyond(d >> 1)) * FEW < d:
-            d >>= 1
-        return jumps([min(v, d) for v in e]), list(accumulate(beyond(d))), max(e)
+        low = [*e, e[-1]]
+        for c in reversed(range(len(e))):
+            if wide[c] * NARROW < self.one:
+                low[c] = min(e[c], low[c + 1])
+        return jumps(low[:-1]), list(accumulate(((v - u) * w >> self.bits) + (v > u) for v, u, w in zip(e, low, wide))), max(e)
 
     def averaged(self, parts, less, more):
         """(H): above T e for a step function e, from the shares at the ends of an interval of x"""

@@ -116,8 +116,7 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
     for (const Area& a : areas) levels = std::max(levels, a.n), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
-    const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))) + levels / 6; // errors add up over the levels, and a
-                                                                                                                  // step function is larger than they are
+    const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
     double tolerance = std::min(goal, 1e-5);                              // the coarsest there is
     std::vector<Ball> values;
     const std::size_t first = lines.count() + 1;
