@@ -320,6 +320,7 @@ std::string_view to_string(Status s)
 
 Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions& options)
 {
+    release_caches_with_thread(); // the thread may be one of the caller's, who never heard of FLINT
     if (options.digits < 1 || options.digits > 10'000)
         throw DomainError(fmt::format("digits = {}: must be from 1 to 10000", options.digits));
     q.check(in);
