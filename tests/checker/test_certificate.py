@@ -19,7 +19,7 @@ from fractions import Fraction
 parser = argparse.ArgumentParser()
 parser.add_argument("--checker", required=True, type=pathlib.Path)
 parser.add_argument("--program", required=True)
-parser.add_argument("--mutants", type=int, default=40)
+parser.add_argument("--mutants", type=int, default=24)
 parser.add_argument("--seed", type=int, default=20261122)
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
@@ -66,7 +66,7 @@ def exceedance(n, p, load, G, digits=20):
 
 
 @functools.lru_cache(None)
-def limit(G, digits=30):
+def limit(G, digits=12):
     """C(G) by the program"""
     return Fraction(json.loads(program("eval", "limit.area_constant", f"G={G}", "--digits", digits, "--json").stdout)["value"])
 
