@@ -307,7 +307,7 @@ def archard_segments_limit(n, load, D, gamma):
 # ---- section 9
 
 def max_half_width(n, load, G):
-    x = load if n == 0 else iterate(n - 1, load, G)
+    x = iterate(n - 1, load, G)
     if not below(x, Fraction(1)):
         return Fraction(1, 2)
     return arcsin_root(x, 1 - x)
@@ -326,6 +326,11 @@ def everywhere_in_contact(n, load, p, G):
     return True
 
 
+def beyond(n, p, load, G):
+    """(5.6): p lies above the largest pressure of scale n, where there is none"""
+    return below(seam(iterate(n - 1, load, G)) * G ** int(n), p)
+
+
 def contact_area(n, load, G):
     if everywhere_in_contact(n, load, 0, G):
         return Fraction(1)
@@ -335,11 +340,11 @@ def contact_area(n, load, G):
 def contact_exceedance(n, p, load, G):
     if everywhere_in_contact(n, load, p, G):
         return Fraction(1)
-    return exceedance(p, load) if n == 0 else None
+    return exceedance(p, load) if n == 0 else Fraction(0) if beyond(n, p, load, G) else None
 
 
 def contact_density(n, p, load, G):
-    return density(p, load) if n == 0 else None
+    return density(p, load) if n == 0 else Fraction(0) if beyond(n, p, load, G) else None
 
 
 def segments_count(n, load, D, gamma):
@@ -347,9 +352,10 @@ def segments_count(n, load, D, gamma):
 
 
 def segments_density(n, a, load, G):
-    """(9.3) at n = 1: the pressure G sin^2(pi a) of scale 0 makes segments of half-width a in lambda_1; full contact makes none"""
+    """(9.3) at n = 1: the pressure G sin^2(pi a) of scale 0 makes segments of half-width a in lambda_1; full contact makes none,
+    and the largest pressure the widest"""
     if n != 1:
-        return None
+        return Fraction(0) if below(max_half_width(n, load, G), a) else None
     if a in (0, Fraction(1, 2)):
         return Fraction(0)
     q = density(sine_square(a) * G, load)
