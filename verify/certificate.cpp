@@ -2,6 +2,7 @@
 /// `touchstone certificate`: why a value is what it is, for a checker that shares nothing with this program.
 #include "touchstone/certificate/areas.hpp"
 #include "touchstone/certificate/limit_constant.hpp"
+#include "touchstone/scalar/rational_text.hpp"
 #include "touchstone/table/table.hpp"
 #include "verify/commands.hpp"
 #include "verify/exit_codes.hpp"
@@ -64,21 +65,37 @@ struct Claimed {
     }
 };
 
-Claimed claims_of_table(const TableSpec& spec)
+/// What rows of a table are asked for by, exact; no key: all of them.
+std::map<std::string, Rational> of_columns(const Quantity& q, const NamedTexts& named)
+{
+    std::map<std::string, Rational> wanted;
+    for (const auto& [key, text] : named) {
+        const auto value = parse_rational(text);
+        if (std::find(q.inputs.begin(), q.inputs.end(), key) == q.inputs.end())
+            throw Failure(usage_error, fmt::format("the table has no column '{}'; it has {}", key, fmt::join(q.inputs, ", ")));
+        if (!value) throw Failure(bad_input, fmt::format("{}={}: {}", key, text, why_not_rational(text)));
+        if (!wanted.emplace(key, *value).second) throw Failure(usage_error, fmt::format("'{}' is given twice", key));
+    }
+    return wanted;
+}
+
+Claimed claims_of_table(const TableSpec& spec, const NamedTexts& named)
 {
     const Quantity& q = quantity_named(spec.quantity);
+    const auto wanted = of_columns(q, named);
     Claimed all;
     for (const auto& row : spec.grid()) {
         std::map<std::string, Rational> values;
         for (std::size_t k = 0; k < row.size(); ++k) values[q.inputs[k]] = exact_rational(row[k]);
-        all.add(q, Inputs(values));
+        if (std::all_of(wanted.begin(), wanted.end(), [&](const auto& w) { return values[w.first] == w.second; })) all.add(q, Inputs(values));
     }
+    if (all.refused.empty()) all.refused = "there is no such row";
     return all;
 }
 
 int write_certificate(const CertificateOptions& o)
 {
-    const TableSpec* spec = o.assignments.empty() ? find_table(o.subject) : nullptr;
+    const TableSpec* spec = find_table(o.subject);
     const Quantity& q = quantity_named(spec != nullptr ? spec->quantity : o.subject);
     constexpr std::array served{"contact.area", "contact.exceedance", "segments.count", "limit.area_constant", "limit.area_ratio"};
     if (std::find(served.begin(), served.end(), q.name) == served.end())
@@ -86,7 +103,7 @@ int write_certificate(const CertificateOptions& o)
                                              fmt::join(served, ", "), q.name));
     Claimed claimed;
     if (spec != nullptr)
-        claimed = claims_of_table(*spec);
+        claimed = claims_of_table(*spec, key_values(q, o.assignments));
     else
         claimed.add(q, read_inputs(q, key_values(q, o.assignments)));
     if (claimed.areas.empty() && claimed.limits.empty())
@@ -116,7 +133,7 @@ void add_certificate(CLI::App& app, Run& run)
         ->add_option("subject", o->subject,
                      "A quantity with inputs: an area, a share above a pressure, a count of segments or a limit of areas; or a table")
         ->required();
-    command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval");
+    command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval; of a table: rows with these inputs alone");
     command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")
         ->check(CLI::Range(1L, certificate::most_digits));
     command->add_option("--out", o->out, "File to write (default: standard output)")->check(not_empty());

@@ -175,7 +175,8 @@ class Certificates(unittest.TestCase):
                     self.assertEqual((said.returncode, "the claim is not proved" in said.stdout), (1, True), said.stdout)
 
     def test_rows_of_tables_are_confirmed(self):
-        self.make("contact.area", "n=3", "load=1", "G=4", "--digits", 10)
+        self.make("contact_area", "n=3", "load=1", "G=4", "--digits", 10)  # of the table, this row alone
+        self.assertEqual(self.path.read_text().count("\nclaim "), 1)
         table = (known.checker.parent / "data/reference/contact_area.txt").read_text()
         head, rows = ([line for line in table.splitlines() if line.startswith("#") == which] for which in (True, False))
         place = next(i for i, row in enumerate(rows) if row.split()[:3] == ["3", "1", "4"])
