@@ -88,16 +88,19 @@ def fields(words, names, what):
     return values
 
 
+def text_of(path):
+    try:
+        with open(path, "rb") as file:
+            return file.read(LONGEST_FILE).decode("ascii")
+    except (OSError, UnicodeDecodeError) as reason:
+        raise Malformed(str(reason)) from None
+
+
 class Certificate:
     """The text, held against its own counts."""
 
     def __init__(self, path):
-        try:
-            with open(path, "rb") as file:
-                text = file.read(LONGEST_FILE).decode("ascii")
-        except (OSError, UnicodeDecodeError) as reason:
-            raise Malformed(str(reason)) from None
-        body, _, last = text.rpartition("sha256 ")
+        body, _, last = text_of(path).rpartition("sha256 ")
         self.digest = hashlib.sha256(body.encode()).hexdigest()
         need(last == self.digest + "\n", "the last line is not the sha256 of the lines before it")
         lines = body.split("\n")
@@ -211,8 +214,7 @@ class Replay:
         need([b[0] for b in below[:2]] == ["grid", "panel"] and below[1][2] is below[0] and 0 <= m, "a level rests on a grid and its panel", Refused)
         grid, place = below[:2]
         panel, bits, a = place[3], grid[2][1], Fraction(1, 2 ** (m + 1))
-        need(len(coefficients) == panel.terms and error >= 0, "another number of coefficients", Refused)
-        need(m > 0 or len(below) == 2, "level 0 rests on no other", Refused)
+        need(len(coefficients) == panel.terms and error >= 0 and (m > 0 or len(below) == 2), "another number of coefficients, or level 0 rests on another", Refused)
         panels, levels, places = self.whole(grid, below[2:], m - 1) if m else (None, None, None)
         rounding = Fraction(2) ** exponent * sum(map(abs, coefficients)) * panel.terms**2  # of sums of Chebyshev polynomials, in units
         if self.proving():
@@ -232,8 +234,7 @@ class Replay:
 
     def value(self, below, claim):
         grid, (n, load), value, error = self.claimed("contact.area", below, claim)
-        need(grid[0] == "grid", "a value rests on a grid", Refused)
-        need(load <= 1, "load > 1", Refused)
+        need(grid[0] == "grid" and load <= 1, "a value rests on a grid, load <= 1", Refused)
         panels, levels, places = self.whole(grid, below[1:], n - 1)
         if self.proving():
             (base, degree), bits, step, points = grid[2]
@@ -356,11 +357,7 @@ def join(certificate, reports):
     Replay(certificate, 0, 0)
     held = set()
     for report in reports:
-        try:
-            with open(report, encoding="ascii") as file:
-                said = re.fullmatch(r"lines (\d{1,9})-(\d{1,9}) of \d{1,9} hold if those before them do; sha256 ([0-9a-f]{64})\n", file.read(LONGEST_WORD))
-        except (OSError, UnicodeDecodeError) as reason:
-            raise Malformed(str(reason)) from None
+        said = re.fullmatch(r"lines (\d{1,9})-(\d{1,9}) of \d{1,9} hold if those before them do; sha256 ([0-9a-f]{64})\n", text_of(report))
         need(said and said[3] == certificate.digest, f"{report}: is no report of this certificate")
         held.update(range(int(said[1]), min(int(said[2]), certificate.count) + 1))
     missing = sorted(set(range(1, certificate.count + 1)) - held)

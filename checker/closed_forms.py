@@ -24,7 +24,16 @@ def root(x):
         n, d = isqrt(x.numerator), isqrt(x.denominator)
         if n * n == x.numerator and d * d == x.denominator:
             return Fraction(n, d)
-    return iv.sqrt(Interval.of(x).positive())
+    x = Interval.of(x)  # known not to be negative
+    if x.high < 0:
+        raise ValueError("a quantity that cannot be negative is")
+    return iv.sqrt(Interval(max(x.low, 0), x.high, x.exponent))
+
+
+def between(a, b):
+    """contains what lies between a member of a and a larger one of b"""
+    d = b - a
+    return a + Interval(min(d.low, 0), max(d.high, 0), d.exponent)
 
 
 def below(a, b):
@@ -191,7 +200,7 @@ def seam(x):
         return f(x)
     except Undecided:
         low, high = Interval(x.low, x.low, x.exponent), Interval(x.high, x.high, x.exponent)
-        return iv.between(2 * iv.sqrt(low), 1 + high)
+        return between(2 * iv.sqrt(low), 1 + high)
 
 
 def iterate(n, load, G):
@@ -280,7 +289,7 @@ def K_inf():
     h = 2^-(N+1), 2^-(N+2), ... the first gives the lower bound (and K_inf <= K_N), the second log K_inf/K_N <= 2 L(2^-(N+1))."""
     N = Interval.bits // 2 + 8
     low = iv.exp(log_K(N) - Fraction(1, 2 ** (N + 1)))
-    return iv.between(low, iv.exp(log_K(N + 1).scaled(1) - log_K(N)))
+    return between(low, iv.exp(log_K(N + 1).scaled(1) - log_K(N)))
 
 
 def delta(n):

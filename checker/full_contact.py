@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import accumulate
 from math import factorial, isqrt
-from operator import mul
+from operator import mul, sub
 
 import intervals as iv
 from intervals import Interval
@@ -34,7 +34,6 @@ SMALL = 4                   # bits: a bound so far above what is wanted has no c
 FINE = 16                   # cells are no wider than 1/FINE of the ratio; below 2^-FINE they are as they come
 MOST_PARTS = 64             # of one cell
 NARROW = 64                 # cells of which a wave has at most 1/NARROW are narrow
-DEEPER = 5                  # bits: to 2^-DEEPER of the largest defect seen on a panel the others are looked into
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
@@ -56,7 +55,7 @@ class Trigonometry:
         self.of_pieces = [tuple(fixed(iv.sin_pi(Fraction(k, 96)), bits) for k in (48 + i, i)) for i in range(97)]
         self.inverse = [self.one // factorial(k) for k in range(bits + 4)]
         self.enough = next(k for k in range(2, bits + 2, 2) if not self.inverse[k] >> 2 * k)  # (1/4)^k/k! is below a unit
-        self.rules = {}
+        self.gauss = lru_cache(maxsize=None)(self.gauss)
 
     def small(self, a):
         """cos a, sin a, |a| <= 1/4"""
@@ -82,43 +81,34 @@ class Trigonometry:
         i = (y << 6) // x
         u = ((64 * y - i * x) << bits) // (64 * x + i * y)  # tan(a - b), tan b = i/64
         square, term, total, k = u * u >> bits, u, u, 1
-        while term:
-            term = -(term * square >> bits)
-            k += 2
-            if -k < term < k:
-                break
+        while abs(term) >= k:
+            term, k = -(term * square >> bits), k + 2
             total += term // k
         return self.arctan[i] + total
 
     def of_cosine(self, less, more):
         """arccos c from 1 - c and 1 + c in units; 0 <= c <= pi whatever they are"""
-        if less <= 0:
-            return 0
-        if more <= 0:
-            return self.pi
-        return 2 * self.angle(isqrt(less << self.bits), isqrt(more << self.bits))
+        return 2 * self.angle(*(isqrt(max(0, side) << self.bits) for side in (less, more)))
 
     def gauss(self, K):
         """(I): points 0 < t < 1 and weights, symmetric, that integrate polynomials of degree < 2K; found by Newton's method, and tried on
         Chebyshev's polynomials"""
-        if K not in self.rules:
-            bits, pairs = self.bits, []
-            for j in range(K // 2):
-                t = self.cos_sin(self.pi * (4 * j + 3) // (4 * K + 2))[0]
-                for _ in range(8):
-                    p, q = self.one, t
-                    for k in range(2, K + 1):
-                        p, q = q, ((2 * k - 1) * (t * q >> bits) - (k - 1) * p) // k
-                    slope = (K * (p - (t * q >> bits)) << bits) // (self.one - (t * t >> bits))
-                    t -= (q << bits) // slope
-                w = (2 << 3 * bits) // ((self.one - (t * t >> bits)) * slope * slope >> bits)
-                pairs.append((t, w))
-            moments = map(sum, zip(*(chebyshev(t, 2 * w, 2 * K, bits) for t, w in pairs)))
-            for i, total in enumerate(moments):
-                if i % 2 == 0 and abs(total * (1 - i * i) - (2 << bits)) > 64 * K * (i * i + 1) ** 2:
-                    raise Refused("a rule of Gauss does not integrate what it should")
-            self.rules[K] = pairs
-        return self.rules[K]
+        bits, pairs = self.bits, []
+        for j in range(K // 2):
+            t = self.cos_sin(self.pi * (4 * j + 3) // (4 * K + 2))[0]
+            for _ in range(8):
+                p, q = self.one, t
+                for k in range(2, K + 1):
+                    p, q = q, ((2 * k - 1) * (t * q >> bits) - (k - 1) * p) // k
+                slope = (K * (p - (t * q >> bits)) << bits) // (self.one - (t * t >> bits))
+                t -= (q << bits) // slope
+            w = (2 << 3 * bits) // ((self.one - (t * t >> bits)) * slope * slope >> bits)
+            pairs.append((t, w))
+        moments = map(sum, zip(*(chebyshev(t, 2 * w, 2 * K, bits) for t, w in pairs)))
+        for i, total in enumerate(moments):
+            if i % 2 == 0 and abs(total * (1 - i * i) - (2 << bits)) > 64 * K * (i * i + 1) ** 2:
+                raise Refused("a rule of Gauss does not integrate what it should")
+        return pairs
 
 
 def quarters(A):
@@ -153,9 +143,10 @@ class Mesh:
         self.trig = Trigonometry(bits)
         self.bits, self.one, self.kept, self.accuracy, self.aims = bits, 1 << bits, kept, accuracy, aims
         self.work = min(bits, accuracy + WORK)  # a polynomial needs fewer bits than the root at an end of a wave
-        self.unit, self.spread = 1 << self.work + kept, {}
+        self.unit = 1 << self.work + kept
+        self.cosines, self.weights = (lru_cache(maxsize=None)(f) for f in (self.cosines, self.weights))
         self.edges, self.places, self.series = edges, places, series
-        self.levels, self.terms, self.points = len(series[0]), len(series[0][0]), {}
+        self.levels, self.terms = len(series[0]), len(series[0][0])
         self.lift = [m * rise // 16 for m in range(self.levels)]
         self.up = [b - a for a, b in zip(self.lift, self.lift[1:])]
         Interval.bits = bits + 64
@@ -165,14 +156,13 @@ class Mesh:
             raise Refused("not a mesh")
         if any(abs(self.local(p, y * y >> bits)) > (1 << self.work) + (1 << self.work >> BEYOND) for p in range(len(places)) for y in edges[p:p + 2]):
             raise Refused("a polynomial is of another panel")
-        self.farthest = []  # up to which panel a level matters, the last level first
+        self.farthest = []  # up to which panel a level matters
         for _ in range(self.levels):
-            x = max([-(-load * self.one // 1), *(edges[p] for p in self.farthest[-1:])])
+            x = max([-(-load * self.one // 1), *(edges[p] for p in self.farthest[:1])])
             p = bisect_left(edges, self.most(x) + (x >> bits) + 4)
             if p == len(edges):
                 raise Refused("ratios leave the mesh")
-            self.farthest.append(max(p, 1))
-        self.farthest.reverse()
+            self.farthest.insert(0, max(p, 1))
         # The levels side by side in one integer, so that one product serves all of them (Kronecker's substitution).
         self.sizes = [[max(map(abs, c)) for c in zip(*of_panel)] for of_panel in series]
         self.lane = self.work + max(map(max, self.sizes)).bit_length() + SPARE_BITS
@@ -306,17 +296,10 @@ class Mesh:
 
     def chebyshev_points(self, a, b, count):
         """of a <= x <= b"""
-        cosines = self.cosines(count)
-        return [(a + b >> 1) + ((b - a) * t >> self.bits + 1) for t in cosines]
+        return [(a + b >> 1) + ((b - a) * t >> self.bits + 1) for t in self.cosines(count)]
 
     def cosines(self, count):
-        if count not in self.points:
-            self.points[count] = [self.trig.cos_sin(self.trig.pi * (2 * j + 1) // (2 * count))[0] for j in range(count)]
-        return self.points[count]
-
-    def share(self, width):
-        """(H): above what a wave has of an interval of ratios of that width (units), a fraction"""
-        return min(Fraction(1), Fraction(isqrt((self.G * width >> 1) + 1) + 1, self.one))
+        return [self.trig.cos_sin(self.trig.pi * (2 * j + 1) // (2 * count))[0] for j in range(count)]
 
     def furthest(self, p, a, b, others):
         """|V_m - W_m| on a <= y <= b in the panel p, for each polynomial W_m whose values others(z) gives, m = 0, 1 ...: fractions"""
@@ -349,7 +332,7 @@ class Mesh:
             raise Far
         for p, q, a, b in pieces:
             if a < b:
-                share = self.share(b - a)
+                share = min(1, Fraction(isqrt((self.G * (b - a) >> 1) + 1) + 1, self.one))  # (H): above what a wave has of these ratios
                 for m, d in enumerate(self.furthest(p, a, b, lambda z: [self.values(q, z)])):  # noqa: B023
                     off[m] += d * share
         return off
@@ -395,10 +378,8 @@ class Mesh:
 
     def weights(self, count, more):
         """of the interpolation from so many Chebyshev points to more of them: (1 + 2 sum T_k(t_i) T_k(t_j))/count"""
-        if (count, more) not in self.spread:
-            T, S = ([chebyshev(t, self.one, count, self.bits) for t in self.cosines(c)] for c in (count, more))
-            self.spread[count, more] = [[((sum(map(mul, t, s)) >> self.bits - 1) - self.one) // count for t in T] for s in S]
-        return self.spread[count, more]
+        T, S = ([chebyshev(t, self.one, count, self.bits) for t in self.cosines(c)] for c in (count, more))
+        return [[((sum(map(mul, t, s)) >> self.bits - 1) - self.one) // count for t in T] for s in S]
 
     def disc(self, p, x1, x2):
         """(J), (K): the panels low, high that are continued, log2 of the bound on the disc"""
@@ -460,14 +441,6 @@ class Mesh:
         of_levels = self.furthest(p, x1, x2, lambda z: ends)[1:]
         return [d + (self.quadrature + self.round) * 2**up for d, up in zip(of_levels, self.up)]
 
-    def seen(self, p, levels):
-        """log2 of the largest |V_m - T V_(m-1)| at three points of the panel: what is far below adds little to the bound that is found"""
-        largest = 1
-        for z in self.chebyshev_points(*(y * y >> self.bits for y in self.edges[p:p + 2]), 3):
-            rows = self.exact_row(isqrt(z << self.bits))
-            largest = max(largest, *(abs((v << up) - w) for v, w, up in zip(rows, self.values(p, z)[1:levels], self.up)))
-        return largest.bit_length() - self.unit.bit_length()
-
     def cover(self, p, bound, hole, wanted, levels):
         """bound(x1, x2) on intervals that cover the panel, cut at 1, or hole(x1, x2) where that is as good, or one is too narrow. Returns
         (x1, x2, bounds), ascending; neighbours that have what is wanted are put together"""
@@ -482,20 +455,16 @@ class Mesh:
             try:
                 here = bound(a, b)
             except Far:
-                if b - a > self.one >> self.accuracy and self.risen(p, a, b, levels) > wanted:
+                rises = map(sub, *(self.values(p, y * y >> self.bits)[:levels] for y in (b, a)))  # what a hole would give
+                if b - a > self.one >> self.accuracy and max(map(abs, rises)) > Fraction(2) ** wanted * self.unit:
                     stack += [(a + b >> 1, b), (a, a + b >> 1)]
                     continue
                 here = hole(a, b)
-            small = all(d <= Fraction(2) ** (wanted + SMALL) for d in here)
+            small = max(here) <= Fraction(2) ** (wanted + SMALL)
             if found and small and found[-1][3]:
                 a, here = found[-1][0], list(map(max, here, found.pop()[2]))
             found.append((a, b, here, small))
         raise Refused("the polynomials of a panel are no approximations")
-
-    def risen(self, p, a, b, levels):
-        """log2 of how much V rises on an interval: what a hole would give"""
-        low, high = (self.values(p, y * y >> self.bits)[:levels] for y in (a, b))
-        return max(abs(v - u) for u, v in zip(low, high)).bit_length() - self.unit.bit_length()
 
     def first_wave(self, x):
         """B_0, the share of one wave above the pressure P, in units 2^-work"""
@@ -539,7 +508,6 @@ class Mesh:
             wanted, levels = -self.aims[p], sum(p < farthest for farthest in self.farthest)
             first += self.cover(p, lambda a, b: self.first_on(p, a, b, wanted), lambda a, b: self.first_between(p, a, b), wanted, 1)  # noqa: B023
             if levels > 1:
-                wanted = max(wanted, self.seen(p, levels) - DEEPER)
                 later += self.cover(p, lambda a, b: self.on_interval(p, a, b, wanted, levels), lambda a, b: self.between(p, a, b)[:levels - 1], wanted, levels)  # noqa: B023
         return first, later
 

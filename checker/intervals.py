@@ -81,12 +81,6 @@ class Interval:
         """times 2**power, exactly"""
         return Interval(self.low, self.high, self.exponent + power)
 
-    def positive(self):
-        """For a quantity known not to be negative."""
-        if self.high < 0:
-            raise ValueError("a quantity that cannot be negative is")
-        return Interval(max(self.low, 0), self.high, self.exponent)
-
     def ends(self):
         unit = Fraction(2) ** self.exponent
         return self.low * unit, self.high * unit
@@ -99,12 +93,6 @@ def error_term(size):
     """[-size, size] for an interval of sizes"""
     top = max(abs(size.low), abs(size.high))
     return Interval(-top, top, size.exponent)
-
-
-def between(a, b):
-    """contains what lies between a member of a and a larger one of b"""
-    d = b - a
-    return a + Interval(min(d.low, 0), max(d.high, 0), d.exponent)
 
 
 def sqrt(x):

@@ -46,10 +46,8 @@ class Panel:
     def __init__(self, low, high, terms, rho, bits):
         self.low, self.high, self.terms, self.bits = low, high, terms, bits
         self.middle, self.half = (low + high) / 2, (high - low) / 2
-        if high > FARTHEST:
-            raise Refused("a panel is too far out")
-        if not (0 < low < high and rho > 1 and (rho + 1 / rho) * self.half <= 2 * self.middle):
-            raise Refused("the ellipse of a panel leaves the half-plane")
+        if not (0 < low < high <= FARTHEST and rho > 1 and (rho + 1 / rho) * self.half <= 2 * self.middle):
+            raise Refused("a panel is too far out, or its ellipse leaves the half-plane")
         if ((self.middle * 2**bits).denominator, (self.half * 2**bits).denominator) != (1, 1):
             raise Refused("the edges of a panel are no multiples of the unit")
         self.tail = 2 * rho / ((rho - 1) * rho**terms)

@@ -12,6 +12,7 @@ import random
 import subprocess
 import sys
 import tempfile
+import tokenize
 import unittest
 import unittest.mock
 from fractions import Fraction
@@ -217,6 +218,21 @@ class Certificates(unittest.TestCase):
         self.assertEqual(check(self.path, "--join", *reports).returncode, 65)
         self.assertEqual(check("--lines", f"1-{count + 1}", self.path).returncode, 65)
 
+    def test_what_proves_certificates_is_short(self):
+        """At most 1000 lines of code, those of docstrings, comments and blank ones not counted."""
+        lines = set()
+        for name in ("certificate", "full_contact", "transfer", "intervals"):
+            with open(known.checker / f"{name}.py", "rb") as file:
+                before = tokenize.NEWLINE
+                for token in tokenize.tokenize(file.readline):
+                    if token.type in (tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING):
+                        continue
+                    if token.type not in (tokenize.NEWLINE, tokenize.ENDMARKER) and (token.type, before) != (tokenize.STRING, tokenize.NEWLINE):
+                        lines.update((name, k) for k in range(token.start[0], token.end[0] + 1))
+                    before = token.type
+        self.assertLessEqual(len(lines), 1000)
+        self.assertGreater(len(lines), 900)
+
     def test_what_is_no_certificate_is_refused(self):
         lines = self.text.splitlines(keepends=True)
         first = next(i for i, line in enumerate(lines) if line.startswith("1 grid"))
@@ -383,7 +399,7 @@ class Certificates(unittest.TestCase):
                         said = sum(2 * w * Fraction(t, 1 << bits) ** i for t, w in pairs) / 2**bits
                         self.assertLess(abs(said - Fraction(2, i + 1)), Fraction(64 * K * K, 2**bits))
             with self.assertRaises(full_contact.Refused), unittest.mock.patch.object(trig, "cos_sin", lambda _: (trig.one // 2, trig.one // 2)):
-                trig.rules.clear()
+                trig.gauss.cache_clear()
                 trig.gauss(8)
 
     def test_a_row_of_too_many_points_ends_there(self):
