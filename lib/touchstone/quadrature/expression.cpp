@@ -185,10 +185,11 @@ const x3::rule<struct primary_rule, ExpressionPtr> primary("a number, x, a funct
 const x3::rule<struct call_rule, ExpressionPtr> call("a function");
 const x3::rule<struct callee_rule, ExpressionPtr> callee("a function");
 
-const auto digits = +x3::digit;
+// ascii: bytes beyond it are in no class, where the C library's classes take no negative number and ask the locale
+const auto digits = +x3::ascii::digit;
 const auto number_word =
-    x3::raw[x3::lexeme[((digits >> -('.' >> *x3::digit)) | ('.' >> digits)) >> -(x3::char_("eE") >> -x3::char_("+-") >> digits)]];
-const auto name_word = x3::raw[x3::lexeme[x3::alpha >> *(x3::alnum | '_')]];
+    x3::raw[x3::lexeme[((digits >> -('.' >> *x3::ascii::digit)) | ('.' >> digits)) >> -(x3::char_("eE") >> -x3::char_("+-") >> digits)]];
+const auto name_word = x3::raw[x3::lexeme[x3::ascii::alpha >> *(x3::ascii::alnum | '_')]];
 
 const auto sum_def = product[take] >> *(('+' > product[into(Op::add)]) | ('-' > product[subtract]));
 const auto product_def = unary[take] >> *((x3::lit('*') > unary[into(Op::multiply)]) | ('/' > unary[into(Op::divide)]));
@@ -233,7 +234,7 @@ ExpressionPtr parse_expression(std::string_view text, const Parameters& paramete
     const Where start = text.begin();
     ExpressionPtr result;
     try {
-        if (!x3::phrase_parse(here, text.end(), x3::with<start_tag>(std::ref(start))[sum], x3::space, result))
+        if (!x3::phrase_parse(here, text.end(), x3::with<start_tag>(std::ref(start))[sum], x3::ascii::space, result))
             throw ExpressionError(static_cast<std::size_t>(here - start) + 1, "a number, x, a function or '(' is expected");
     }
     catch (const x3::expectation_failure<Where>& failure) {
