@@ -5,6 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -30,6 +33,85 @@ ex sym(const std::string& name)
     return all.emplace(name, made).first->second;
 }
 
+namespace {
+
+/// Puts the operands of a formula in place from the innermost outwards, and stops before a number that would be too long is made of them.
+class Bounded : public GiNaC::map_function {
+public:
+    explicit Bounded(GiNaC::exmap operands) : operands_(std::move(operands)) {}
+
+    ex operator()(const ex& e) override
+    {
+        if (const auto found = operands_.find(e); found != operands_.end()) return found->second;
+        if (GiNaC::is_a<GiNaC::power>(e)) {
+            const ex base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
+            if (GiNaC::is_a<GiNaC::numeric>(exponent) && magnitude(exponent) * std::max(1.0, bits(base)) > most_bits) refuse();
+            return GiNaC::pow(base, exponent);
+        }
+        const bool factorial = GiNaC::is_the_function<GiNaC::tgamma_SERIAL>(e);
+        const ex made = factorial ? (*this)(e.op(0)) : e.map(*this);
+        if (factorial && GiNaC::is_a<GiNaC::numeric>(made) && magnitude(made) > most_argument) refuse();
+        if (bits(made) > most_bits) refuse();
+        return factorial ? ex(GiNaC::tgamma(made)) : made;
+    }
+
+private:
+    static constexpr double most_bits = 100'000, most_argument = 1000;
+
+    [[noreturn]] static void refuse() { throw std::length_error("a number of it is too long"); }
+    static double magnitude(const ex& x) { return std::abs(GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x)).to_double()); }
+    /// Of the longest number in e.
+    static double bits(const ex& e)
+    {
+        if (GiNaC::is_a<GiNaC::numeric>(e)) {
+            const auto& x = GiNaC::ex_to<GiNaC::numeric>(e);
+            double most = 0;
+            for (const GiNaC::numeric& part : {x.real(), x.imag()})
+                if (part.is_rational()) most = std::max<double>(most, std::max(part.numer().int_length(), part.denom().int_length()));
+            return most;
+        }
+        double most = 0;
+        for (std::size_t i = 0; i < e.nops(); ++i) most = std::max(most, bits(e.op(i)));
+        return most;
+    }
+
+    GiNaC::exmap operands_;
+};
+
+/// GiNaC evaluates numbers while it reads: 9^9^8 takes it a minute, tgamma(10^9) longer. So the formula is read first with a symbol of its own
+/// for each operand, of which nothing is evaluated. \throws std::length_error
+void must_be_of_bearable_size(const std::string& text, const std::set<std::string>& functions)
+{
+    static const std::regex operand(R"(\d+(?:\.\d*)?(?:[eE][-+]?\d+)?|[A-Za-z_]\w*)"), number_with_exponent(R"(\d[\d.]*[eE].*)");
+    GiNaC::symtab table;
+    GiNaC::exmap operands;
+    std::string form;
+    std::size_t at = 0;
+    for (std::sregex_iterator it(text.begin(), text.end(), operand), end; it != end; ++it) {
+        const std::string word = it->str();
+        form += text.substr(at, static_cast<std::size_t>(it->position()) - at);
+        at = static_cast<std::size_t>(it->position() + it->length());
+        if (functions.count(word)) {
+            form += word;
+            continue;
+        }
+        const std::string name = "operand" + std::to_string(table.size());
+        const GiNaC::symbol stands(name);
+        table[name] = stands;
+        form += " " + name + " ";
+        if (std::regex_match(word, number_with_exponent)) throw std::invalid_argument("a number with an exponent is not exact");
+        if (std::isdigit(static_cast<unsigned char>(word[0]))) {
+            const auto value = parse_rational(word);
+            operands[stands] = GiNaC::numeric(value->get_num().get_str().c_str()) / GiNaC::numeric(value->get_den().get_str().c_str());
+        }
+    }
+    form += text.substr(at);
+    Bounded evaluate(std::move(operands));
+    evaluate(GiNaC::parser(table, true)(form));
+}
+
+} // namespace
+
 ex read(const std::string& text)
 {
     // Decimals as exact fractions: GiNaC would read a float.
@@ -42,6 +124,7 @@ ex read(const std::string& text)
     exact += rest;
     static const std::set<std::string> functions = {"sin", "cos", "asin",   "acos", "atan", "sqrt",
                                                     "log", "exp", "tgamma", "pow",  "Pi",   "abs"};
+    if (!paper_alphabet_in_use()) must_be_of_bearable_size(text, functions);
     GiNaC::symtab table;
     for (std::sregex_iterator it(exact.begin(), exact.end(), identifier), end; it != end; ++it) {
         const std::string name = it->str();

@@ -14,6 +14,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 namespace touchstone::proofs {
 
@@ -87,6 +88,8 @@ ex formula(const std::string& t, const Place& at)
     ex e;
     try {
         e = read(t);
+    } catch (const std::length_error& wrong) {
+        at.fail("'" + t + "': " + wrong.what());
     } catch (const std::exception&) {
         at.fail("does not parse: '" + t + "'");
     }
@@ -144,12 +147,13 @@ void take_chain(Print& p, const std::string& says, const std::string& where, con
 
 Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file)
 {
+    static const std::regex symbol_name("[A-Za-z]\\w*");
     Alphabet a;
     std::map<std::string, std::vector<std::string>> of_dimension;
     for (const auto& [name, content] : symbols.items()) {
         const Place at = file.in("symbol '" + name + "'");
         of_some_length(name, file);
-        if (!std::regex_match(name, std::regex("[A-Za-z]\\w*"))) at.fail("a symbol is a letter, then letters, digits and _");
+        if (!std::regex_match(name, symbol_name)) at.fail("a symbol is a letter, then letters, digits and _");
         only(content, {"dimension", "sign", "is", "range", "means"}, at);
         SymbolKind& kind = a.symbols[name];
         kind.dimension = text(content, "dimension", at);
@@ -218,12 +222,18 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
     e.table = std::move(table);
 }
 
+/// What "@H2 + x" refers to an entry by.
+const std::regex& reference()
+{
+    static const std::regex name("@([\\w.-]+)");
+    return name;
+}
+
 /// "@H2 + x": the entries named.
 std::vector<std::string> references(const std::string& t)
 {
-    static const std::regex name("@([\\w.-]+)");
     std::vector<std::string> all;
-    for (std::sregex_iterator it(t.begin(), t.end(), name), end; it != end; ++it) all.push_back((*it)[1]);
+    for (std::sregex_iterator it(t.begin(), t.end(), reference()), end; it != end; ++it) all.push_back((*it)[1]);
     return all;
 }
 
@@ -260,7 +270,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
                 must_be_symbol(symbol, at.in("with"));
                 of_some_length(by.get_ref<const std::string&>(), at.in("with"));
                 follows.with.emplace_back(symbol, by);
-                formula(std::regex_replace(by.get<std::string>(), std::regex("@([\\w.-]+)"), "1"), at.in("with"));
+                formula(std::regex_replace(by.get<std::string>(), reference(), "1"), at.in("with"));
                 for (const std::string& id : references(by)) e.rests_on.push_back(id);
             }
         }
@@ -335,12 +345,17 @@ bool OwnLedger::has(const std::string& id) const
 
 OwnLedger load_ledger(const std::string& dir)
 {
+    const std::string name = dir + "/ledger.json";
+    std::ifstream in(name);
+    if (!in) throw OwnLedgerError(name + ": no such file", true);
+    return read_ledger({std::istreambuf_iterator<char>(in), {}}, dir);
+}
+
+OwnLedger read_ledger(const std::string& written, const std::string& dir)
+{
     OwnLedger ledger;
     ledger.file = dir + "/ledger.json";
-    std::ifstream in(ledger.file);
-    if (!in) throw OwnLedgerError(ledger.file + ": no such file", true);
     const Place file(ledger.file);
-    const std::string written{std::istreambuf_iterator<char>(in), {}};
     if (shallow(written).size() < written.size()) file.fail("brackets nest too deep");
     json all;
     try {

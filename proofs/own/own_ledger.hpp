@@ -73,4 +73,7 @@ struct OwnLedger {
 /// Reads DIR/ledger.json and puts its alphabet in use. \throws OwnLedgerError
 OwnLedger load_ledger(const std::string& dir);
 
+/// The same from its text; its tables' files are in DIR. \throws OwnLedgerError
+OwnLedger read_ledger(const std::string& text, const std::string& dir);
+
 } // namespace touchstone::proofs

@@ -50,7 +50,7 @@ struct Dimension {
 /// "force/length^2"
 Dimension parsed(const std::string& text)
 {
-    static const std::regex factor(R"(([*/]?)\s*([A-Za-z_]\w*|1)\s*(?:\^\s*(-?\d+))?\s*)");
+    static const std::regex factor(R"(([*/]?)\s*([A-Za-z_]\w*|1)\s*(?:\^\s*(-?\d{1,6}))?\s*)"); // no quantity has a power of seven digits
     Dimension d;
     std::size_t at = 0;
     for (std::sregex_iterator it(text.begin(), text.end(), factor), end; it != end; ++it) {

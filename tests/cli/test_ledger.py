@@ -153,6 +153,11 @@ class Changed(unittest.TestCase):
             self.entry(ledger, "H3")["says"] = "p0 = 2*P/(Pi*a"
         self.refuses(no_formula, "'H3'", "parse")
 
+        for giant in ("9^(9^8)", "tgamma(10^9)", "2^(10^9)*x", "(1/3)^(10^7)", "sqrt(7^(10^8))"):  # each alone takes minutes, or all memory, where it is evaluated
+            def too_long(ledger):
+                self.entry(ledger, "H3")["says"] = f"p0 = 2*P/(Pi*a)*{giant}"  # noqa: B023
+            self.refuses(too_long, "'H3'", "too long")
+
         def no_relation(ledger):
             self.entry(ledger, "H3")["says"] = "p0"
         self.refuses(no_relation, "'H3'", "relation")
