@@ -128,8 +128,17 @@ std::string nearest_name(std::string_view typed, const std::vector<std::string>&
         }
         return row.back();
     };
-    return *std::min_element(names.begin(), names.end(),
-                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    const std::string* nearest = &names.front();
+    std::size_t least = distance(*nearest);
+    for (const std::string& name : names) {
+        const std::size_t letters = std::max(name.size(), typed.size()) - std::min(name.size(), typed.size()); // no distance is less
+        if (letters >= least) continue;
+        if (const std::size_t d = distance(name); d < least) {
+            least = d;
+            nearest = &name;
+        }
+    }
+    return *nearest;
 }
 
 void require(bool holds, const Inputs& in, const std::string& key, std::string_view right)

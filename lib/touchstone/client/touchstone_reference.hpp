@@ -60,7 +60,11 @@ public:
     }
     void times_power(std::uint32_t factor, long exponent) ///< by factor^exponent; unchanged for exponent <= 0
     {
-        for (; exponent > 0; --exponent) times(factor);
+        while (exponent > 0) { // as many at once as a limb holds
+            std::uint64_t together = factor;
+            for (--exponent; exponent > 0 && together * factor < static_cast<std::uint64_t>(base); --exponent) together *= factor;
+            times(static_cast<std::uint32_t>(together));
+        }
     }
     int compare(const Big& o) const ///< -1, 0, 1: less, equal, more
     {

@@ -31,6 +31,7 @@ public:
     bool is_rational() const { return degree_ == 1 && pi_power_ == 0; } ///< m = 1 and k = 0
     bool is_zero() const { return factor_ == 0; } ///< r = 0
     int sign() const { return sgn(factor_); } ///< -1, 0 or 1
+    unsigned long degree() const { return degree_; } ///< m
     /// \throws NotExact unless is_rational().
     const Rational& rational() const;
     /// Encloses the value at the working precision.

@@ -2,7 +2,6 @@
 #include "touchstone/scalar/exact_text.hpp"
 
 #include <cctype>
-#include <vector>
 
 namespace touchstone {
 namespace {
@@ -103,50 +102,14 @@ private:
     int depth_ = 0;
 };
 
-/// x^degree, if it is rational and of bearable length.
-std::optional<Rational> rational_power(const Exact& x, unsigned long degree)
-{
-    try {
-        const Exact power = x.power(Rational(degree));
-        return power.is_rational() ? std::optional(power.rational()) : std::nullopt;
-    }
-    catch (const NotExact&) {
-        return std::nullopt;
-    }
-}
-
-/// The degrees that a root can have. Long powers take milliseconds, so those of decimals and common fractions come first: products of 2, 3 and 5.
-const std::vector<unsigned long>& degrees()
-{
-    static const std::vector<unsigned long> all = [] {
-        constexpr unsigned long highest = 4096; // no Exact has a higher one
-        std::vector<unsigned long> common, others;
-        for (unsigned long degree = 2; degree <= highest; ++degree) {
-            unsigned long rest = degree;
-            for (const unsigned long prime : {2UL, 3UL, 5UL})
-                while (rest % prime == 0) rest /= prime;
-            (rest == 1 ? common : others).push_back(degree);
-        }
-        common.insert(common.end(), others.begin(), others.end());
-        return common;
-    }();
-    return all;
-}
-
 } // namespace
 
 Root as_root(const Exact& x)
 {
     if (x.is_rational()) return {x.rational(), 1};
     if (x.sign() < 0) throw NotExact();
-    for (const unsigned long degree : degrees())
-        if (const auto base = rational_power(x, degree)) { // a multiple of the least, which is one of its divisors
-            for (unsigned long least = 2; least < degree; ++least)
-                if (degree % least == 0)
-                    if (const auto first = rational_power(x, least)) return {*first, least};
-            return {*base, degree};
-        }
-    throw NotExact();
+    // x^d = r^d s^(d/m) is rational only if m divides d: s is no perfect p-th power for a prime p that divides m
+    return {x.power(Rational(x.degree())).rational(), x.degree()};
 }
 
 std::optional<Exact> parse_exact(std::string_view text)
