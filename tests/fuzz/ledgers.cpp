@@ -3,28 +3,20 @@
 #include "tests/fuzz/expect.hpp"
 #include "tests/fuzz/targets.hpp"
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 namespace touchstone::fuzz {
 
 void ledgers(std::string_view text)
 {
-    if (text.size() > 4000) return;
-    static const std::string folder = "/tmp/touchstone-fuzz-" + std::to_string(::getpid());
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder + "/ledger.json", std::ios::binary) << text;
+    const std::string folder = "/dev/null"; // no folder: no file of a table is there
     try {
-        const proofs::OwnLedger ledger = proofs::load_ledger(folder);
+        const proofs::OwnLedger ledger = proofs::read_ledger(std::string(text), folder);
         expect(!ledger.entries.empty(), "a ledger has entries");
     }
     catch (const proofs::OwnLedgerError& e) {
-        expect(std::string_view(e.what()).find(folder) != std::string_view::npos, "the message names the file");
+        expect(std::string_view(e.what()).find(folder + "/") != std::string_view::npos, "the message names the file");
     }
-    std::filesystem::remove_all(folder);
 }
 
 } // namespace touchstone::fuzz
