@@ -262,7 +262,7 @@ class Replay:
         return "mesh", self.number, (G, p, scale, load, bits, kept, accuracy, rise, edges)
 
     def polynomials(self, below, panel, middle, half, terms, aim, coefficients):
-        need([b[0] for b in below] == ["mesh"] and half > 0 and 0 <= aim <= below[0][2][-3] and 1 < terms <= 64 and coefficients and len(coefficients) % terms == 0, "not the polynomials of a panel", Refused)
+        need([b[0] for b in below] == ["mesh"] and half > 0 and 0 <= aim <= below[0][2][-3] and 1 < terms <= 64 and 0 < len(coefficients) <= 64 * terms and len(coefficients) % terms == 0, "not the polynomials of a panel", Refused)
         return "polynomials", self.number, panel, (middle, half), aim, [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
 
     def share(self, below, claim):

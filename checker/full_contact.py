@@ -34,6 +34,7 @@ SMALL = 4                   # bits: a bound so far above what is wanted has no c
 FINE = 16                   # cells are no wider than 1/FINE of the ratio; below 2^-FINE they are as they come
 MOST_PARTS = 64             # of one cell
 NARROW = 64                 # cells of which a wave has at most 1/NARROW are narrow
+DEEP = 80                   # bits more of 1/G^2, G < 2^40: it is multiplied by (1 + load)^2, a G^2-fold of the highest z
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
@@ -141,7 +142,7 @@ class Mesh:
 
     def __init__(self, G, pressure, load, bits, edges, places, aims, series, kept, accuracy, rise):
         self.trig = Trigonometry(bits)
-        self.bits, self.one, self.kept, self.accuracy, self.aims = bits, 1 << bits, kept, accuracy, aims
+        self.bits, self.one, self.kept, self.accuracy, self.aims, self.holes = bits, 1 << bits, kept, accuracy, aims, []
         self.work = min(bits, accuracy + WORK)  # a polynomial needs fewer bits than the root at an end of a wave
         self.unit = 1 << self.work + kept
         self.cosines, self.weights = (lru_cache(maxsize=None)(f) for f in (self.cosines, self.weights))
@@ -149,10 +150,9 @@ class Mesh:
         self.levels, self.terms = len(series[0]), len(series[0][0])
         self.lift = [m * rise // 16 for m in range(self.levels)]
         self.up = [b - a for a, b in zip(self.lift, self.lift[1:])]
-        Interval.bits = bits + 64
-        self.G, self.inverse, self.P = fixed(G, bits), fixed(1 / G.square(), bits), fixed(Interval.of(pressure), bits)
-        rising = 0 < edges[0] and all(a < b for a, b in zip(edges, edges[1:]))
-        if not rising or not edges[-1] <= HIGHEST * self.one or any(half <= 0 for _, half in places):
+        Interval.bits, self.deep = bits + 128, bits + DEEP
+        self.G, self.inverse, self.P = fixed(G, bits), fixed(1 / G.square(), self.deep), fixed(Interval.of(pressure), bits)
+        if not 0 < edges[0] or sorted({*edges}) != [*edges] or edges[-1] > HIGHEST * self.one or any(half <= 0 for _, half in places):
             raise Refused("not a mesh")
         if any(abs(self.local(p, y * y >> bits)) > (1 << self.work) + (1 << self.work >> BEYOND) for p in range(len(places)) for y in edges[p:p + 2]):
             raise Refused("a polynomial is of another panel")
@@ -255,7 +255,7 @@ class Mesh:
             self.piece(x, p, a, at, sums, aim, 2 * parts)
             self.piece(x, p, at, b, sums, aim, 2 * parts)
             return
-        full, inverse, all_rows = x >= one, self.inverse, [sums]
+        full, inverse, deep, all_rows = x >= one, self.inverse, self.deep, [sums]
         self.nodes += K
         if self.nodes > MOST_NODES:
             raise Refused("a row has too many points")
@@ -265,7 +265,7 @@ class Mesh:
             even, odd = cosine_at * ct, sine_at * st
             for c in ((even - odd) >> bits, (even + odd) >> bits):
                 square = (x + c) ** 2 if full else (one + c) * (2 * x - one + c)
-                local = (((square >> bits) * inverse >> bits) - middle << work) // half
+                local = (((square >> bits) * inverse >> deep) - middle << work) // half
                 all_rows.append(chebyshev(local, wide, self.terms, work))
         sums[:] = map(sum, zip(*all_rows))
 
@@ -274,8 +274,8 @@ class Mesh:
         |cos(t + d) - cos t| <= |cos t| (cosh |d| - 1) + sin t sinh |d|"""
         one, middle, half = self.one, *self.places[p]
         square = (x + cosine_at) ** 2 if x >= one else (one + cosine_at) * (2 * x - one + cosine_at)
-        z = (square >> self.bits) * self.inverse >> self.bits
-        slope = 2 * abs(x + cosine_at) * self.inverse >> self.bits
+        z = (square >> self.bits) * self.inverse >> self.deep
+        slope = 2 * abs(x + cosine_at) * self.inverse >> self.deep
         least, accuracy = 99, aim + 8 - max(0, (one // (2 * eta * parts + 1)).bit_length() - 1)
         for power in (4, 3, 2):
             d = (eta * ((1 << 2 * power) + 1) >> power + 1) + 1
@@ -283,7 +283,7 @@ class Mesh:
             if square > one:
                 continue
             k = abs(cosine_at) * square // (2 * one - square // 6) + sine_at * d // (one - square // 6) + 2
-            off = (slope * k >> self.bits) + (k * (k * self.inverse >> self.bits) >> self.bits) + 2
+            off = (slope * k >> self.bits) + ((k * k >> self.bits) * self.inverse >> self.deep) + 2
             try:
                 j = quarters(axis((abs(z - middle) << 32) // half + 1, (off << 32) // half + 1))
             except Far:
@@ -321,7 +321,7 @@ class Mesh:
         """(J): what T V and its continuation differ by on J, at most"""
         off = [Fraction(0)] * self.levels
         pieces = []
-        top = self.most(x2)
+        top = self.most(x2) + 1
         for q in range(high + 1, self.panel(top) + 1):
             pieces.append((high, q, self.edges[q], min(top, self.edges[q + 1])))
         if x1 >= self.one:
@@ -358,7 +358,7 @@ class Mesh:
         g = 3 * r + 1  # 2.36/0.79 < 3
         if g > one or r * 100 > 24 * (one - at) or g >= 2 * at:
             raise Far
-        z = ((2 * one - g) * (2 * at - g) >> bits) * self.inverse >> bits
+        z = ((2 * one - g) * (2 * at - g) >> bits) * self.inverse >> self.deep
         return 0, isqrt(z << bits)
 
     def shells(self, x1, x2, low, high):
@@ -396,7 +396,7 @@ class Mesh:
         else:
             if y_high < self.edges[0]:
                 raise Far
-            moved = ((9 * r + (3 * r * (2 * at + 5 * r) >> bits)) * self.inverse >> bits) + 4
+            moved = ((9 * r + (3 * r * (2 * at + 5 * r) >> bits)) * self.inverse >> self.deep) + 4
             low, size = -1, [-self.kept]
         high = self.panel(y_high)
         size.append(self.continued(high, y_high, self.most(at), moved))
@@ -437,6 +437,7 @@ class Mesh:
 
     def between(self, p, x1, x2):
         """|V_m - v| for any v between T V_(m-1)(x1) and T V_(m-1)(x2), m = 1 ... levels: with (G) and monotony a bound of |V_m - B_m|"""
+        self.holes.append((x1, x2))
         ends = [[0, *(v << up for v, up in zip(self.exact_row(x), self.up))] for x in (x1, x2)]
         of_levels = self.furthest(p, x1, x2, lambda z: ends)[1:]
         return [d + (self.quadrature + self.round) * 2**up for d, up in zip(of_levels, self.up)]
@@ -519,7 +520,7 @@ class Mesh:
             parts = min(MOST_PARTS, 1 + FINE * (b - a) // max(a, self.one >> FINE))
             ends += [a + (b - a) * i // parts for i in range(1, parts)]
         ends.sort()
-        cells, defects = range(len(ends) - 1), [[0] * (len(ends) - 1) for _ in range(self.levels)]
+        defects = [[0] * (len(ends) - 1) for _ in range(self.levels)]
         for start, parts in ((0, first), (1, later)):
             for a, b, of_levels, *_ in parts:
                 for c in range(bisect_left(ends, a), bisect_left(ends, b)):
@@ -530,7 +531,11 @@ class Mesh:
         for m, D in enumerate(defects):
             if m:
                 parts = self.parted(errors[-1], ends)
-                D = [d + (self.averaged(parts, shares[c], shares[c + 1]) << self.up[m - 1]) if d else 0 for c, d in zip(cells, D)]
+                carried = [self.averaged(parts, shares[c], shares[c + 1]) << self.up[m - 1] if d else 0 for c, d in enumerate(D)]
+                for a, b in self.holes:  # there monotony brings the error from the ends
+                    i, j = bisect_right(ends, a) - 1, bisect_left(ends, b)
+                    carried[i:j] = [max(carried[i:j])] * (j - i)
+                D = [d + e if d else 0 for d, e in zip(D, carried)]
             errors.append(D)
         return ends, errors
 
@@ -549,23 +554,18 @@ class Mesh:
         wide = [isqrt((self.G * (b - a) >> 1) + 1) + 1 for a, b in zip(ends, ends[1:])]
         low = [*e, e[-1]]
         for c in reversed(range(len(e))):
-            if wide[c] * NARROW < self.one:
-                low[c] = min(e[c], low[c + 1])
+            low[c] = min(e[c], low[c + 1]) if wide[c] * NARROW < self.one else e[c]
         return jumps(low[:-1]), list(accumulate(((v - u) * w >> self.bits) + (v > u) for v, u, w in zip(e, low, wide))), max(e)
 
     def averaged(self, parts, less, more):
         """(H): above T e for a step function e, from the shares at the ends of an interval of x"""
         (steps, beyond, most), ends = parts, 1 + (1 << max(0, self.work - self.bits // 2 + 10))
-        total = sum(j * (s + ends if j > 0 else 0) for j, s in zip(steps, more)) + sum(j * max(0, s - ends) for j, s in zip(steps, less) if j < 0)
-        total += ends * sum(j for j in steps[len(more):] if j > 0)
+        total = sum(max(0, j) * s for j, s in zip(steps, more)) + ends * sum(max(0, j) for j in steps) + sum(min(0, j) * max(0, s - ends) for j, s in zip(steps, less))
         return min(most, (total >> self.work) + 1 + beyond[min(len(more), len(beyond)) - 1])
 
     def value(self, n, load, errors):
         """B_n at this load: low and high, fractions"""
-        (ends, errors), units = errors, self.unit << self.lift[n - 1]
-        at = load * self.one // 1, -(-load * self.one // 1)
-        rows = [self.exact_row(x)[n - 1] for x in set(at)]  # B_n increases
-        e = errors[n - 1]  # nothing taken out: at one load the shares are what they are
-        error = Fraction(self.averaged((jumps(e), [0] * len(e), max(e)), *(self.shares(x, ends) for x in at)), self.one)
-        error = (error + 2 * self.round + self.quadrature) / 2 ** self.lift[n - 1]
-        return Fraction(min(rows), units) - error, Fraction(max(rows), units) + error
+        (ends, errors), at = errors, (load * self.one // 1, -(-load * self.one // 1))
+        rows, e = [self.exact_row(x)[n - 1] for x in set(at)], errors[n - 1]  # B_n increases; nothing taken out: at one load the shares are what they are
+        error = Fraction(self.averaged((jumps(e), [0] * len(e), max(e)), *(self.shares(x, ends) for x in at)), self.one) + 2 * self.round + self.quadrature
+        return tuple((Fraction(row, self.unit) + off) / 2 ** self.lift[n - 1] for row, off in ((min(rows), -error), (max(rows), error)))

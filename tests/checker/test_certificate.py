@@ -295,6 +295,31 @@ class Certificates(unittest.TestCase):
                 self.assertIn(said.returncode, (1, 65), said.stderr)
                 self.assertRegex(said.stdout, f"^no: .*{why}")
 
+    def test_a_hole_has_the_errors_of_its_ends(self):
+        """(G): where monotony bounds a level, T e at both ends counts on all of it. A_2(50) = 1/2 where G = 10; V_0 is right near 1/2 alone, so that 1/4 was proved."""
+        one, kept = 1 << 64, 1 << 32
+        edges = [one * k // 100 for k in (1, 40, 50, 60, 120, 950)]
+
+        def first_wave(k):
+            return 2 / math.pi * math.asin(math.sqrt(k / 100))
+        V = [[kept // 4, 0], *([int(kept * (first_wave(k + 10) + first_wave(k)) / 2), int(kept * (first_wave(k + 10) - first_wave(k)) / 2)] for k in (40, 50)), [kept // 4, 0], [kept // 4, 0]]
+        lines = [f"mesh - 7 G=10 p=0 scale=0 load=50 bits=40 kept=20 accuracy=8 rise=0 {' '.join(f'{y:x}' for y in edges)}"]
+        for p, (a, b) in enumerate(zip(edges, edges[1:])):
+            lines.append(f"polynomials 1 7 panel={p:x} middle={a * a + b * b >> 65:x} half={(b * b - a * a >> 65) + 4:x} terms=2 aim={6 if p in (1, 2) else 0} {V[p][0]:x} {V[p][1]:x} {kept // 4:x} 0")
+        self.write("contact.area", ["n=2 load=50 G=10 value=1:-2 error=7:-5"], [*lines, "share 1-6 7 claim=1"])
+        said = check(self.path)
+        self.assertEqual((said.returncode, "the claim is not proved" in said.stdout), (1, True), said.stdout)
+
+    def test_a_load_far_above_all_ratios(self):
+        """(L): y = (load + c)/G is known to some units however large load and G are: T y^2 = (load^2 + 1/2)/G^2."""
+        one, load, G = 1 << 64, 1 << 32, (1 << 33) + 268447801
+        edges = [one // 4, one]
+        middle, half = edges[0] ** 2 + edges[1] ** 2 >> 65, (edges[1] ** 2 - edges[0] ** 2 >> 65) + 2
+        mesh = full_contact.Mesh(transfer.Interval.of(G), Fraction(0), load, 64, edges, [(middle, half)], [10], [[[middle, half]]], 64, 10, 0)
+        said = Fraction(mesh.exact_row(load * one)[0], mesh.unit)
+        self.assertLess(abs(said - (load * load + Fraction(1, 2)) / G**2), mesh.round + mesh.quadrature)
+        self.assertLess(mesh.round + mesh.quadrature, Fraction(1, 10**4))
+
     def test_ends_of_a_wave_that_meet_at_an_edge(self):
         """Where the ends are continued from the middle of the wave (J with g = 1), rounding must not put one beyond the other: nothing would be integrated, and V_1 = 0 would hold."""
         bits, G = 64, 3
