@@ -11,10 +11,10 @@ import re
 import sys
 import time
 from fractions import Fraction
-from math import gcd
 
 import full_contact
 import intervals as iv
+import memory
 import transfer
 from intervals import Interval
 from transfer import Refused
@@ -53,9 +53,8 @@ def dyadic(text):
 
 def rational(text):
     need(re.fullmatch("[1-9][0-9]{0,999}(/[1-9][0-9]{0,999})?", text), f"'{text[:40]}' is no positive rational number")
-    n, _, d = text.partition("/")
-    need(gcd(int(n), int(d or 1)) == 1 and d != "1", f"'{text[:40]}' is not in lowest terms")
-    return Fraction(int(n), int(d or 1))
+    need(str(Fraction(text)) == text, f"'{text[:40]}' is not in lowest terms")
+    return Fraction(text)
 
 
 def surface(text):
@@ -165,7 +164,7 @@ class Replay:
         need(not more or reason in WITH_INTEGERS, f"line {self.number}: says more than it may")
         try:
             self.known[self.number] = getattr(self, reason)([self.known[r] for r in numbers], *data, *([[integer(c) for c in more]] if reason in WITH_INTEGERS else []))
-        except (Refused, ValueError, ArithmeticError, MemoryError) as why:
+        except (Refused, ValueError, ArithmeticError) as why:
             raise Refused(f"line {self.number}: {why}") from None
         self.until[self.number] = decimal(words[3])
         need(self.number <= self.until[self.number] and (reason in PROVES_A_CLAIM) == (self.until[self.number] == self.number), f"line {self.number}: forgotten too early")
@@ -331,6 +330,7 @@ def main():
     parser.add_argument("--join", nargs="+", metavar="REPORT", help="what this program printed for the pieces of FILE")
     parser.add_argument("file")
     arguments = parser.parse_args()
+    memory.bound()
     try:
         certificate = Certificate(arguments.file)
         first, last = span(arguments.lines) if arguments.lines else (1, certificate.count)
@@ -340,14 +340,13 @@ def main():
             print(f"yes: the pieces cover all {certificate.count} lines, {len(certificate.claims)} claims are proved")
             return 0
         Replay(certificate, first, last)
-    except (Malformed, Refused) as why:
-        print("".join(c if c.isprintable() else "?" for c in f"no: {arguments.file}: {why}"))
+    except (Malformed, Refused, MemoryError) as why:
+        print("".join(c if c.isprintable() else "?" for c in f"no: {arguments.file}: {str(why) or 'needs too much memory'}"))
         return 65 if isinstance(why, Malformed) else 1
     if (first, last) != (1, certificate.count):
         print(f"lines {first}-{last} of {certificate.count} hold if those before them do; sha256 {certificate.digest}")
         return 0
-    for claim in certificate.claims.values():
-        print(shown(certificate.quantity, claim))
+    print(*(shown(certificate.quantity, claim) for claim in certificate.claims.values()), sep="\n")
     print(f"yes: {certificate.count} lines hold, {len(certificate.claims)} claims are proved")
     return 0
 

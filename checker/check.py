@@ -18,6 +18,7 @@ from fractions import Fraction
 import certificate
 import closed_forms
 import intervals as iv
+import memory
 from intervals import Interval
 
 MOST_BITS = 16384
@@ -148,10 +149,11 @@ def main():
     if arguments.coverage and arguments.limit:
         parser.error("--coverage is of whole tables: no --limit")
     worst, found = 0, []
+    memory.bound()
     try:
         forms = with_certificates(closed_forms.FORMS, arguments.certificate)
-    except (certificate.Malformed, certificate.Refused) as why:
-        print(f"check.py: a certificate says no: {why}", file=sys.stderr)
+    except (certificate.Malformed, certificate.Refused, MemoryError) as why:
+        print(f"check.py: a certificate says no: {str(why) or 'needs too much memory'}", file=sys.stderr)
         return 65
     print(f"{'table':30} {'rows':>6} {'right':>6} {'open':>6} {'wrong':>6} {'digits':>6}")
     for path in arguments.tables:

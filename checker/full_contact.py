@@ -540,7 +540,7 @@ class Mesh:
         return ends, errors
 
     def shares(self, x, ends):
-        """(H): of a wave of mean x above each of these ratios, in units 2^-work, as far as there is any; their last end lies beyond all"""
+        """(H): of a wave of mean x above each of these ratios, in units 2^-work, up to the first that rounds to 0; their last end lies beyond all"""
         found = []
         for y in ends[:-1]:
             found.append((self.theta(x, y) << self.work) // self.trig.pi)
@@ -560,7 +560,7 @@ class Mesh:
     def averaged(self, parts, less, more):
         """(H): above T e for a step function e, from the shares at the ends of an interval of x"""
         (steps, beyond, most), ends = parts, 1 + (1 << max(0, self.work - self.bits // 2 + 10))
-        total = sum(max(0, j) * s for j, s in zip(steps, more)) + ends * sum(max(0, j) for j in steps) + sum(min(0, j) * max(0, s - ends) for j, s in zip(steps, less))
+        total = sum(max(0, j) * s for j, s in zip(steps, more)) + ends * (most + sum(max(0, j) for j in steps)) + sum(min(0, j) * max(0, s - ends) for j, s in zip(steps, less))
         return min(most, (total >> self.work) + 1 + beyond[min(len(more), len(beyond)) - 1])
 
     def value(self, n, load, errors):

@@ -267,6 +267,15 @@ class Certificates(unittest.TestCase):
                 f"section 1 span=1-{len(lines)} {counts}", *(f"{i} {line}" for i, line in enumerate(lines, 1))]
         self.path.write_text(signed("\n".join(head) + "\nsha256 "))
 
+    def test_what_needs_too_much_memory_is_refused(self):
+        """Here with a bound of 128 MiB; a text of many short words needs more."""
+        self.path.write_bytes(b"a b " * (1 << 22))
+        for name, arguments, code in (("certificate", [], 1), ("check", ["--certificate", self.path, "table"], 65)):
+            start = f"import sys; sys.path.insert(0, {str(known.checker)!r}); import memory, {name} as program; memory.MOST = 1 << 27; sys.exit(program.main())"
+            said = subprocess.run([sys.executable, "-c", start, *map(str, arguments or [self.path])], capture_output=True, text=True)
+            with self.subTest(name):
+                self.assertEqual((said.returncode, (said.stdout + said.stderr).count("needs too much memory")), (code, 1), said.stdout[:300] + said.stderr[:300])
+
     def test_what_is_written_to_deceive_is_refused(self):
         """Lines by hand that rest on what they may not, and numbers that no arithmetic holds: an answer, never a crash."""
         area, constant, one = "n=1 load=1/2 G=3 value=1:-1 error=1:-2", "G=3 value=1:0 error=1:-1", 1 << 64
@@ -373,6 +382,20 @@ class Certificates(unittest.TestCase):
         true = 1 + 2**24 * math.sqrt(2 * G * 2**-40) / math.pi
         self.assertLess(true, said)
         self.assertLess(said, 2 * true)
+
+    def test_a_share_that_rounds_to_0_counts(self):
+        """(H): narrow cells beyond the first ratio of a share below 2^-work are not told apart, but what is high there counts."""
+        bits, G = 256, 3
+        one = 1 << bits
+        edges = [one // 8, one, 2 * one]
+        places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
+        mesh = full_contact.Mesh(transfer.Interval.of(G), Fraction(0), 2, bits, edges, places, [10] * 2, [[[one, 0]]] * 2, bits, 10, 0)
+        spiked = [0, one // 8, one - (one >> 118), one - (one >> 120), one, 2 * one]  # a wave of mean 2 ends at the ratio 1
+        e = [one, one, one, one << 80, one]
+        shares = mesh.shares(2 * one, spiked)
+        self.assertEqual((len(shares), shares[-1]), (3, 0))
+        said = mesh.averaged(mesh.parted(e, spiked), shares, shares) / one
+        self.assertLess(1 + 2**80 * math.sqrt(2 * G * 2**-120) / math.pi, said)
 
     def test_levels_packed_into_one_integer_are_those_of_each(self):
         bits, chosen = 64, random.Random(20261123)
