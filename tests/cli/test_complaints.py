@@ -255,6 +255,7 @@ class Words(InFolder):
 
     def test_no_certificate_reaches_it(self):
         self.refuses(65, "shares below 1e-14 have no certificate", "certificate", "contact.area", "n=60", "load=3", "G=2", "--out", self.folder / "f")
+        self.refuses(65, "errors do not come below 5.0e-13", "certificate", "contact.exceedance", "n=1", "p=0.89442719", "load=0.001", "G=3.1622776601683795", "--out", self.folder / "f")
         for code, why, *rows in ((2, "there is no such row", "n=77"), (64, "has no column 'm'", "m=1"), (65, "n=x: is not a number", "n=x"), (64, "'n' is given twice", "n=1", "n=1")):
             self.refuses(code, why, "certificate", "contact_exceedance", *rows, "--out", self.folder / "f")
         self.assertFalse((self.folder / "f").exists())

@@ -117,7 +117,7 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
     const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
-    double tolerance = std::min(goal, 1e-5);                              // the coarsest there is
+    double tolerance = std::min(goal, transfer::ProvenLevels::coarsest_tolerance);
     std::vector<Ball> values;
     const std::size_t first = lines.count() + 1;
     for (int attempt = 0;; ++attempt) {
@@ -134,8 +134,9 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
             least = std::min(least, std::ldexp(value, static_cast<int>(choices.lift(a.n - 1))));
         }
         if (worst > 1) {
-            if (attempt == 3) throw BeyondReach(fmt::format("the certificate's errors do not come below {:.1e}", goal));
             tolerance /= 2 * worst;
+            if (attempt == 3 || tolerance < transfer::ProvenLevels::finest_tolerance)
+                throw BeyondReach(fmt::format("the certificate's errors do not come below {:.1e}", goal));
             continue;
         }
         choices.accuracy = static_cast<long>(std::ceil(-std::log2(goal * least))) + spare_bits;

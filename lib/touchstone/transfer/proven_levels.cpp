@@ -43,7 +43,8 @@ struct ProvenLevels::State {
 static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<const First> first, double highest, double tolerance, const ProvenLevels::Spoiled& spoiled, int scales)
 {
     require_binary64_arithmetic();
-    if (!(tolerance >= 1e-25 && tolerance <= 1e-5)) throw std::invalid_argument("tolerance from 1e-25 to 1e-5");
+    if (!(tolerance >= ProvenLevels::finest_tolerance && tolerance <= ProvenLevels::coarsest_tolerance))
+        throw std::invalid_argument("tolerance from 1e-25 to 1e-5");
     const WorkingPrecision precision(256);
     const Real nearest = to_real(G);
     const Ball off = abs(to_ball(nearest) / G - Ball(1));

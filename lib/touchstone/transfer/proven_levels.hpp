@@ -34,6 +34,7 @@ struct Layer;
 class ProvenLevels {
 public:
     static constexpr int usual_levels = 20, most_levels = 100;
+    static constexpr double finest_tolerance = 1e-25, coarsest_tolerance = 1e-5;
     static constexpr double highest_load = 1000;
     /// For tests: what V_m is made worse by on the panel y0 <= y <= y1. V_m may be anything; the proof has to see it.
     using Spoiled = std::function<double(int m, double y0, double y1)>;
