@@ -2,6 +2,7 @@
 /// `touchstone certificate`: why a value is what it is, for a checker that shares nothing with this program.
 #include "touchstone/certificate/areas.hpp"
 #include "touchstone/certificate/limit_constant.hpp"
+#include "touchstone/scalar/rational.hpp"
 #include "touchstone/scalar/rational_text.hpp"
 #include "touchstone/table/table.hpp"
 #include "verify/commands.hpp"
@@ -65,7 +66,7 @@ struct Claimed {
     }
 };
 
-/// What rows of a table are asked for by, exact; no key: all of them.
+/// What rows of a table are asked for by; no key: all of them.
 std::map<std::string, Rational> of_columns(const Quantity& q, const NamedTexts& named)
 {
     std::map<std::string, Rational> wanted;
@@ -79,6 +80,12 @@ std::map<std::string, Rational> of_columns(const Quantity& q, const NamedTexts& 
     return wanted;
 }
 
+/// The table's numbers are binary64 and printed as decimals that round to them: one is named by any number that does.
+bool is_named_by(const Rational& of_row, const Rational& wanted)
+{
+    return nearest_double(of_row) == nearest_double(wanted);
+}
+
 Claimed claims_of_table(const TableSpec& spec, const NamedTexts& named)
 {
     const Quantity& q = quantity_named(spec.quantity);
@@ -87,7 +94,7 @@ Claimed claims_of_table(const TableSpec& spec, const NamedTexts& named)
     for (const auto& row : spec.grid()) {
         std::map<std::string, Rational> values;
         for (std::size_t k = 0; k < row.size(); ++k) values[q.inputs[k]] = exact_rational(row[k]);
-        if (std::all_of(wanted.begin(), wanted.end(), [&](const auto& w) { return values[w.first] == w.second; })) all.add(q, Inputs(values));
+        if (std::all_of(wanted.begin(), wanted.end(), [&](const auto& w) { return is_named_by(values[w.first], w.second); })) all.add(q, Inputs(values));
     }
     if (all.refused.empty()) all.refused = "there is no such row";
     return all;
@@ -133,7 +140,7 @@ void add_certificate(CLI::App& app, Run& run)
         ->add_option("subject", o->subject,
                      "A quantity with inputs: an area, a share above a pressure, a count of segments or a limit of areas; or a table")
         ->required();
-    command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval; of a table: rows with these inputs alone");
+    command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval; of a table: rows with these inputs alone, as printed there");
     command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")
         ->check(CLI::Range(1L, certificate::most_digits));
     command->add_option("--out", o->out, "File to write (default: standard output)")->check(not_empty());

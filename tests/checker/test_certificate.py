@@ -178,6 +178,9 @@ class Certificates(unittest.TestCase):
     def test_rows_of_tables_are_confirmed(self):
         self.make("contact_area", "n=3", "load=1", "G=4", "--digits", 10)  # of the table, this row alone
         self.assertEqual(self.path.read_text().count("\nclaim "), 1)
+        for p, claims in (("0.8944263380080884", 1), ("0.89442633800808837", 1), ("0.8944263380080882", 0)):  # printed there; another decimal of it; the next number
+            said = program("certificate", "contact_exceedance", "n=1", f"p={p}", "load=0.001", "--digits", 4)
+            self.assertEqual((said.returncode, said.stdout.count("\nclaim ")), (2 - 2 * claims, claims), said.stderr)
         table = (known.checker.parent / "data/reference/contact_area.txt").read_text()
         head, rows = ([line for line in table.splitlines() if line.startswith("#") == which] for which in (True, False))
         place = next(i for i, row in enumerate(rows) if row.split()[:3] == ["3", "1", "4"])
