@@ -12,6 +12,7 @@ import sys
 import time
 from fractions import Fraction
 
+import distributions
 import full_contact
 import intervals as iv
 import memory
@@ -22,7 +23,7 @@ from transfer import Refused
 SMALLEST_STEP = Fraction(1, 1 << 16)  # of a rule: exp(-1/step) is a number one can write
 LONGEST_FILE, LONGEST_WORD, MOST_PANELS, MOST_PANELS_OF_A_MESH = 1 << 28, 4096, 64, 4096
 PATIENCE = 20  # seconds
-MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024}
+MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024, "power": 200}
 
 
 class Malformed(Exception):
@@ -70,12 +71,14 @@ def span(text):
     return decimal(first), decimal(last) if mark else decimal(first)
 
 
-READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error"), dyadic),
+READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error", "centre", "radius"), dyadic), "a": rational,
            **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "aim", "panel", "middle", "half"), integer)}
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
-         "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim"}
-WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials"), ("value", "limit", "share")
-CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error"}
+         "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
+         "law": "G load bits", "piece": "m low high centre radius power exponent error", "point": "claim"}
+WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece"), ("value", "limit", "share", "point")
+CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
+          "contact.density": "n p load G value error", "segments.density": "n a load G value error"}
 
 
 def fields(words, names, what):
@@ -120,7 +123,7 @@ class Certificate:
                 self.claims[decimal(which)] = *inputs, G, value, error
                 need(list(self.claims)[-1] == len(self.claims) and n > 0 and value > error >= 0, f"claim {which[:9]}: is none")
                 continue
-            (first, last), *counted = fields(rest, "span grids panels levels values limits meshes polynomials shares", "section")
+            (first, last), *counted = fields(rest, "span grids panels levels values limits meshes polynomials shares laws pieces points", "section")
             found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
             number += 1
             need(kind == "section" and decimal(which) == number and first == next_line <= last, "sections: do not follow one another")
@@ -164,8 +167,8 @@ class Replay:
         need(not more or reason in WITH_INTEGERS, f"line {self.number}: says more than it may")
         try:
             self.known[self.number] = getattr(self, reason)([self.known[r] for r in numbers], *data, *([[integer(c) for c in more]] if reason in WITH_INTEGERS else []))
-        except (Refused, ValueError, ArithmeticError) as why:
-            raise Refused(f"line {self.number}: {why}") from None
+        except (Refused, full_contact.Far, ValueError, ArithmeticError) as why:
+            raise Refused(f"line {self.number}: {str(why) or 'more is needed of a piece than it has'}") from None
         self.until[self.number] = decimal(words[3])
         need(self.number <= self.until[self.number] and (reason in PROVES_A_CLAIM) == (self.until[self.number] == self.number), f"line {self.number}: forgotten too early")
         for r in numbers + [self.number]:
@@ -251,7 +254,7 @@ class Replay:
         """the grid, inputs, value and error of a claim that is proved here"""
         need(self.certificate.quantity == quantity and claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
         *inputs, G, value, error = self.certificate.claims[claim]
-        need(below and below[0][0] in ("grid", "mesh") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
+        need(below and below[0][0] in ("grid", "mesh", "law") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
         self.proved.add(claim)
         return below[0], inputs, value, error
 
@@ -306,6 +309,49 @@ class Replay:
                 off += min(1, G**2 * transfer.falling(panel.low)) * spread
             need(off <= error, "the claim is not proved", Refused)
         return "limit", self.number
+
+    def law(self, below, G, load, bits):
+        need(not below and 96 <= bits <= 512 and load <= 1 and 2 ** G[1] < G[0] < 2 ** (40 * G[1]), "not a law: G > 2, load <= 1", Refused)
+        return "law", self.number, (G, load, bits)
+
+    def laws(self, law):
+        if law[1] not in self.rules:
+            G, load, bits = law[2]
+            Interval.bits = bits
+            self.rules = {law[1]: distributions.Laws(root_of(*G), load, bits)}  # of one law at a time
+        Interval.bits = self.rules[law[1]].bits
+        return self.rules[law[1]]
+
+    def all_pieces(self, law, below, m):
+        """of level m, from T = 0 to 1, and how far they are from phi_m"""
+        if m == 1:
+            need(not below, "level 1 needs no pieces", Refused)
+            return [self.laws(law).first], 0
+        need(below and all(b[0] == "piece" and b[2] is law and b[3] == m for b in below) and len(below) <= MOST_PANELS, f"does not rest on level {m} of its law", Refused)
+        pieces = [b[5] for b in below]
+        need(all(p.high == q.low for p, q in zip(pieces, pieces[1:])) and (pieces[0].low, pieces[-1].high, pieces[0].power) == (0, 1, m - 2), "pieces do not cover 0 to 1", Refused)
+        return pieces, max(b[4] for b in below)
+
+    def piece(self, below, m, low, high, centre, radius, power, exponent, error, coefficients):
+        need(below and below[0][0] == "law" and m > 1 and 0 <= low < high <= 1 and power >= 0 and 2 < len(coefficients) <= 64 and 0 <= error < 1, "not a piece of a law", Refused)
+        need(low > 0 or power == m - 2, "the first piece has another power", Refused)
+        piece = distributions.Polynomial(low, high, centre, radius, power, exponent, coefficients)
+        if self.proving():
+            pieces, before = self.all_pieces(below[0], below[1:], m - 1)
+            need(before < error, "errors do not get less", Refused)
+            self.laws(below[0]).prove(m - 1, pieces, piece, (error - before) / (1 + before))
+        return "piece", self.number, below[0], m, error, piece
+
+    def point(self, below, claim):
+        law, (n, *place, load), value, error = self.claimed(self.certificate.quantity, below, claim)
+        need(law[0] == "law" and law[2][1] == load and len(place) == 1, "a point rests on the law of its load", Refused)
+        if self.proving():
+            laws = self.laws(law)
+            pieces, off = self.all_pieces(law, below[1:], n)
+            Interval.bits = laws.bits
+            low, high = laws.claimed(self.certificate.quantity, n, place[0], pieces, value, error).ends()
+            need(value - error <= low * (1 - off) and high * (1 + off) <= value + error, "the claim is not proved", Refused)
+        return "point", self.number
 
 
 def root_of(base, degree):

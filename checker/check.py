@@ -87,7 +87,8 @@ def with_certificates(forms, paths):
     def both(quantity, proved):
         return {quantity: lambda *inputs: proved(*inputs) if forms[quantity](*inputs) is None else forms[quantity](*inputs)}
     return {**forms, **both("segments.count", segments), **both("contact.area", certified("contact.area")),
-            **both("contact.exceedance", certified("contact.exceedance")), "limit.area_constant": constant, "limit.area_ratio": ratio}
+            **both("contact.exceedance", certified("contact.exceedance")), **both("contact.density", certified("contact.density")),
+            **both("segments.density", certified("segments.density")), "limit.area_constant": constant, "limit.area_ratio": ratio}
 
 
 def verdict(form, row, names, binary64):

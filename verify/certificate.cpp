@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `touchstone certificate`: why a value is what it is, for a checker that shares nothing with this program.
-#include "touchstone/certificate/areas.hpp"
+#include "touchstone/certificate/contact.hpp"
 #include "touchstone/certificate/limit_constant.hpp"
 #include "touchstone/scalar/rational.hpp"
 #include "touchstone/scalar/rational_text.hpp"
@@ -42,7 +42,7 @@ Root root_of(const Inputs& in)
 
 /// What is claimed and has a certificate, and why the first that has none has none.
 struct Claimed {
-    std::vector<certificate::Area> areas;
+    std::vector<certificate::Claim> claims;
     std::vector<Root> limits;
     std::string refused;
 
@@ -50,19 +50,21 @@ struct Claimed {
     {
         q.check(in);
         const bool limit = q.name == "limit.area_constant" || q.name == "limit.area_ratio";
-        certificate::Area a{1, Rational(1), root_of(in)};
+        certificate::Claim a{1, Rational(1), root_of(in)};
         if (!limit) a.load = in.real("load"), a.n = in.integer("n");
-        if (q.name == "contact.exceedance") a.p = in.real("p");
+        if (q.name == "contact.exceedance") a.of = certificate::Claim::Of::share, a.at = in.real("p");
+        if (q.name == "contact.density") a.of = certificate::Claim::Of::density, a.at = in.real("p");
+        if (q.name == "segments.density") a.of = certificate::Claim::Of::segments, a.at = in.real("a");
         if (q.name == "segments.count") --a.n; // (8.1): they are counted by A_(n-1)
         const std::string why = limit ? certificate::refusal_of_limit(a.G) : certificate::refusal(a);
         if (!why.empty())
             refused = refused.empty() ? why : refused;
-        else if (q.name == "contact.exceedance" && a.p == 0)
+        else if (q.name == "contact.exceedance" && a.at == 0)
             refused = "p = 0 is an area";
         else if (limit)
             limits.push_back(a.G);
         else
-            areas.push_back(a);
+            claims.push_back(a);
     }
 };
 
@@ -104,7 +106,7 @@ int write_certificate(const CertificateOptions& o)
 {
     const TableSpec* spec = find_table(o.subject);
     const Quantity& q = quantity_named(spec != nullptr ? spec->quantity : o.subject);
-    constexpr std::array served{"contact.area", "contact.exceedance", "segments.count", "limit.area_constant", "limit.area_ratio"};
+    constexpr std::array served{"contact.area", "contact.exceedance", "contact.density", "segments.count", "segments.density", "limit.area_constant", "limit.area_ratio"};
     if (std::find(served.begin(), served.end(), q.name) == served.end())
         throw Failure(undecided, fmt::format("there are certificates of {}, not of '{}'; rows of closed form need none (checker/check.py)",
                                              fmt::join(served, ", "), q.name));
@@ -113,13 +115,13 @@ int write_certificate(const CertificateOptions& o)
         claimed = claims_of_table(*spec, key_values(q, o.assignments));
     else
         claimed.add(q, read_inputs(q, key_values(q, o.assignments)));
-    if (claimed.areas.empty() && claimed.limits.empty())
+    if (claimed.claims.empty() && claimed.limits.empty())
         throw Failure(undecided, (spec == nullptr ? "" : fmt::format("no row of '{}' has a certificate: ", spec->name)) + claimed.refused);
     const long most = claimed.limits.empty() ? certificate::most_digits : certificate::most_digits_of_a_limit;
     const long digits = std::min(most, o.digits.value_or(spec != nullptr ? spec->digits + spare_digits : digits_of_a_value));
     const std::string text = [&] {
         const Progress progress("certificate");
-        if (claimed.limits.empty()) return certificate::areas(claimed.areas, {digits});
+        if (claimed.limits.empty()) return certificate::contact(claimed.claims, {digits});
         return certificate::limit_constants(claimed.limits, {digits});
     }();
     if (o.out.empty())
@@ -138,7 +140,7 @@ void add_certificate(CLI::App& app, Run& run)
     auto o = std::make_shared<CertificateOptions>();
     command
         ->add_option("subject", o->subject,
-                     "A quantity with inputs: an area, a share above a pressure, a count of segments or a limit of areas; or a table")
+                     "A quantity with inputs: an area, a share above a pressure, a density, a count of segments or a limit of areas; or a table")
         ->required();
     command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval; of a table: rows with these inputs alone, as printed there");
     command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")

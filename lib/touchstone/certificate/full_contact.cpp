@@ -74,10 +74,10 @@ long aim(const transfer::levels::Layer& V, std::size_t panel, long levels, doubl
 }
 
 /// The numbers of the lines mesh and polynomials.
-std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Area& a, const Rational& load, long levels, const Choices& c, Lines& lines)
+std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Claim& a, const Rational& load, long levels, const Choices& c, Lines& lines)
 {
-    std::string mesh = fmt::format("G={} p={} scale={:x} load={} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(a.G), a.p.get_str(),
-                                   a.p == 0 ? 0 : a.n, load.get_str(), c.bits(), c.kept(), c.accuracy, c.rise);
+    std::string mesh = fmt::format("G={} p={} scale={:x} load={} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(a.G), a.at.get_str(),
+                                   a.at == 0 ? 0 : a.n, load.get_str(), c.bits(), c.kept(), c.accuracy, c.rise);
     const double G = nearest(number(a.G));
     const std::size_t panels = panels_below(load.get_d(), G, levels, V);
     for (std::size_t i = 0; i < panels; ++i) mesh += ' ' + hex(units(V.panels[i].y0, c.bits()));
@@ -98,22 +98,22 @@ std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Area
 }
 
 /// The levels of an area, or of a share above the pressure p = P p*_n, p*_n = G^n p*_0.
-transfer::ProvenLevels levels_of(const Area& a, double highest, double tolerance, int scales)
+transfer::ProvenLevels levels_of(const Claim& a, double highest, double tolerance, int scales)
 {
     const Ball G = number(a.G);
-    if (a.p == 0) return {G, highest, tolerance, scales};
-    return {G, Ball(a.p) / pow(G, Ball(a.n)), highest, tolerance, scales};
+    if (a.at == 0) return {G, highest, tolerance, scales};
+    return {G, Ball(a.at) / pow(G, Ball(a.n)), highest, tolerance, scales};
 }
 
 } // namespace
 
-void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t first_claim, std::size_t section, std::string& head,
+void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_t first_claim, std::size_t section, std::string& head,
                         Lines& lines)
 {
     const WorkingPrecision precision(256);
     long levels = 1;
     Rational load = areas.front().load, lightest = load;
-    for (const Area& a : areas) levels = std::max(levels, a.n), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
+    for (const Claim& a : areas) levels = std::max(levels, a.n), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
     const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
@@ -126,7 +126,7 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
         const double G = nearest(number(areas.front().G));
         Choices choices{0, 0, 2 * std::sqrt(std::min(1.0, lightest.get_d())) / G, static_cast<long>(16 * std::log2(G))};
         double worst = 0, least = 1;
-        for (const Area& a : areas) {
+        for (const Claim& a : areas) {
             values.push_back(V.share(a.n, Ball(a.load)));
             const double value = nearest(values.back());
             if (!(value > smallest)) throw BeyondReach(fmt::format("shares below {} have no certificate", smallest));
@@ -145,11 +145,11 @@ void write_full_contact(const std::vector<Area>& areas, long digits, std::size_t
         for (std::size_t i = 0; i < areas.size(); ++i) {
             lines.add("share", rests_on, fmt::format("claim={}", first_claim + i));
             const double error = goal * nearest(values[i]);
-            const std::string p = areas[i].p == 0 ? "" : fmt::format(" p={}", areas[i].p.get_str());
+            const std::string p = areas[i].at == 0 ? "" : fmt::format(" p={}", areas[i].at.get_str());
             head += fmt::format("claim {} n={:x}{} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, p,
                                 areas[i].load.get_str(), named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
         }
-        head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares={}\n",
+        head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares={} laws=0 pieces=0 points=0\n",
                             section, first, lines.count(), rests_on.size() - 1, areas.size());
         return;
     }

@@ -4,7 +4,7 @@
 /// Internal to certificate/.
 #pragma once
 
-#include "touchstone/certificate/areas.hpp"
+#include "touchstone/certificate/contact.hpp"
 #include "touchstone/certificate/text.hpp"
 
 namespace touchstone::certificate {
@@ -14,6 +14,6 @@ constexpr long most_digits_in_full_contact = 12;
 
 /// Appends a section of these areas, all of one G, to the header and the lines.
 /// \throws BeyondReach where the mesh would be too large, or does not give the digits
-void write_full_contact(const std::vector<Area>&, long digits, std::size_t first_claim, std::size_t section, std::string& head, Lines&);
+void write_full_contact(const std::vector<Claim>&, long digits, std::size_t first_claim, std::size_t section, std::string& head, Lines&);
 
 } // namespace touchstone::certificate

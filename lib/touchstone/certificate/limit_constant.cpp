@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/certificate/limit_constant.hpp"
 
-#include "touchstone/certificate/areas.hpp"
+#include "touchstone/certificate/contact.hpp"
 #include "touchstone/certificate/written_levels.hpp"
 #include "touchstone/scalar/refusal.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "touchstone/certificate/areas.hpp"
+#include "touchstone/certificate/contact.hpp"
 
+#include "touchstone/certificate/distributions.hpp"
 #include "touchstone/certificate/full_contact.hpp"
 #include "touchstone/certificate/written_levels.hpp"
 #include "touchstone/scalar/refusal.hpp"
@@ -27,16 +28,16 @@ struct Section {
     double worst = 0;
 };
 
-Section find(const std::vector<Area>& areas, const Root& G, double digits)
+Section find(const std::vector<Claim>& areas, const Root& G, double digits)
 {
     long n = 0;
     Rational least(1), largest(0);
-    for (const Area& a : areas) n = std::max(n, a.n), least = std::min(least, a.load), largest = std::max(largest, a.load);
+    for (const Claim& a : areas) n = std::max(n, a.n), least = std::min(least, a.load), largest = std::max(largest, a.load);
     Section s{grid_for(G, n, digits, least, largest), {}, {}, 0};
     const DiscreteOperator T(s.grid);
     s.levels = T.levels(n);
     std::map<Rational, Row> rows;
-    for (const Area& a : areas) {
+    for (const Claim& a : areas) {
         if (!rows.contains(a.load)) rows.emplace(a.load, T.row_at(a.load));
         const Applied h = T.apply(rows.at(a.load), s.levels[static_cast<std::size_t>(a.n - 1)]);
         const WorkingPrecision precision(s.grid.bits + 64);
@@ -49,7 +50,7 @@ Section find(const std::vector<Area>& areas, const Root& G, double digits)
 }
 
 /// The first that is accurate enough.
-Section accurate(const std::vector<Area>& areas, double digits)
+Section accurate(const std::vector<Claim>& areas, double digits)
 {
     const double goal = std::pow(10.0, -digits) / 2;
     Section s = find(areas, areas.front().G, digits);
@@ -61,7 +62,7 @@ Section accurate(const std::vector<Area>& areas, double digits)
     return s;
 }
 
-void write(const Section& s, const std::vector<Area>& areas, std::size_t first_claim, std::string& head, Lines& lines, std::size_t number)
+void write(const Section& s, const std::vector<Claim>& areas, std::size_t first_claim, std::string& head, Lines& lines, std::size_t number)
 {
     const WrittenSection written = write_levels(s.grid, s.levels, lines);
     for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -79,7 +80,7 @@ void write(const Section& s, const std::vector<Area>& areas, std::size_t first_c
 
 } // namespace
 
-std::string refusal(const Area& a)
+std::string refusal(const Claim& a)
 {
     if (a.n < 1) return "n = 0 is of closed form: the checker needs no certificate";
     if (a.n > largest_n) return fmt::format("n = {}: certificates are made up to n = {}", a.n, largest_n);
@@ -89,21 +90,50 @@ std::string refusal(const Area& a)
     if (a.load < least) return "load < 2^-40: certificates are made of loads from there on";
     if (power(Rational(51, 50), static_cast<long>(a.G.degree)) > a.G.base) return "G < 1.02: certificates are made where G >= 1.02";
     if (power(Rational(1 << 20), static_cast<long>(a.G.degree)) < a.G.base) return "G > 2^20: certificates are made where G <= 2^20";
-    return "";
+    const bool density = a.of == Claim::Of::density || a.of == Claim::Of::segments;
+    if (density && !only_partial(a)) return "densities have certificates in partial contact: G >= 2.05 and load <= 1";
+    return a.of == Claim::Of::area || !only_partial(a) ? "" : refusal_of_distribution(a);
 }
 
-bool only_partial(const Area& a) { return a.p == 0 && a.load <= 1 && power(Rational(41, 20), static_cast<long>(a.G.degree)) <= a.G.base; }
+bool only_partial(const Claim& a) { return a.load <= 1 && power(Rational(41, 20), static_cast<long>(a.G.degree)) <= a.G.base; }
 
-std::string areas(const std::vector<Area>& all, Accuracy wanted)
+namespace {
+
+enum class Route { levels, law, mesh };
+
+Route route(const Claim& a, Accuracy wanted)
 {
-    std::vector<std::vector<Area>> sections;
-    for (const Area& a : all) {
-        const auto same = [&](const auto& s) {
-            const Area& b = s.front();
-            const bool one_mesh = only_partial(b) == only_partial(a) && b.p == a.p && (a.p == 0 || a.n == b.n);
-            return b.G.base == a.G.base && b.G.degree == a.G.degree && one_mesh;
-        };
-        const auto found = std::find_if(sections.begin(), sections.end(), same);
+    if (!only_partial(a)) return Route::mesh;
+    if (a.of == Claim::Of::area) return Route::levels;
+    return a.of == Claim::Of::share && wanted.digits > most_digits_of_distributions ? Route::mesh : Route::law;
+}
+
+/// What one section serves: levels any load and n, a law any n and place, a mesh of areas any load and n, one of shares any load.
+bool in_one_section(const Claim& a, const Claim& b, Accuracy wanted)
+{
+    const Route r = route(a, wanted);
+    if (b.G.base != a.G.base || b.G.degree != a.G.degree || r != route(b, wanted)) return false;
+    if (r == Route::law) return a.load == b.load;
+    return r == Route::levels || (a.at == b.at && (a.at == 0 || a.n == b.n));
+}
+
+std::string_view quantity(Claim::Of of)
+{
+    switch (of) {
+    case Claim::Of::share: return "contact.exceedance";
+    case Claim::Of::density: return "contact.density";
+    case Claim::Of::segments: return "segments.density";
+    default: return "contact.area";
+    }
+}
+
+} // namespace
+
+std::string contact(const std::vector<Claim>& all, Accuracy wanted)
+{
+    std::vector<std::vector<Claim>> sections;
+    for (const Claim& a : all) {
+        const auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return in_one_section(a, s.front(), wanted); });
         if (found == sections.end())
             sections.push_back({a});
         else
@@ -114,10 +144,11 @@ std::string areas(const std::vector<Area>& all, Accuracy wanted)
     std::size_t claims = 0, written = 0;
     for (const auto& members : sections) {
         try {
-            if (only_partial(members.front()))
-                write(accurate(members, static_cast<double>(wanted.digits)), members, claims + 1, head, lines, written + 1);
-            else
-                write_full_contact(members, std::min(wanted.digits, most_digits_in_full_contact), claims + 1, written + 1, head, lines);
+            switch (route(members.front(), wanted)) {
+            case Route::levels: write(accurate(members, static_cast<double>(wanted.digits)), members, claims + 1, head, lines, written + 1); break;
+            case Route::law: write_distributions(members, std::min(wanted.digits, most_digits_of_distributions), claims + 1, written + 1, head, lines); break;
+            case Route::mesh: write_full_contact(members, std::min(wanted.digits, most_digits_in_full_contact), claims + 1, written + 1, head, lines); break;
+            }
         }
         catch (const BeyondReach&) {
             if (members.size() == all.size()) throw;
@@ -127,7 +158,7 @@ std::string areas(const std::vector<Area>& all, Accuracy wanted)
         claims += members.size();
     }
     if (claims == 0) throw BeyondReach("no certificate reaches these digits");
-    return certificate_text(all.front().p == 0 ? "contact.area" : "contact.exceedance", claims, written, head, lines);
+    return certificate_text(std::string(quantity(all.front().of)), claims, written, head, lines);
 }
 
 } // namespace touchstone::certificate

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The lines law, piece and point: shares above a pressure and densities in partial contact (docs/certificate.md). Internal to certificate/.
+///
+/// The search is in binary64: x_m = p_(m-1)/p*_m has the density x phi_m(T), T = 1 - (x/Y_m)^2, on 0 < x < Y_m, and phi_m is
+/// T^(power/2) times a polynomial on each of some pieces of 0 <= T <= 1.
+#pragma once
+
+#include "touchstone/certificate/contact.hpp"
+#include "touchstone/certificate/text.hpp"
+
+namespace touchstone::certificate {
+
+constexpr long most_digits_of_distributions = 10;
+
+/// Why there is none of this share or density in partial contact: its pressure or half-width is at its end or beyond. Empty: there is one.
+std::string refusal_of_distribution(const Claim&);
+
+/// Appends a section of these shares or densities, all of one G and one load, to the header and the lines.
+/// \throws BeyondReach where the pieces would be too many
+void write_distributions(const std::vector<Claim>&, long digits, std::size_t first_claim, std::size_t section, std::string& head, Lines&);
+
+} // namespace touchstone::certificate
