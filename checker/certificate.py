@@ -75,8 +75,8 @@ READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text),
            **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "aim", "panel", "middle", "half"), integer)}
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
          "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
-         "law": "G load bits", "piece": "m low high centre radius power exponent error", "point": "claim"}
-WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece"), ("value", "limit", "share", "point")
+         "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim"}
+WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece"), ("value", "limit", "share", "reading")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
           "contact.density": "n p load G value error", "segments.density": "n a load G value error"}
 
@@ -123,7 +123,7 @@ class Certificate:
                 self.claims[decimal(which)] = *inputs, G, value, error
                 need(list(self.claims)[-1] == len(self.claims) and n > 0 and value > error >= 0, f"claim {which[:9]}: is none")
                 continue
-            (first, last), *counted = fields(rest, "span grids panels levels values limits meshes polynomials shares laws pieces points", "section")
+            (first, last), *counted = fields(rest, "span grids panels levels values limits meshes polynomials shares laws pieces readings", "section")
             found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
             number += 1
             need(kind == "section" and decimal(which) == number and first == next_line <= last, "sections: do not follow one another")
@@ -334,7 +334,7 @@ class Replay:
 
     def piece(self, below, m, low, high, centre, radius, power, exponent, error, coefficients):
         need(below and below[0][0] == "law" and m > 1 and 0 <= low < high <= 1 and power >= 0 and 2 < len(coefficients) <= 64 and 0 <= error < 1, "not a piece of a law", Refused)
-        need(low > 0 or power == m - 2, "the first piece has another power", Refused)
+        Interval.bits = below[0][2][2]
         piece = distributions.Polynomial(low, high, centre, radius, power, exponent, coefficients)
         if self.proving():
             pieces, before = self.all_pieces(below[0], below[1:], m - 1)
@@ -342,16 +342,16 @@ class Replay:
             self.laws(below[0]).prove(m - 1, pieces, piece, (error - before) / (1 + before))
         return "piece", self.number, below[0], m, error, piece
 
-    def point(self, below, claim):
+    def reading(self, below, claim):
         law, (n, *place, load), value, error = self.claimed(self.certificate.quantity, below, claim)
-        need(law[0] == "law" and law[2][1] == load and len(place) == 1, "a point rests on the law of its load", Refused)
+        need(law[0] == "law" and law[2][1] == load and len(place) == 1 and n > (self.certificate.quantity == "segments.density"), "a reading rests on the law of its load", Refused)
         if self.proving():
             laws = self.laws(law)
-            pieces, off = self.all_pieces(law, below[1:], n)
+            pieces, off = self.all_pieces(law, below[1:], n - (self.certificate.quantity == "segments.density"))
             Interval.bits = laws.bits
             low, high = laws.claimed(self.certificate.quantity, n, place[0], pieces, value, error).ends()
             need(value - error <= low * (1 - off) and high * (1 + off) <= value + error, "the claim is not proved", Refused)
-        return "point", self.number
+        return "reading", self.number
 
 
 def root_of(base, degree):

@@ -8,6 +8,7 @@ V_m is T^(power/2) times a polynomial on each of some pieces of 0 <= T <= 1, any
 as all this is positive, relative errors add (N). Nothing is rounded by hand but in `Polynomial.value`.
 """
 from fractions import Fraction
+from math import log2
 
 import intervals as iv
 from full_contact import Far, Trigonometry, lebesgue
@@ -29,6 +30,11 @@ def half_power(z, k):
     for _ in range(k // 2):
         root = root * z
     return root
+
+
+def log2_of(x):
+    """for choices, where nothing is proved"""
+    return x.numerator.bit_length() - x.denominator.bit_length() if x else -10**6
 
 
 def need(holds):
@@ -94,20 +100,19 @@ class Polynomial:
     """V_m = T^(power/2) 2^exponent sum c_k T_k((T - middle)/half) for low <= T <= high"""
 
     def __init__(self, low, high, middle, half, power, exponent, coefficients):
-        self.low, self.high, self.middle, self.half, self.power, self.exponent, self.coefficients = low, high, middle, half, power, exponent, coefficients
-        self.sizes, self.terms = [Interval.of(abs(c)) for c in coefficients], len(coefficients)
-        self.rounding = sum(map(abs, coefficients)) * self.terms**2
         if half <= 0 or max(abs(low - middle), abs(high - middle)) > half:
             raise Refused("a polynomial is of another piece")
+        self.low, self.high, self.middle, self.half, self.power, self.exponent, self.coefficients = low, high, middle, half, power, exponent, coefficients
+        self.sizes, self.terms = [Interval.of(abs(c)) for c in coefficients], len(coefficients)
+        self.rounding, self.inverse = sum(map(abs, coefficients)) * self.terms**2, 1 / Interval.of(half)
 
     def value(self, T):
         """of the polynomial: an error of t by a unit and the roundings of the recurrence are less than terms^2 units for each |c_k|, |t| <= 1"""
-        bits = Interval.bits
-        low, high = ((T - self.middle) / self.half).ends()
-        need(-1 <= low and high <= 1)
-        t = low * 2**bits // 1
-        off = self.rounding * (-(-high * 2**bits // 1) - t + 2)
-        total = sum(map(int.__mul__, self.coefficients, chebyshev(t, 1 << bits, self.terms, bits)))
+        bits, t = Interval.bits, (T - self.middle) * self.inverse
+        low, high = (t.low << t.exponent + bits, t.high << t.exponent + bits) if t.exponent >= -bits else (t.low >> -t.exponent - bits, -(-t.high >> -t.exponent - bits))
+        need(-1 <= low >> bits and high <= 1 << bits)
+        off = self.rounding * (high - low + 2)
+        total = sum(map(int.__mul__, self.coefficients, chebyshev(low, 1 << bits, self.terms, bits)))
         return Interval(total - off, total + off, self.exponent - bits)
 
     def largest(self, _):
@@ -116,8 +121,8 @@ class Polynomial:
 
     def bound(self, T, off):
         """|T_k| <= rho^k on the ellipse rho; points so far from a real one of modulus t are within that of half axis max(1, t) + off"""
-        t = (Interval.of(T) - self.middle) / self.half
-        axis = Interval.of(max(1, *map(abs, t.ends()))) + off / self.half
+        t = (T - self.middle) * self.inverse
+        axis = Interval.of(max(1, *map(abs, t.ends()))) + off * self.inverse
         rho, total = axis + iv.sqrt(axis.square() - 1), Interval.of(0)
         for size in reversed(self.sizes):
             total = total * rho + size
@@ -153,16 +158,17 @@ class Laws:
 
     def at(self, m, V, u, low, T, share):
         """its value at u for one piece V"""
-        Y, square = self.top(m), Interval.of(u * u)
-        k, c = (square, iv.sqrt(1 - square)) if low else (1 - square, Interval.of(u))
+        Y, square = self.top(m), u.square()
+        k, c2 = (square, 1 - square) if low else (1 - square, square)
         r = T * k
-        t, x = r * (2 - r), Y * (1 - r)
-        R = iv.sqrt((1 - x).square() + 4 * Y * (1 - T))
-        here = half_power(t, V.power) * V.value(t) * x * (u if low else 1)
+        t, x = r * (2 - r), Y - Y * r
+        R = iv.sqrt((1 - x).square() + self.beyond)
+        here = half_power(t, V.power) * V.value(t) * x
         if share:
-            s = 2 * Y * T * (1 - k) / (1 + x + R)
-            return here * (1 if low else c) * iv.angle(iv.sqrt(s), iv.sqrt(1 - s)) * 2 / iv.pi()
-        return here * iv.sqrt((1 + x + R) / (1 - x + R)) / R / (c if low else 1)
+            s = 2 * Y * T * c2 / (1 + x + R)
+            return here * u * iv.angle(iv.sqrt(s), iv.sqrt(1 - s)) * 2 / iv.pi()
+        under = (1 + x + R) / (1 - x + R)
+        return here * u * iv.sqrt(under / c2) / R if low else here * iv.sqrt(under) / R
 
     def bound(self, m, V, u, off, low, T, share):
         """above its modulus so far about u"""
@@ -170,7 +176,7 @@ class Laws:
         moved = off * (2 * u + off)
         k = u.square() if low else 1 - u.square()
         r, off_r, first = T * k, T * moved, low and V.low == 0
-        root, real = wave_near(Y * (1 - r), Y * off_r, 4 * Y * (1 - T), 4 * Y * (1 - T))
+        root, real = wave_near(Y * (1 - r), Y * off_r, self.beyond, self.beyond)
         size = self.size(V, r, off_r, first) * Y * (1 - r + off_r)
         if first:
             size = size * half_power(T, V.power)
@@ -195,7 +201,7 @@ class Laws:
 
     def integral(self, m, pieces, T, allowed, share=False):
         """(P): over 0 <= v <= 1; pieces (V, r) from the first one up, each from its r on; `allowed`: what an error may be"""
-        total, self.parts = Interval.of(0), 0
+        total, self.parts, self.beyond = Interval.of(0), 0, 4 * self.top(m) * (1 - T)  # G^2 y^2
         starts = [(Interval.of(r) / T, V) for V, r in pieces if not below(T, r)]
         for (k, V), (upper, _) in zip(starts, [*starts[1:], (Interval.of(1), None)]):
             for low, ends in ((False, (1 - upper, 1 - k)), (True, (k, upper))):
@@ -227,12 +233,9 @@ class Laws:
                 size = self.bound(m, V, at, half * (rho + Fraction(1, rho)) / 2 + slivers, low, T, share)
             except Far:
                 continue
-            M = top(size)
-            K, allow = 2, allowed * half
-            if 2 * half * M < allow:
-                K = 0
-            while K and 6 * half * M > allow * rho ** (2 * K) and K <= most:
-                K += 2
+            M, K = top(size), 0 if 2 * half * top(size) < allowed * half else 2
+            room = log2_of(6 * M) - log2_of(allowed)
+            K = K and max(2, 2 * -(-room // (4 * int(log2(rho)))))
             if K <= most:
                 found = K, M, rho
                 break
@@ -242,10 +245,10 @@ class Laws:
         K, M, rho = found
         if not K:
             return Interval.of(2 * half * M + slivers * M) * Interval(0, 1)
-        total = Interval.of(0)
-        for t, w in self.trig.gauss(K):
-            for sign in (1, -1):
-                total = total + self.at(m, V, at + sign * half * Fraction(t, 2**bits), low, T, share) * w
+        total, middle, wide = Interval.of(0), Interval.of(at), Interval.of(half)
+        for t, w in self.trig.gauss(int(K)):
+            t = wide * Interval(t, t, -bits)
+            total = total + (self.at(m, V, middle - t, low, T, share) + self.at(m, V, middle + t, low, T, share)) * w
         return total.scaled(-bits) * half + iv.error_term(Interval.of((6 * half * Fraction(rho) ** (-2 * K) + half * Fraction(1, 2 ** (bits - 15)) + slivers) * M))
 
     # ---- what follows from V_m
@@ -259,11 +262,11 @@ class Laws:
         """what V_n makes of a claim; its own error is of no account beside the claim's"""
         fine = error / 16
         if quantity == "segments.density":  # (9.3): x = sin^2(pi a)
-            root = iv.sin_pi(place)
-            x, T = root.square(), 1 - (root.square() / self.top(n)).square()
+            x = iv.sin_pi(place).square()
+            T = 1 - (x / self.top(n)).square()
             need_inside(T)
-            V = next(V for V in pieces if not below(V.high, T))
-            return x * half_power(T, V.power) * V.value(T) * iv.pi() * iv.sin_pi(2 * place)
+            factor = x * iv.pi() * iv.sin_pi(2 * place)
+            return factor * self.density(n - 1, of_ratios(pieces), T, fine / top(factor))
         power = half_power(self.G, 2 * n)
         P = place / power
         T = 1 - P.square() / (4 * self.top(n))

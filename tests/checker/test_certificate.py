@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Certificates: what the program writes the checker proves, piece by piece too; what is changed in any kind of line it refuses, or proves to be true."""
 import argparse
+import ast
+import cmath
 import decimal
 import functools
 import hashlib
@@ -25,7 +27,9 @@ parser.add_argument("--seed", type=int, default=20261122)
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
+import distributions  # noqa: E402
 import full_contact  # noqa: E402
+import intervals as iv  # noqa: E402
 import transfer  # noqa: E402
 
 # A rule depends on its arguments alone: a thousand replays of one certificate may share it.
@@ -62,8 +66,10 @@ def area(n, load, G, digits=30):
 
 
 @functools.lru_cache(None)
-def exceedance(n, p, load, G, digits=20):
-    return Fraction(json.loads(program("eval", "contact.exceedance", f"n={n}", f"p={p}", f"load={load}", f"G={G}", "--digits", digits, "--json").stdout)["value"])
+def distribution(quantity, n, at, load, G, digits=20):
+    """a share above the pressure `at`, a density there, or that of segments of half-width `at`"""
+    name = "a" if quantity == "segments.density" else "p"
+    return Fraction(json.loads(program("eval", quantity, f"n={n}", f"{name}={at}", f"load={load}", f"G={G}", "--digits", digits, "--json").stdout)["value"])
 
 
 @functools.lru_cache(None)
@@ -74,7 +80,8 @@ def limit(G, digits=12):
 
 # What is changed in many ways, and how often: partial contact, full contact without and with a wave between, shares above a pressure, the limit.
 CHANGED = {("contact.area", "n=2", "load=1/10", "G=16", "--digits", 6): 9, ("contact.area", "n=1", "load=3/2", "G=3/2", "--digits", 2): 7,
-           ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2", "--digits", 2): 3, ("limit.area_constant", "G=16", "--digits", 3): 3}
+           ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2", "--digits", 2): 3, ("limit.area_constant", "G=16", "--digits", 3): 3,
+           ("contact.density", "n=3", "p=2", "load=1/10", "G=3", "--digits", 4): 6}
 
 
 def complaints(stderr):
@@ -146,8 +153,105 @@ class Certificates(unittest.TestCase):
             with self.subTest(inputs=inputs):
                 self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
                 ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
-                self.assertLessEqual(abs(value - exceedance(n, p, load, G)), error)
+                self.assertLessEqual(abs(value - distribution("contact.exceedance", n, p, load, G)), error)
                 self.assertLess(error / value, Fraction(1, 10**digits))
+
+    def test_proves_distributions_in_partial_contact(self):
+        """Shares, densities and segments by the law of the load ratio; next to its ends, at load 1, and at the smallest G."""
+        for quantity, n, at, load, G, digits in (("contact.density", 1, "1/1000", "1", "3", 8), ("contact.density", 3, "9/1000", "1/10", "41/20", 8), ("contact.exceedance", 1, "1/1000000000", "1", "3", 6),
+                                                 ("contact.exceedance", 2, "33/10", "1/10", "3", 8), ("segments.density", 2, "1/7", "1", "3", 8), ("segments.density", 3, "1/10", "1/1000000", "7^0.5", 10)):
+            self.make(quantity, f"n={n}", f"{'a' if quantity == 'segments.density' else 'p'}={at}", f"load={load}", f"G={G}", "--digits", digits)
+            said = check(self.path)
+            with self.subTest(quantity=quantity, n=n, at=at):
+                self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+                ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
+                self.assertLessEqual(abs(value - distribution(quantity, n, at, load, G)), error)
+                self.assertLessEqual(error / value, Fraction(502, 1000 * 10**digits))
+        said = program("certificate", "contact.density", "n=1", "p=7", "load=1/10", "G=3")  # the largest pressure is 2 sqrt(0.1^(1/2) 6)
+        self.assertEqual((said.returncode, "largest pressure" in said.stderr), (2, True), said.stderr)
+
+    def law(self):
+        """the certificate of a density at scale 3: its text, its lines by number and those of level 3"""
+        text = next(text for what, text in self.texts.items() if what[0] == "contact.density")
+        lines = {int(words[0]): words for words in (line.split(" ") for line in text.splitlines()) if words[0].isdigit()}
+        return text, lines, [number for number, words in lines.items() if words[1] == "piece" and "m=3" in words]
+
+    def test_a_law_that_says_too_much_is_refused(self):
+        text, lines, third = self.law()
+        first, claim = next(n for n, words in lines.items() if words[1] == "piece"), text.splitlines()[3]
+        error = next(w for w in lines[third[0]] if w.startswith("error="))
+        changed = {
+            "a smaller error": {n: [w if w != error else "error=1:-60" for w in lines[n]] for n in third},
+            "the first piece has another power": {third[0]: [w.replace("power=1", "power=2") for w in lines[third[0]]]},
+            "another coefficient": {third[-1]: [*lines[third[-1]][:-6], f"{int(lines[third[-1]][-6], 16) + (1 << 44):x}", *lines[third[-1]][-5:]]},
+            "a gap": {third[0]: [w if not w.startswith("high=") else "high=1:-2" for w in lines[third[0]]]},
+            "a piece beyond its polynomial": {third[0]: [w if not w.startswith("radius=") else "radius=1:-4" for w in lines[third[0]]]},
+            "level 2 rests on itself": {third[0]: [w.replace("m=3", "m=2") for w in lines[third[0]]]},
+            "an error less than those it rests on": {n: [w if w != error else "error=1:-99" for w in lines[n]] for n in third},
+            "a piece wild between the points": {first: [*lines[first][:-1], f"{int(lines[first][-1], 16) + (1 << 45):x}"]},
+            "G at its end": {1: [w.replace("G=3", "G=2") for w in lines[1]]}, "another load": {1: [w.replace("1/10", "1/11") for w in lines[1]]},
+        }
+        for why, by_number in changed.items():
+            new = text
+            for number, words in by_number.items():
+                new = new.replace(" ".join(lines[number]) + "\n", " ".join(words) + "\n", 1)
+            self.assertNotEqual(new, text, why)
+            self.path.write_text(signed(new))
+            with self.subTest(why):
+                said = check(self.path)
+                self.assertEqual((said.returncode, said.stdout[:4]), (1, "no: "), said.stdout)
+        for old, new in (("p=2 ", "p=3 "), ("n=3 ", "n=2 "), ("G=3 value", "G=4 value"), ("load=1/10 G=3 value", "load=1/9 G=3 value")):
+            self.path.write_text(signed(text.replace(claim, claim.replace(old, new), 1)))
+            with self.subTest(new):
+                self.assertEqual(check(self.path).returncode, 1)
+
+    def test_bounds_of_a_law_hold_at_complex_places(self):
+        """(O), (P), (I): of S/R, of a polynomial and of the integrand, on discs about real places."""
+        text, lines, third = self.law()
+        self.path.write_text(text)
+        read = certificate.Certificate(self.path)
+        iv.Interval.bits = 128
+        laws, chosen, tried = distributions.Laws(iv.Interval.of(3), Fraction(1, 10), 128), random.Random(known.seed), 0
+        words = read.lines[third[0] - 1]
+        values = certificate.fields(words[4:12], certificate.FORMS["piece"], "")
+        level = distributions.Polynomial(*values[1:7], [certificate.integer(c) for c in words[12:]])
+        steep = [distributions.Polynomial(low, high, (low + high) / 2, (high - low) / 2, 1, 0, [0, 0, 0, 0, 0, 1]) for low, high in ((0, Fraction(1, 64)), (Fraction(1, 2), Fraction(33, 64)))]
+
+        def wave(x, z):
+            R = cmath.sqrt((1 - x) ** 2 + z)
+            return cmath.sqrt((1 + x + R) / (1 - x + R)) / R
+
+        def polynomial(V, T):
+            t, T0, T1 = (T - float(V.middle)) / float(V.half), 1, (T - float(V.middle)) / float(V.half)
+            total = V.coefficients[0] + V.coefficients[1] * T1
+            for c in V.coefficients[2:]:
+                T0, T1 = T1, 2 * t * T1 - T0
+                total += c * T1
+            return total * 2.0**V.exponent
+
+        for _ in range(900):
+            V = chosen.choice([level, *steep])
+            low, share, T = chosen.random() < 0.5, chosen.random() < 0.3, chosen.uniform(0.02, 0.98)
+            u, off = chosen.uniform(0, 0.6 if low else 0.8), 10 ** chosen.uniform(-3, -0.3)
+            laws.beyond = 4 * laws.top(3) * (1 - iv.Interval.of(Fraction(T)))
+            try:
+                bound = float(laws.bound(3, V, Fraction(u), Fraction(off), low, iv.Interval.of(Fraction(T)), share).ends()[1])
+            except full_contact.Far:
+                continue
+            tried += 1
+            Y = float(laws.top(3).middle())
+            for _ in range(8):
+                w = u + off * cmath.exp(1j * chosen.uniform(0, 6.2832))
+                k = w * w if low else 1 - w * w
+                r = T * k
+                x, z = Y * (1 - r), 4 * Y * (1 - T)
+                R = cmath.sqrt((1 - x) ** 2 + z)
+                root = w * cmath.sqrt(T) if low else cmath.sqrt(r)  # r^(power/2), power 1
+                here = root * cmath.sqrt(2 - r) * polynomial(V, r * (2 - r)) * x * (w if low else 1)
+                c = cmath.sqrt(1 - k)
+                here *= 2 / cmath.pi * cmath.asin(c * cmath.sqrt(2 * Y * T / (1 + x + R))) * (1 if low else c) if share else wave(x, z) / (c if low else 1)
+                self.assertLessEqual(abs(here), bound * 1.000001, (low, share, T, u, off))
+        self.assertGreater(tried, 200)
 
     def test_a_mesh_serves_one_pressure(self):
         """What is true of one pressure or scale is not proved of another, nor of areas."""
@@ -222,19 +326,34 @@ class Certificates(unittest.TestCase):
         self.assertEqual(check("--lines", f"1-{count + 1}", self.path).returncode, 65)
 
     def test_what_proves_certificates_is_short(self):
-        """At most 1000 lines of code, those of docstrings, comments and blank ones not counted."""
-        lines = set()
-        for name in ("certificate", "full_contact", "transfer", "intervals"):
-            with open(known.checker / f"{name}.py", "rb") as file:
+        """At most 1000 lines of code to read for any one kind of claim; those of docstrings, comments and blank ones are not counted."""
+        code = {}  # file, class, function: lines
+        for name in ("certificate", "distributions", "full_contact", "transfer", "intervals"):
+            lines, path = set(), known.checker / f"{name}.py"
+            with open(path, "rb") as file:
                 before = tokenize.NEWLINE
                 for token in tokenize.tokenize(file.readline):
                     if token.type in (tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING):
                         continue
                     if token.type not in (tokenize.NEWLINE, tokenize.ENDMARKER) and (token.type, before) != (tokenize.STRING, tokenize.NEWLINE):
-                        lines.update((name, k) for k in range(token.start[0], token.end[0] + 1))
+                        lines.update(range(token.start[0], token.end[0] + 1))
                     before = token.type
-        self.assertLessEqual(len(lines), 1000)
-        self.assertGreater(len(lines), 900)
+            parts = [node for top in ast.parse(path.read_text()).body for node in ([top, *top.body] if isinstance(top, ast.ClassDef) else [top])]
+            owner = {k: part.name for part in parts if hasattr(part, "name") for k in range(part.lineno, part.end_lineno + 1)}
+            for k in lines:
+                code[name, owner.get(k, "")] = code.get((name, owner.get(k, "")), 0) + 1
+        kinds = {"transfer": ("grid", "rule", "panel", "whole", "row", "level", "value", "limit"), "full_contact": ("mesh", "polynomials", "share"),
+                 "distributions": ("law", "laws", "all_pieces", "piece", "reading")}
+        of_others = {part for parts in kinds.values() for part in parts}
+        borrowed = {"transfer": {("transfer", "Refused"), ("transfer", "chebyshev"), ("transfer", "fixed"), ("transfer", "")}}
+        borrowed["distributions"] = borrowed["transfer"] | {("full_contact", part) for part in ("Far", "Trigonometry", "lebesgue", "")}
+        trigonometry = {"__init__", "small", "cos_sin", "angle", "of_cosine", "gauss"}
+        total = {}
+        for kind, parts in kinds.items():
+            total[kind] = sum(count for (name, part), count in code.items() if name in ("intervals", kind) or (name == "certificate" and part not in of_others - {*parts})
+                              or (name, part) in borrowed["transfer"] or (kind == "distributions" and ((name, part) in borrowed[kind] or (name == "full_contact" and part in trigonometry))))
+        self.assertLessEqual(max(total.values()), 1000, total)
+        self.assertGreater(min(total.values()), 500, total)
 
     def test_what_is_no_certificate_is_refused(self):
         lines = self.text.splitlines(keepends=True)
@@ -506,9 +625,12 @@ class Certificates(unittest.TestCase):
         """Whether all that an accepted mutant says is true, by the program: its claims, and its polynomials at some points."""
         for *inputs, (base, degree), value, error in read.claims.values():
             G = f"({base})^(1/{degree})"
-            if abs(value - (limit, None, area, exceedance)[len(inputs)](*inputs, G)) > error:
+            true = limit(G) if not inputs else area(*inputs, G) if read.quantity == "contact.area" else distribution(read.quantity, *inputs, G)
+            if abs(value - true) > error:
                 return False
         for words in read.lines:
+            if words[1] == "piece" and not self.true_piece(words, read.lines[0]):
+                return False
             if words[1] != "level":  # the polynomials of a mesh may be anything
                 continue
             m, error, exponent = certificate.fields(words[4:7], "m error exponent", "")
@@ -527,6 +649,23 @@ class Certificates(unittest.TestCase):
                 V = sum(certificate.integer(c) * Ti for c, Ti in zip(words[7:], T)) * Fraction(2) ** exponent
                 if abs(V - 16**m * area(m, load, 16) / load) > error * Fraction(101, 100):
                     return False
+        return True
+
+    def true_piece(self, words, law):
+        """Whether V_m is as near phi_m as its line says, by the program's segments: (9.3) is x phi_m pi sin 2 pi a, x = sin^2(pi a)."""
+        (base, degree), load, _ = certificate.fields(law[4:7], "G load bits", "")
+        m, low, high, centre, radius, power, exponent, error = certificate.fields(words[4:12], certificate.FORMS["piece"], "")
+        iv.Interval.bits = 128
+        laws = distributions.Laws(certificate.root_of(base, degree), load, 128)
+        for share in (Fraction(1, 9), Fraction(1, 2), Fraction(9, 10)):
+            T, Y = float(low + (high - low) * share), float(laws.top(m).middle())
+            a = Fraction(math.asin(math.sqrt(Y * math.sqrt(1 - T))) / math.pi)
+            x = iv.sin_pi(a).square()
+            T = 1 - (x / laws.top(m)).square()
+            V = distributions.Polynomial(low, high, centre, radius, power, exponent, [certificate.integer(c) for c in words[12:]])
+            here = (distributions.half_power(T, power) * V.value(T) * x * iv.pi() * iv.sin_pi(2 * a)).middle()
+            if abs(distribution("segments.density", m, a, load, f"({base})^(1/{degree})") - here) > error * here * Fraction(101, 100):
+                return False
         return True
 
     def test_no_mutant_that_changes_the_meaning_is_accepted(self):

@@ -176,8 +176,9 @@ Rational exactly(double x)
 Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }
 double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
-/// 1 - T where a claim reads a law, and what the integral is multiplied by.
+/// From which level a claim is read, 1 - T there, and what the integral is multiplied by.
 struct Reading {
+    long level;
     Ball rest, factor;
 };
 
@@ -191,18 +192,17 @@ Reading reading(const Claim& c)
         arb_sin_pi(x.get(), Ball(c.at).get(), WorkingPrecision::bits());
         arb_sin_pi(twice.get(), Ball(Rational(2 * c.at)).get(), WorkingPrecision::bits());
         x = x * x;
-        return {x * x / (Y * Y), x * twice * pi<Ball>()};
+        return {c.n - 1, x * x / (Y * Y), x * twice * pi<Ball>()};
     }
     const Ball P = Ball(c.at) / pow(G, Ball(c.n));
-    return {P * P / (4 * Y), c.of == Claim::Of::share ? Ball(1) : P / pow(G, Ball(c.n + 2))};
+    return {c.n, P * P / (4 * Y), c.of == Claim::Of::share ? Ball(1) : P / pow(G, Ball(c.n + 2))};
 }
 
 double value(const Claim& c, const Laws& laws)
 {
     const Reading r = reading(c);
     const Place place{nearest(1 - r.rest), nearest(r.rest)};
-    if (c.of == Claim::Of::share) return laws.share(c.n, place);
-    return nearest(r.factor) * (c.of == Claim::Of::segments ? laws.phi(c.n, place) : laws.density(c.n, place));
+    return c.of == Claim::Of::share ? laws.share(r.level, place) : nearest(r.factor) * laws.density(r.level, place);
 }
 
 /// 128, and at loads next to 1 what R and 1 - T cancel next to T = 1: four bits for each of 1 - T's there.
@@ -251,7 +251,7 @@ void write_distributions(const std::vector<Claim>& claims, long digits, std::siz
     const WorkingPrecision precision(256);
     const Claim& any = claims.front();
     long levels = 1;
-    for (const Claim& c : claims) levels = std::max(levels, c.n);
+    for (const Claim& c : claims) levels = std::max(levels, reading(c).level);
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double share = 2; // of the goal, for the levels
     const int bits = static_cast<int>(std::ceil(std::log2(share * static_cast<double>(levels) / goal)));
@@ -264,14 +264,14 @@ void write_distributions(const std::vector<Claim>& claims, long digits, std::siz
     for (std::size_t i = 0; i < claims.size(); ++i) {
         const Claim& c = claims[i];
         std::vector<std::size_t> rests_on{law};
-        const auto& level = numbers[static_cast<std::size_t>(c.n - 1)];
+        const auto& level = numbers[static_cast<std::size_t>(reading(c).level - 1)];
         rests_on.insert(rests_on.end(), level.begin(), level.end());
-        lines.add("point", rests_on, fmt::format("claim={}", first_claim + i));
+        lines.add("reading", rests_on, fmt::format("claim={}", first_claim + i));
         const double v = value(c, laws);
         head += fmt::format("claim {} n={:x} {}={} load={} G={} value={} error={}\n", first_claim + i, c.n, c.of == Claim::Of::segments ? "a" : "p", c.at.get_str(),
                             c.load.get_str(), named(c.G), dyadic(exactly(v)), dyadic(rounded_up(goal * v)));
     }
-    head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=0 polynomials=0 shares=0 laws=1 pieces={} points={}\n", section,
+    head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=0 polynomials=0 shares=0 laws=1 pieces={} readings={}\n", section,
                         first, lines.count(), pieces, claims.size());
 }
 
