@@ -73,7 +73,7 @@ def wave_near(x, off, least, most):
 
 
 def need_inside(T):
-    if not (below(0, T) and below(T, 1)):
+    if not below(0, T) or below(1, T):
         raise Refused("the claim is at an end of the law, or beyond")
 
 

@@ -92,7 +92,8 @@ std::string refusal(const Claim& a)
     if (power(Rational(1 << 20), static_cast<long>(a.G.degree)) < a.G.base) return "G > 2^20: certificates are made where G <= 2^20";
     const bool density = a.of == Claim::Of::density || a.of == Claim::Of::segments;
     if (density && !only_partial(a)) return "densities have certificates in partial contact: G >= 2.05 and load <= 1";
-    return a.of == Claim::Of::area || !only_partial(a) ? "" : refusal_of_distribution(a);
+    if (density && !law_serves(a)) return "densities beyond scale 1 have certificates at loads up to 1 - 10^-6";
+    return a.of == Claim::Of::area || !only_partial(a) ? "" : exact_end(a);
 }
 
 bool only_partial(const Claim& a) { return a.load <= 1 && power(Rational(41, 20), static_cast<long>(a.G.degree)) <= a.G.base; }
@@ -105,7 +106,7 @@ Route route(const Claim& a, Accuracy wanted)
 {
     if (!only_partial(a)) return Route::mesh;
     if (a.of == Claim::Of::area) return Route::levels;
-    return a.of == Claim::Of::share && wanted.digits > most_digits_of_distributions ? Route::mesh : Route::law;
+    return a.of == Claim::Of::share && (wanted.digits > most_digits_of_distributions || !law_serves(a)) ? Route::mesh : Route::law;
 }
 
 /// What one section serves: levels any load and n, a law any n and place, a mesh of areas any load and n, one of shares any load.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace touchstone::certificate {
@@ -45,7 +46,7 @@ double integral(F&& f, double from, double to, double least)
 {
     double sum = 0, end = least;
     while (end <= from) end *= 4;
-    for (; from < to; from = end, end *= 4) sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, std::min(end, to), deepest, 1e-13);
+    for (; from < to; from = end, end *= 4) sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, std::min(end, to), deepest, 1e-12);
     return sum;
 }
 
@@ -142,7 +143,7 @@ private:
             Piece p{E[i], E[i + 1], (least + E[i + 1]) / 2, 0, static_cast<int>(m - 1), {}};
             p.radius = (E[i + 1] - least) / 2 * (1 + 0x1p-40);
             if (i > 0) { // as phi rises there, so that the polynomial is nearly constant
-                const double middle = std::sqrt(E[i] * E[i + 1]), up = middle * 1.01, down = middle / 1.01;
+                const double middle = std::sqrt(E[i] * E[i + 1]), up = (middle + E[i + 1]) / 2, down = (middle + E[i]) / 2;
                 p.power = std::max(0, static_cast<int>(std::lround(2 * std::log(density(m, {up, 1 - up}) / density(m, {down, 1 - down})) / std::log(up / down))));
             }
             fit(p, m);
@@ -208,11 +209,13 @@ double value(const Claim& c, const Laws& laws)
 /// 128, and at loads next to 1 what R and 1 - T cancel next to T = 1: four bits for each of 1 - T's there.
 long interval_bits(const std::vector<Claim>& claims)
 {
-    double cancelled = 0;
-    for (const Claim& c : claims) cancelled = std::max(cancelled, -std::log2(nearest(reading(c).rest)));
-    const double load = claims.front().load.get_d();
-    if (load < 1) cancelled = std::min(cancelled, -std::log2(1 - load));
-    return 128 + 4 * static_cast<long>(std::ceil(cancelled));
+    const auto bits_below_1 = [](const Ball& x) { return std::max(0L, -ARF_EXP(arb_midref(x.get())) + 1); };
+    long cancelled = 0;
+    for (const Claim& c : claims) cancelled = std::max(cancelled, bits_below_1(reading(c).rest));
+    if (claims.front().load < 1) cancelled = std::min(cancelled, bits_below_1(Ball(Rational(1 - claims.front().load))));
+    constexpr long most = 512; // that the checker takes
+    if (128 + 4 * cancelled > most) throw BeyondReach("so near to pressure 0 at a load so near to 1 the law of the load ratio has no certificate");
+    return 128 + 4 * cancelled;
 }
 
 /// The numbers of the lines of pieces, level 2 first.
@@ -237,7 +240,9 @@ std::vector<std::vector<std::size_t>> write_pieces(const Laws& laws, long levels
 
 } // namespace
 
-std::string refusal_of_distribution(const Claim& c)
+bool law_serves(const Claim& c) { return reading(c).level == 1 || c.load <= 1 - Rational(1, 1000000); }
+
+std::string exact_end(const Claim& c)
 {
     const WorkingPrecision precision(256);
     if (c.of == Claim::Of::segments && c.n < 2) return "n = 1 is of closed form: the checker needs no certificate";
@@ -268,6 +273,7 @@ void write_distributions(const std::vector<Claim>& claims, long digits, std::siz
         rests_on.insert(rests_on.end(), level.begin(), level.end());
         lines.add("reading", rests_on, fmt::format("claim={}", first_claim + i));
         const double v = value(c, laws);
+        if (!(v > std::numeric_limits<double>::min())) throw BeyondReach("what is below the numbers of binary64 has no certificate");
         head += fmt::format("claim {} n={:x} {}={} load={} G={} value={} error={}\n", first_claim + i, c.n, c.of == Claim::Of::segments ? "a" : "p", c.at.get_str(),
                             c.load.get_str(), named(c.G), dyadic(exactly(v)), dyadic(rounded_up(goal * v)));
     }

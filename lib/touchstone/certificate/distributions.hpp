@@ -13,8 +13,10 @@ namespace touchstone::certificate {
 
 constexpr long most_digits_of_distributions = 10;
 
-/// Why there is none of this share or density in partial contact: its pressure or half-width is at its end or beyond. Empty: there is one.
-std::string refusal_of_distribution(const Claim&);
+/// Why a share or density in partial contact needs none: its pressure or half-width is at its end or beyond. Empty: it needs one.
+std::string exact_end(const Claim&);
+/// Beyond the first law, which is known, loads next to 1 would need too many pieces.
+bool law_serves(const Claim&);
 
 /// Appends a section of these shares or densities, all of one G and one load, to the header and the lines.
 /// \throws BeyondReach where the pieces would be too many
