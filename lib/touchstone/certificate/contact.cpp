@@ -102,18 +102,18 @@ namespace {
 
 enum class Route { levels, law, mesh };
 
-Route route(const Claim& a, Accuracy wanted)
+Route route(const Claim& a)
 {
     if (!only_partial(a)) return Route::mesh;
     if (a.of == Claim::Of::area) return Route::levels;
-    return a.of == Claim::Of::share && (wanted.digits > most_digits_of_distributions || !law_serves(a)) ? Route::mesh : Route::law;
+    return law_serves(a) ? Route::law : Route::mesh;
 }
 
 /// What one section serves: levels any load and n, a law any n and place, a mesh of areas any load and n, one of shares any load.
-bool in_one_section(const Claim& a, const Claim& b, Accuracy wanted)
+bool in_one_section(const Claim& a, const Claim& b)
 {
-    const Route r = route(a, wanted);
-    if (b.G.base != a.G.base || b.G.degree != a.G.degree || r != route(b, wanted)) return false;
+    const Route r = route(a);
+    if (b.G.base != a.G.base || b.G.degree != a.G.degree || r != route(b)) return false;
     if (r == Route::law) return a.load == b.load;
     return r == Route::levels || (a.at == b.at && (a.at == 0 || a.n == b.n));
 }
@@ -134,7 +134,7 @@ std::string contact(const std::vector<Claim>& all, Accuracy wanted)
 {
     std::vector<std::vector<Claim>> sections;
     for (const Claim& a : all) {
-        const auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return in_one_section(a, s.front(), wanted); });
+        const auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return in_one_section(a, s.front()); });
         if (found == sections.end())
             sections.push_back({a});
         else
@@ -145,7 +145,7 @@ std::string contact(const std::vector<Claim>& all, Accuracy wanted)
     std::size_t claims = 0, written = 0;
     for (const auto& members : sections) {
         try {
-            switch (route(members.front(), wanted)) {
+            switch (route(members.front())) {
             case Route::levels: write(accurate(members, static_cast<double>(wanted.digits)), members, claims + 1, head, lines, written + 1); break;
             case Route::law: write_distributions(members, std::min(wanted.digits, most_digits_of_distributions), claims + 1, written + 1, head, lines); break;
             case Route::mesh: write_full_contact(members, std::min(wanted.digits, most_digits_in_full_contact), claims + 1, written + 1, head, lines); break;
