@@ -76,6 +76,7 @@ READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text),
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
          "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
          "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim"}
+COUNTED = "grids panels levels values limits meshes polynomials shares laws pieces readings"
 WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece"), ("value", "limit", "share", "reading")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
           "contact.density": "n p load G value error", "segments.density": "n a load G value error"}
@@ -123,7 +124,7 @@ class Certificate:
                 self.claims[decimal(which)] = *inputs, G, value, error
                 need(list(self.claims)[-1] == len(self.claims) and n > 0 and value > error >= 0, f"claim {which[:9]}: is none")
                 continue
-            (first, last), *counted = fields(rest, "span grids panels levels values limits meshes polynomials shares laws pieces readings", "section")
+            (first, last), *counted = fields(rest, f"span {COUNTED}", "section")
             found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
             number += 1
             need(kind == "section" and decimal(which) == number and first == next_line <= last, "sections: do not follow one another")

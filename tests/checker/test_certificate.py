@@ -384,7 +384,7 @@ class Certificates(unittest.TestCase):
     def write(self, quantity, claims, lines):
         """a certificate of these claims and lines"""
         kinds = [line.split(" ")[0] for line in lines]
-        counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in zip(certificate.FORMS, "grids panels levels values limits meshes polynomials shares".split()))
+        counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in zip(certificate.FORMS, certificate.COUNTED.split()))
         head = ["TOUCHSTONE-CERT 1", f"quantity {quantity}", f"counts claims={len(claims)} sections=1 lines={len(lines)}", *(f"claim {i} {c}" for i, c in enumerate(claims, 1)),
                 f"section 1 span=1-{len(lines)} {counts}", *(f"{i} {line}" for i, line in enumerate(lines, 1))]
         self.path.write_text(signed("\n".join(head) + "\nsha256 "))
