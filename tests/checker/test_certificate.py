@@ -404,7 +404,26 @@ class Certificates(unittest.TestCase):
         grid, mesh = "G=3 bits=40 step=1:-3 points=40", f"G=3 p=0 scale=0 load=1/2 bits=40 kept=40 accuracy=a rise=0 {one // 100:x} "
         panel, level = "panel 1 3 low=1:-2 high={} terms=2 rho=1000001:-24", "level 1-2 4 m=0 error=1:10 exponent=0 1 0"
         V = "terms=2 aim=a 8000000000000000 4000000000000000"
+        law, density = "law - {} G=3 load=1/2 bits=80", "n={} p=1 load=1/2 G=3 value=1:0 error=1:-1"
+        piece = "piece 1 {last} m={m} low=0:0 high=1:0 centre=1:-1 radius={radius} power={power} exponent=0 error={error} 1 0 0"
+        fair = {"last": 3, "m": 2, "radius": "1:-1", "power": 0, "error": "1:-1"}
         for why, quantity, claim, lines in (
+                ("not a law", "contact.density", density.format(1), [law.format(2).replace("G=3", "G=2"), "reading 1 2 claim=1"]),
+                ("not a law", "contact.density", density.format(1), [law.format(2).replace("load=1/2", "load=3/2"), "reading 1 2 claim=1"]),
+                ("not a law", "contact.density", density.format(1), [law.format(2).replace("bits=80", "bits=20"), "reading 1 2 claim=1"]),
+                ("the law of its load", "contact.density", density.format(1).replace("1/2 G", "1/3 G"), [law.format(2), "reading 1 2 claim=1"]),
+                ("the law of its load", "segments.density", density.format(1).replace("p=1", "a=1/9"), [law.format(2), "reading 1 2 claim=1"]),
+                ("does not rest on a grid of its G", "contact.density", density.format(1).replace("G=3", "G=4"), [law.format(2), "reading 1 2 claim=1"]),
+                ("does not rest on level 2", "contact.density", density.format(2), [law.format(2), "reading 1 2 claim=1"]),
+                ("further from the law", "contact.density", density.format(2), [law.format(3), piece.format(**fair), "reading 1-2 3 claim=1"]),
+                ("errors do not get less", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"error": "0:0"}), "reading 1-2 3 claim=1"]),
+                ("not a piece of a law", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"power": -1}), "reading 1-2 3 claim=1"]),
+                ("not a piece of a law", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"m": 1}), "reading 1-2 3 claim=1"]),
+                ("power is too large", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"power": 999}), "reading 1-2 3 claim=1"]),
+                ("of another piece", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"radius": "1:-2"}), "reading 1-2 3 claim=1"]),
+                ("of another piece", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"radius": "-1:0"}), "reading 1-2 3 claim=1"]),
+                ("at an end of the law", "contact.density", density.format(1).replace("p=1", "p=99"), [law.format(2), "reading 1 2 claim=1"]),
+                ("more is needed of a piece", "contact.density", density.format(1).replace("error=1:-1", "error=0:0"), [law.format(2), "reading 1 2 claim=1"]),
                 ("does not rest on levels", "limit.area_constant", constant, [f"grid - 3 {grid}", panel.format("1:0"), "limit 1-2 3 claim=1 m=0 exponent=0 1"]),
                 ("a share rests on a mesh", "contact.area", area, [f"grid - 2 {grid}", "share 1 2 claim=1"]),
                 ("polynomials are missing", "contact.area", area, [f"mesh - 2 {mesh.strip()}", "share 1 2 claim=1"]),
