@@ -2,10 +2,21 @@
 /// \file
 /// Numbers of 106 bits as unevaluated sums of two binary64, one at a time or four side by side, with proven errors.
 ///
-/// Relative errors, w = 2^-53: sum 3 w^2 + 13 w^3, product 5 w^2, quotient 15 w^2 + 56 w^3 (Joldes, Muller, Popescu, "Tight and rigorous
-/// error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44, 2017: algorithms 6, 10, 17; the product's 7 w^2 there was
-/// sharpened by Muller, Rideau, "Formalization of double-word arithmetic, and comments on ...", ACM TOMS 48, 2022), square root
-/// 25/8 w^2 (Lefevre et al., "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS 49, 2023).
+/// Each operation is one of the literature, step for step; w = 2^-53, bounds are relative and hold for pairs whose sum rounds to `high`:
+///
+/// | operation | algorithm | bound | proved by |
+/// |---|---|---|---|
+/// | sum | AccurateDWPlusDW, JMP algorithm 6 | 3 w^2 + 13 w^3 | JMP theorem 3.1; in Coq by MR (`DWPlusDW_relerr_bound`) |
+/// | product | DWTimesDW1, JMP algorithm 10 | 5 w^2 | MR (`DWTimesDW1_correct_even`); JMP had 7 w^2 |
+/// | quotient | DWDivDW2, JMP algorithm 17, its line 2 by algorithm 7 | 15 w^2 + 56 w^3 | JMP theorem 7.1; in Coq by MR (`DWDDW_correct`) |
+/// | square root | SQRTDWtoDW, LLMPR algorithm 8 | 25/8 w^2 | LLMPR |
+///
+/// JMP: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44, 2017.
+/// MR: Muller, Rideau, "Formalization of double-word arithmetic, and comments on ...", ACM TOMS 48, 2022; in brackets the names in its Coq
+/// proof. LLMPR: Lefevre, Louvet, Muller, Picot, Rideau, "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS
+/// 49, 2023.
+/// All of these need the rounding mode to nearest, and the product's bound ties to even (with other ties it is 5.5 w^2): the mode that
+/// require_binary64_arithmetic() asks for. They assume that nothing overflows and no rounded result is subnormal.
 /// So no operation is off by more than 2^-102, cancellation or not, while nothing leaves 1e-270 ... 1e270.
 /// Results do not depend on whether the machine has a fused multiply-add: std::fma is exact by definition.
 /// Not to be compiled with -ffast-math (binary64.hpp refuses); fused contraction of a * b + c by the compiler must be off.

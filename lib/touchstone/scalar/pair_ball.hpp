@@ -7,7 +7,7 @@
 /// for its own rounding (the theorems cited in double_double.hpp), and multiplies the radius by 1 + 2^-40, more than the rounding of the few
 /// binary64 operations that made it. Midpoints stay between 2^-430 and 2^430 or are zero, so that no product of two loses a bit to underflow;
 /// beyond, and for what is not provided here, the radius is infinite: a ball that knows nothing and decides nothing.
-/// Compile with -ffp-contract=off, in the rounding mode to nearest.
+/// Compile with -ffp-contract=off. The theorems need the rounding mode to nearest, ties to even.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
