@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # ./bootstrap.sh        install what is missing, build, run the main job into out/
 # ./bootstrap.sh test   the same, then build and run every test (slow ones and campaigns excepted)
-# ./bootstrap.sh prove  install Coq and Gappa, check the theorems of proofs/coq and rows of the closed-form tables
+# ./bootstrap.sh prove  install Coq and Gappa, check the theorems of proofs/coq, rows of the closed-form tables and the double forms
 set -euo pipefail
 cd "$(dirname "$0")"
 

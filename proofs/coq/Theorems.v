@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (** * What is proved, and on which axioms: those of Coq's real numbers, and no other *)
 
-Require Import Wave Peaks Operator Areas Equilibrium Archard Numbers.
+Require Import Wave Peaks Operator Areas Equilibrium Archard Numbers Conditions Forms.
 
 Print Assumptions iteration_converges.
 Print Assumptions x_P_is_unique.
@@ -23,3 +23,10 @@ Print Assumptions K_inf_lower.
 Print Assumptions K_inf_upper.
 Print Assumptions K_inf_to_eight_places.
 Print Assumptions table_1.
+Print Assumptions arctangent_condition.
+Print Assumptions expm1_condition.
+Print Assumptions sine_condition.
+Print Assumptions sine_condition_steep.
+Print Assumptions sine_condition_absolute.
+Print Assumptions arcsine_condition.
+Print Assumptions half_width_in_binary64.

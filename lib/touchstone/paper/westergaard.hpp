@@ -9,7 +9,7 @@
 /// The forms are free of cancellation: each difference that vanishes at an edge
 /// is formed once, from exact inputs, and everything else is a sum of positive terms.
 /// For `double` this keeps every value within 4 ulp except where the rounding of the inputs
-/// alone moves the true value further (tests/paper/double_accuracy.cpp measures it).
+/// alone moves the true value further (tests/paper/double_accuracy.cpp measures it; proofs/coq/README.md has the bounds that are proved).
 /// The forms as printed are in as_printed.hpp; proofs/ shows them equal to these.
 ///
 /// Source: Westergaard (1939); Johnson, Contact Mechanics (1985), section 13.2.
