@@ -2,6 +2,7 @@
 #include "touchstone/paper/archard_constants.hpp"
 
 #include "touchstone/paper/archard.hpp"
+#include "touchstone/paper/gamma_product.hpp"
 
 #include <doctest/doctest.h>
 
@@ -45,6 +46,35 @@ TEST_CASE("K_n descends to K_inf at the rate the recursion gives")
     const Ball rate = log(archard::K_gamma_product(100) / limit) * power_of_two<Ball>(101);
     CHECK(abs(rate - 1).relative_bits() > 0);
     CHECK(certainly(less(abs(rate - 1), power_of_two<Ball>(-90))));
+}
+
+TEST_CASE("a product of Gamma functions is that of Arb's, tightly")
+{
+    const auto by_arb = [](long halves, long first, const std::vector<unsigned long>& weights) {
+        Ball product(1), power;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const Ball one = gamma_function(Ball(Rational(halves, 2)) - power_of_two<Ball>(-(first + static_cast<long>(i))));
+            arb_pow_ui(power.get(), one.get(), weights[i], WorkingPrecision::bits());
+            product *= power;
+        }
+        return product;
+    };
+    const std::vector<std::vector<unsigned long>> all{{1}, {0, 3}, {2, 1, 1}, {7, 6, 5, 4, 3, 2, 1}, std::vector<unsigned long>(70, 1)};
+    for (const slong bits : {2L, 53L, 300L, 1500L, 3500L})
+        for (const long halves : {2L, 3L, 4L, 11L})
+            for (const long first : {1L, 2L, 60L}) // from 1/2 on; to where a numerator is longer than a word
+                for (const auto& weights : all) {
+                    CAPTURE(bits);
+                    CAPTURE(halves);
+                    CAPTURE(first);
+                    CAPTURE(weights.size());
+                    const WorkingPrecision precision(bits);
+                    const Ball ours = archard::gamma_product(halves, first, weights);
+                    const WorkingPrecision more(bits + 64);
+                    CHECK(ours.overlaps(by_arb(halves, first, weights)));
+                    CHECK(ours.relative_bits() >= bits - 12);
+                }
+    CHECK(archard::gamma_product(3, 2, {}).overlaps(Ball(1)));
 }
 
 TEST_CASE("both routes agree, tightly, where fixed-point units grow by whole words and exponents come in several blocks")

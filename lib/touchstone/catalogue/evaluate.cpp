@@ -47,6 +47,8 @@ constexpr long fewer_digits = 15;
 /// A witness disagrees when it is off by so many times its own error, and by so much of the value.
 constexpr long witness_error_factor = 64;
 constexpr long witness_digits = 15;
+/// From here on the proofs of a formula run side by side. Each thread computes its own constants and Bernoulli numbers: below, that is most of the work.
+constexpr long digits_worth_a_thread = 3000;
 /// It is asked for the digits that a second proof would look at, and so many more, not for all that it could give.
 constexpr long witness_spare_digits = 2;
 
@@ -123,7 +125,7 @@ public:
     Search(const Quantity& q, const Plan& plan, const std::optional<Exact>& exact, const EvaluationOptions& options)
         : q_(q), plan_(plan), exact_(exact), options_(options),
           witness_wants_(std::min(witness_digits, looked_at_again({options.digits}).digits + witness_spare_digits)),
-          own_threads_(plan.dear || q.costly || options.digits >= 300)
+          own_threads_(plan.dear || q.costly || options.digits >= digits_worth_a_thread)
     {
         if (plan.proofs.size() == 1 && second_look())
             witness_ = start(own_threads_, [look = second_look(), digits = witness_wants_] { return look->witness({digits}); });

@@ -2,6 +2,7 @@
 #include "touchstone/paper/archard_constants.hpp"
 
 #include "touchstone/paper/archard.hpp"
+#include "touchstone/paper/gamma_product.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,15 +32,15 @@ Ball finite_share(long k, long n, long m) { return n < 0 ? Ball(1) : 1 - dyadic(
 /// whose c_j and d are integers: d eta(k) = sum_{j<N} c_j/(j + 1)^k. In fixed point, `group` exponents at a time:
 /// u = c_j/(j + 1)^(first + group t + group - 1) gives those with k = first + group t + r as u (j + 1)^(group - 1 - r), so that
 /// a term costs one division by (j + 1)^group, which fits into a word, and `group` products instead of `group` divisions.
-/// Units are 2^-guard for t = 0 and 2^(64 drop) times larger at each next t. u is within 4 of them: its error is divided by
-/// (j + 1)^group 2^(64 drop) and joined by two truncations, neither of which happens when that divisor is 1.
+/// Units are 2^-guard for t = 0 and 2^drop times larger at each next t. u is within 4 of them: its error is divided by
+/// (j + 1)^group 2^drop and joined by two truncations, neither of which happens when that divisor is 1.
 /// So a sum of N terms is within 4 N N^(group - 1) units.
 void eta_block(std::vector<Ball>& eta, long first, long last, slong bits, slong step)
 {
     const long N = static_cast<long>(static_cast<double>(bits) / 2.5431) + 2; // log2(3 + sqrt 8) > 2.5431
     const slong size_of_N = static_cast<slong>(FLINT_BIT_COUNT(N));
     const long group = std::max(1L, 63 / size_of_N);
-    const auto drop = static_cast<mp_bitcnt_t>(group * step / 64);
+    const auto drop = static_cast<mp_bitcnt_t>(group * step);
     const slong guard = group * size_of_N + 8;
     Integer before = 1, d = 3;
     for (long j = 1; j < N; ++j) {
@@ -60,7 +61,7 @@ void eta_block(std::vector<Ball>& eta, long first, long last, slong bits, slong 
         for (std::size_t k = 0; k + static_cast<std::size_t>(group) <= sums.size() && u != 0; k += static_cast<std::size_t>(group)) {
             for (std::size_t r = 0; r < static_cast<std::size_t>(group); ++r)
                 mpz_addmul_ui(sums[k + r].get_mpz_t(), u.get_mpz_t(), powers[static_cast<std::size_t>(group) - 1 - r]);
-            mpz_tdiv_q_2exp(u.get_mpz_t(), u.get_mpz_t(), 64 * drop);
+            mpz_tdiv_q_2exp(u.get_mpz_t(), u.get_mpz_t(), drop);
             mpz_tdiv_q_ui(u.get_mpz_t(), u.get_mpz_t(), powers.back());
         }
         b *= 2 * (N + j) * (j - N);
@@ -70,7 +71,7 @@ void eta_block(std::vector<Ball>& eta, long first, long last, slong bits, slong 
         Ball& value = eta[static_cast<std::size_t>(k)];
         value = Ball(Rational(sums[static_cast<std::size_t>(k - first)]));
         widen(value, 2 + group * size_of_N);
-        arb_mul_2exp_si(value.get(), value.get(), static_cast<slong>(64 * drop) * ((k - first) / group) - guard);
+        arb_mul_2exp_si(value.get(), value.get(), static_cast<slong>(drop) * ((k - first) / group) - guard);
         value /= Ball(Rational(d));
         widen(value, 1 - static_cast<slong>(std::floor(2.5431 * static_cast<double>(N))));
     }
@@ -114,7 +115,7 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
     const long N = static_cast<long>(static_cast<double>(bits) / 9.0647) + 2; // log2 e^(2 pi) > 9.0647
     const slong size_of_N = static_cast<slong>(FLINT_BIT_COUNT(N));
     const slong F = bits + 3 * size_of_N + 8;
-    const auto drop = static_cast<mp_bitcnt_t>(4 * step / 64);
+    const auto drop = static_cast<mp_bitcnt_t>(4 * step);
     std::vector<Integer> X(static_cast<std::size_t>(last + 4)), Y(X.size());
     Integer u, v;
     Ball q, q_to_k(1);
@@ -134,7 +135,7 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
             mpz_addmul_ui(X[static_cast<std::size_t>(s + 1)].get_mpz_t(), u.get_mpz_t(), square);
             Y[static_cast<std::size_t>(s)] += v;
             for (Integer* term : {&u, &v}) {
-                mpz_tdiv_q_2exp(term->get_mpz_t(), term->get_mpz_t(), 64 * drop);
+                mpz_tdiv_q_2exp(term->get_mpz_t(), term->get_mpz_t(), drop);
                 mpz_tdiv_q_ui(term->get_mpz_t(), term->get_mpz_t(), square * square);
             }
         }
@@ -142,7 +143,7 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
     const auto sum = [&](const Integer& units, long s) {
         Ball value{Rational(units)};
         widen(value, 3 * size_of_N + 3); // 4 N units of u, times k^2; the terms after N make less than N^3/64
-        arb_mul_2exp_si(value.get(), value.get(), static_cast<slong>(64 * drop) * (s / 4) - F);
+        arb_mul_2exp_si(value.get(), value.get(), static_cast<slong>(drop) * (s / 4) - F);
         return value;
     };
 
@@ -178,18 +179,21 @@ Ball K_gamma_product(long n)
     const slong target = WorkingPrecision::bits();
     const WorkingPrecision precision(target + guard_bits);
     const slong bits = target + guard_bits;
-    const long m = std::max(4L, static_cast<long>(0.25 * std::sqrt(static_cast<double>(bits))));
+    const long m = std::max(4L, static_cast<long>(0.33 * std::sqrt(static_cast<double>(bits))));
     const long direct = n < 0 ? m : std::min(n, m);
     // With x_i = 2^-(i+2), b_i = Gamma(3/2 - x_i) and a_i = Gamma(2 - x_i) the factor is 2^(1 - x_{i-1}) b_i/(sqrt(pi) a_i), and by the
-    // duplication formula a_i b_i = 2^(x_{i-1} - 2) sqrt(pi) (2 - x_{i-1}) a_{i-1}, from a_{-1} = sqrt(pi)/2.
+    // duplication formula a_i b_i = 2^(x_{i-1} - 2) sqrt(pi) (2 - x_{i-1}) a_{i-1}, from a_{-1} = sqrt(pi)/2. So b_i is left in a_i and in all
+    // after it, and in its own factor: direct + 1 - i times.
     const Ball root_pi = sqrt(pi<Ball>());
     Ball K = 2 / pi<Ball>(), a = root_pi / 2, power = sqrt(Ball(2)); // 2^x_{i-1}
+    std::vector<unsigned long> times_b;
     for (long i = 0; i < direct; ++i) {
-        const Ball b = gamma_function(Ball(Rational(3, 2)) - dyadic(-(i + 2)));
-        a *= power * root_pi * (2 - dyadic(-(i + 1))) / (4 * b);
-        K *= 2 * b / (power * root_pi * a);
+        a *= power * root_pi * (2 - dyadic(-(i + 1))) / 4; // a_i b_0 ... b_i
+        K *= 2 / (power * root_pi * a);
         power = sqrt(power);
+        times_b.push_back(static_cast<unsigned long>(direct + 1 - i));
     }
+    K *= gamma_product(3, 2, times_b);
     if (direct == n) return K;
 
     // log step as a power series in x = 2^-(i+2): -x + sum_{k>=2} e_k x^k/k,
@@ -198,9 +202,11 @@ Ball K_gamma_product(long n)
     const auto zeta = zeta_values(P, bits, m + 1);
     Ball logarithm(0);
     for (long k = P; k >= 2; --k) {
-        const WorkingPrecision wider(bits + 2 * P);
+        const WorkingPrecision wider(std::max<slong>(64, bits + 2 * P - k * (m + 1)));
         const Ball e = (dyadic(k) - 2) * zeta[static_cast<std::size_t>(k)] - dyadic(k) + 1;
-        logarithm += e / k * dyadic(-k * (m + 1)) / (dyadic(k) - 1) * finite_share(k, n, m);
+        const Ball term = e / k * dyadic(-k * (m + 1)) / (dyadic(k) - 1) * finite_share(k, n, m);
+        const WorkingPrecision all(bits);
+        logarithm += term;
     }
     logarithm -= dyadic(-(m + 1)) * finite_share(1, n, m);
     // sum_{k>P} (2/3)^k/k 2^{-k(m+1)}/(2^k - 1) <= sum_{k>P} 2 q^k, q = 2^-(m+1)/3 < 2^-(m+2.5)
@@ -213,22 +219,27 @@ Ball K_eta_series(long n)
     const slong target = WorkingPrecision::bits();
     const WorkingPrecision precision(target + guard_bits);
     const slong bits = target + guard_bits;
-    const long m = std::max(5L, static_cast<long>(0.35 * std::sqrt(static_cast<double>(bits))));
+    const long m = std::max(5L, static_cast<long>(0.5 * std::sqrt(static_cast<double>(bits))));
     const long direct = n < 0 ? m : std::min(n, m);
+    // The factors (1 - x_i) a_{i-1}/a_i^2 with a_{-1} = Gamma(3/2) = sqrt(pi)/2: of the a_i but the last, one is left in the denominator.
     Ball K = 2 / pi<Ball>();
-    Ball before = gamma_function(Ball(Rational(3, 2))); // a_{-1}, x_{-1} = 1/2
-    for (long i = 0; i < direct; ++i) {
-        const Ball a = gamma_function(2 - dyadic(-(i + 2)));
-        K *= (1 - dyadic(-(i + 2))) * before / (a * a); // x_{i-1}/2 = x_i
-        before = a;
+    for (long i = 0; i < direct; ++i) K *= 1 - dyadic(-(i + 2));
+    if (direct > 0) {
+        std::vector<unsigned long> times_a(static_cast<std::size_t>(direct), 1);
+        times_a.back() = 2;
+        K *= sqrt(pi<Ball>()) / 2 / gamma_product(4, 2, times_a);
     }
     if (direct == n) return K;
 
     const long P = bits / (m + 1) + 2;
     const auto eta = eta_values(P, bits, m + 1);
     Ball exponent(0);
-    for (long k = P; k >= 2; --k)
-        exponent += eta[static_cast<std::size_t>(k)] / k * dyadic(-k * m) / (dyadic(k) - 1) * finite_share(k, n, m);
+    for (long k = P; k >= 2; --k) {
+        const WorkingPrecision shorter(std::max<slong>(64, bits - k * (m + 1)));
+        const Ball term = eta[static_cast<std::size_t>(k)] / k * dyadic(-k * m) / (dyadic(k) - 1) * finite_share(k, n, m);
+        const WorkingPrecision all(bits);
+        exponent += term;
+    }
     // sum_{k>P} 2^{-km}/(k (2^k - 1)) <= sum_{k>P} 2^{-k(m+1)}
     widen(exponent, 1 - (P + 1) * (m + 1));
     const Ball last = n < 0 ? Ball(1) : 1 - dyadic(-(n + 1));

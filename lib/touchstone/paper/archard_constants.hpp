@@ -15,14 +15,14 @@ namespace touchstone::archard {
 inline constexpr long infinity = -1;
 
 /// K_n (n >= 0, or `infinity`) to about the working precision.
-/// Route: m factors (7.13) with one Gamma function each, Gamma(3/2 - 2^-(i+2)), the other by the duplication formula; the
-/// factors after them through the Taylor series of log Gamma at 3/2 and 2. The k-th coefficient of log step in x = 2^-(i+2) is,
+/// Route: m factors (7.13) with one Gamma function each, Gamma(3/2 - 2^-(i+2)), the other by the duplication formula, all of them
+/// at once (gamma_product.hpp); the factors after them through the Taylor series of log Gamma at 3/2 and 2. The k-th coefficient of log step in x = 2^-(i+2) is,
 /// for k >= 2, (zeta(k, 3/2) - zeta(k, 2))/k, an alternating sum below (2/3)^k/k, which bounds what is left out; the first is -1.
 /// Riemann's zeta is for even k a Bernoulli number times pi^k, for odd k by Ramanujan's formula, whose sums shrink like e^(-2 pi n).
 Ball K_gamma_product(long n);
 
 /// The same by the duplication formula and Dirichlet's eta. Route: m factors as
-/// (1 - x_{i-1}/2) a_{i-1}/a_i^2 with a_i = Gamma(2 - 2^-(i+2)), one Gamma each; the others by the
+/// (1 - x_{i-1}/2) a_{i-1}/a_i^2 with a_i = Gamma(2 - 2^-(i+2)), which telescopes to one Gamma each; the others by the
 /// series of K_by_series (archard.hpp), its eta(k) from the accelerated alternating sum
 /// with its proven error, below 2 (3 + sqrt 8)^-N.
 Ball K_eta_series(long n);
