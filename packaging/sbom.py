@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: MIT
 """What a build is made of, with versions and licences, as SPDX 2.3 (JSON).
 
-usage: sbom.py --version V --out FILE [--header NAME=VERSION]... BINARY...
+usage: sbom.py --version V --out FILE [--header NAME=VERSION]... [--archive FILE]... BINARY...
 
 A BINARY is the program or the C library. The shared libraries that it loads are asked of the dynamic linker (DYNAMIC_LINK: it asks for them itself;
-DEPENDS_ON: a library of its does), whose they are and which version of dpkg, or of the file's own name where there is no dpkg. Libraries of headers alone leave no trace in a binary: the build says which it found.
+DEPENDS_ON: a library of its does), whose they are and which version of dpkg, or of the file's own name where there is no dpkg. Libraries of headers alone leave no trace in a binary,
+nor do the archives that the program has in itself (STATIC_LINK): the build says which it found.
 A library that is not in LICENCES below is an error: somebody has to look at its licence first.
 """
 import argparse
@@ -116,7 +117,7 @@ def package(name, licence, home, number, purl=None):
 
 
 def component(file, owned):
-    stem = re.match(r"(.+?)(-x86-64|-\d[\d.]*)?\.so", file.name)
+    stem = re.match(r"(.+?)(-x86-64|-\d[\d.]*)?\.(so|a$)", file.name)
     known = LICENCES.get(stem.group(1)) if stem else None
     if known is None:
         sys.exit(f"sbom.py: {file}: whose library is that, and under which licence? LICENCES in packaging/sbom.py has to say so")
@@ -127,10 +128,10 @@ def component(file, owned):
     return package(name, licence, home, number, purl)
 
 
-def document(binaries, headers, number):
+def document(binaries, headers, archives, number):
     packages, relations = {}, []
     files = {binary: loaded(binary) for binary in binaries if binary.name.split(".so")[0] in OWN}
-    owned = owners(sorted({file for some in files.values() for file in some}))
+    owned = owners(sorted({file for some in files.values() for file in some}.union(archives)))
 
     def relate(a, kind, b):
         relation = {"spdxElementId": a, "relationshipType": kind, "relatedSpdxElement": b}
@@ -150,6 +151,10 @@ def document(binaries, headers, number):
             entry = component(file, owned)
             packages.setdefault(entry["SPDXID"], entry)
             relate(own["SPDXID"], "DYNAMIC_LINK" if file.name in direct else "DEPENDS_ON", entry["SPDXID"])
+        for file in archives if name == "touchstone" else ():
+            entry = component(file, owned)
+            packages.setdefault(entry["SPDXID"], entry)
+            relate(own["SPDXID"], "STATIC_LINK", entry["SPDXID"])
         for library, found in headers:
             if library not in HEADERS:
                 sys.exit(f"sbom.py: HEADERS in packaging/sbom.py has to say under which licence {library} is")
@@ -172,8 +177,9 @@ def main():
     arguments.add_argument("--version", required=True)
     arguments.add_argument("--out", required=True, type=pathlib.Path)
     arguments.add_argument("--header", action="append", default=[], metavar="NAME=VERSION")
+    arguments.add_argument("--archive", action="append", default=[], type=pathlib.Path, help="in the program itself")
     o = arguments.parse_args()
-    o.out.write_text(json.dumps(document(o.binaries, [tuple(h.split("=", 1)) for h in o.header], o.version), indent=1) + "\n")
+    o.out.write_text(json.dumps(document(o.binaries, [tuple(h.split("=", 1)) for h in o.header], o.archive, o.version), indent=1) + "\n")
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -21,6 +22,8 @@
 #include <system_error>
 #include <new>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 CLI::Validator touchstone::program::not_empty()
@@ -84,6 +87,19 @@ int guarded(const Run& run)
     }
 }
 
+/// The subcommand of that name alone, which saves the others' options; all of them where there is none. \returns whether there is.
+bool add_commands(CLI::App& app, Run& run, std::string_view name)
+{
+    constexpr std::array<std::pair<std::string_view, void (*)(CLI::App&, Run&)>, 11> commands{{
+        {"list", add_list}, {"eval", add_eval}, {"check", add_check}, {"formula", add_formula}, {"integrate", add_integrate}, {"table", add_table},
+        {"merge", add_merge}, {"paper", add_paper}, {"judge", add_judge}, {"report", add_report}, {"certificate", add_certificate}}};
+    const auto asked = std::find_if(commands.begin(), commands.end(), [name](const auto& command) { return command.first == name; });
+    if (asked != commands.end()) asked->second(app, run);
+    else
+        for (const auto& command : commands) command.second(app, run);
+    return asked != commands.end();
+}
+
 /// `integrate` has formulas and ends that begin with a minus and no short options: a blank in front keeps them from being read as ones.
 std::vector<std::string> words_of(int argc, char** argv)
 {
@@ -108,24 +124,12 @@ int main(int argc, char** argv)
     app.add_flag_callback("--progress", [] { progress_in_logs(); }, "Long work says how far it is once a minute, in logs too");
     app.add_option_function<double>("--progress-every", progress_in_logs, "The same, every so many seconds")->check(CLI::Range(0.1, 1e6));
     Run run;
-    add_list(app, run);
-    add_eval(app, run);
-    add_check(app, run);
-    add_formula(app, run);
-    add_integrate(app, run);
-    add_table(app, run);
-    add_merge(app, run);
-    add_paper(app, run);
-    add_judge(app, run);
-    add_report(app, run);
-    add_certificate(app, run);
-    if (const std::string_view first = argc > 1 ? argv[1] : "";
-        !first.empty() && first.front() != '-') { // before a --help after it is obeyed
+    const std::string_view first = argc > 1 ? argv[1] : "";
+    if (!add_commands(app, run, first) && !first.empty() && first.front() != '-') { // before a --help after it is obeyed
         std::vector<std::string> names;
         for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-        if (std::find(names.begin(), names.end(), first) == names.end())
-            return complain(usage_error,
-                            fmt::format("no subcommand '{}'; nearest is '{}' (try: touchstone --help)", first, nearest_name(first, names)));
+        return complain(usage_error,
+                        fmt::format("no subcommand '{}'; nearest is '{}' (try: touchstone --help)", first, nearest_name(first, names)));
     }
     try {
         std::vector<std::string> words = words_of(argc, argv);
