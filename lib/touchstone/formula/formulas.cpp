@@ -38,7 +38,7 @@ Term by_load(const Term& load, const Term& partial, const Term& full) { return s
 Term density(const Term& p, const Term& load)
 {
     const Term root = sqrt_minus_square(Term(4 * load), p);
-    const Term partial = select(Term(0), root, westergaard::density_partial(p, load, root), Term(0));
+    const Term partial = select(Term(0), root, Term::call("density_partial", {p, load}), Term(0));
     const Term low = westergaard::above_lowest(p, load), high = westergaard::below_highest(p, load);
     return by_load(load, partial, select(low, Term(0), Term(0), select(high, Term(0), Term(0), westergaard::density_full(p, load))));
 }
@@ -145,14 +145,17 @@ std::map<std::string, Helper> make_helpers()
     h["series_3_15"] = {{"x"}, doubled(once, doubled(twice, sum_of_powers(detail::gap_terms, twice)))};
     const Term root = 1 + sqrt(1 - x), tangent = x / (root * root), its_square = tangent * tangent;
     h["series_2_6"] = {{"x"}, (1 + tangent * (1 + (1 - its_square) * sum_of_powers(detail::gap_terms, its_square))) / 2};
-    const Term of_smaller = asin(sqrt(at_most(at_least(1 - x, Term(0)), x))) / pi_;
+    const Term inverse_pi = constant(std::numbers::inv_pi), of_smaller = asin(sqrt(at_most(at_least(1 - x, Term(0)), x))) * inverse_pi;
     h["asin_sqrt_over_pi"] = {{"x"}, select(half, x, half - of_smaller, of_smaller)};
-    const Term n = at_least(a, Term(0)), d = at_least(b, Term(0)), of_quotient = asin(sqrt(at_most(n, d) / (n + d))) / pi_;
+    const Term n = at_least(a, Term(0)), d = at_least(b, Term(0)), of_quotient = asin(sqrt(at_most(n, d) / (n + d))) * inverse_pi;
     h["atan_sqrt_over_pi"] = {{"a", "b"}, select(d, n, half - of_quotient, of_quotient)};
     h["atan_minus_square_over_pi"] = {{"a", "b", "c"}, select(a, constant(0x1p-800), atan2(ScalarTraits<Term>::sqrt_minus_square(a, b), sqrt(c)) / pi_,
                                                               ScalarTraits<Term>::atan_sqrt_over_pi(fma(-b, b, a), c))};
     const Term squares = a * a + b * b, hypot = Term::call("hypot", {a, b});
     h["root_of_squares"] = {{"a", "b"}, select(constant(0x1p-900), squares, select(squares, constant(0x1p900), sqrt(squares), hypot), hypot)};
+    const Term share = 1 - b, sum_of_squares = share * share + a * a, room = at_least(fma(-a, a, 4 * b), Term(0)), least = constant(0x1p-300);
+    const Term safe = westergaard::density_partial(a, b, ScalarTraits<Term>::sqrt_minus_square(4 * b, a));
+    h["density_partial"] = {{"a", "b"}, select(least, sum_of_squares, select(least, b, westergaard::density_under_one_root(a, b, sum_of_squares, room), safe), safe)};
     const Term e = a * b;
     h["pow_product"] = {{"x", "a", "b"}, pow(x, e) * (1 + fma(a, b, -e) * log(x))};
     const Term size = absolute(x);
@@ -208,6 +211,7 @@ Term mathematical(const Term& t)
     if (t->text == "asin_sqrt_over_pi") return ComposedTraits<Term>::asin_sqrt_over_pi(a[0]);
     if (t->text == "atan_sqrt_over_pi") return ComposedTraits<Term>::atan_sqrt_over_pi(a[0], a[1]);
     if (t->text == "atan_minus_square_over_pi") return ComposedTraits<Term>::atan_minus_square_over_pi(a[0], a[1], a[2]);
+    if (t->text == "density_partial") return westergaard::density_partial(a[0], a[1], root_of(4 * a[1] - square(a[0])));
     if (t->text == "root_of_squares") return root_of(square(a[0]) + square(a[1]));
     return t;
 }

@@ -135,6 +135,23 @@ T density_partial(const T& p, const T& load)
     return density_partial(p, load, sqrt_minus_square(T(4 * load), p));
 }
 
+/// The same with R under the root, given sum = R^2 and room = 4 load - p^2: one quotient and one root less, but what is under it may
+/// underflow.
+template <Scalar T>
+T density_under_one_root(const T& p, const T& load, const T& sum, const T& room)
+{
+    const T R = sqrt(sum);
+    return p / pi<T>() * sqrt((1 + load + R) / (((1 - load) + R) * sum * room));
+}
+/// In binary64, where sum and load are above 2^-300 and so the product is above 2^-600: sum and room are not both small, for the one takes
+/// a load next to 1 and the other a small load or a pressure next to the edge, where room is above 2^-106 load.
+inline double density_partial(double p, double load)
+{
+    const double share = 1 - load, sum = share * share + p * p;
+    if (!(sum > 0x1p-300 && load > 0x1p-300)) return density_partial<double>(p, load);
+    return density_under_one_root(p, load, sum, std::max(ScalarTraits<double>::minus_square(4 * load, p), 0.0));
+}
+
 /// (2.15), (2.16), (2.19), (2.20)  the density q p* of the pressure at p >= 0; 0 outside the support.
 /// Unbounded at the edges p = 2 sqrt(load) and p = load +- 1: there, and for a ball that
 /// touches one, the result is not finite.
@@ -152,6 +169,12 @@ T density(const T& p, const T& load)
                               || certainly(less(below_highest(p, s), integer<T>(0)));
             return outside ? integer<T>(0) : density_full(p, s);
         });
+}
+/// In binary64 the edge is where the distance to it, rounded once, is 0.
+inline double density(double p, double load)
+{
+    if (!(load < 1)) return density<double>(p, load);
+    return ScalarTraits<double>::minus_square(4 * load, p) > 0 ? density_partial(p, load) : density<double>(p, load);
 }
 
 } // namespace touchstone::westergaard

@@ -119,6 +119,18 @@ struct ScalarTraits<double> {
     static double cos_pi(double x) { return std::sin(std::numbers::pi * (0.5 - std::fabs(within_a_turn(x)))); }
     static double powm1(double x, double y) { return std::expm1(y * std::log(x)); } ///< x^y - 1 for x > 0
     static double sqrt_positive_part(double x) { return x > 0 ? std::sqrt(x) : 0.0; } ///< sqrt(max(x, 0))
+    /// a - b^2 within an ulp and a half, and with one rounding below 2^-40 a: the sign is right. Where fma is a call of the C library,
+    /// which takes longer than all the rest, the first 24 bits of b are squared by themselves: that and twice their product with the
+    /// others are exact.
+    static double minus_square(double a, double b)
+    {
+#ifndef FP_FAST_FMA
+        const double head = static_cast<float>(b), tail = b - head;
+        const double difference = ((a - head * head) - 2 * head * tail) - tail * tail;
+        if (a > 0x1p-200 && std::fabs(difference) > 0x1p-40 * a) return difference; // else float may have too few bits, or the square of the tail
+#endif
+        return std::fma(-b, b, a);
+    }
     /// sqrt(max(a - b^2, 0)), the difference with one rounding and safe from underflow.
     static double sqrt_minus_square(double a, double b)
     {
@@ -164,7 +176,7 @@ struct ScalarTraits<double> {
     /// it is well conditioned; so too in the next two.
     static double asin_sqrt_over_pi(double s)
     {
-        const double r = std::asin(std::sqrt(std::min(std::max(1.0 - s, 0.0), s))) / std::numbers::pi;
+        const double r = std::asin(std::sqrt(std::min(std::max(1.0 - s, 0.0), s))) * std::numbers::inv_pi;
         return (s > 0.5 ? 0.5 : 0.0) + std::copysign(r, 0.5 - s); // s may lie on either side at random: no branch
     }
     /// arctan(sqrt(n/d))/pi, where a negative n or d counts as 0; not both.
@@ -172,7 +184,7 @@ struct ScalarTraits<double> {
     {
         n = std::max(n, 0.0);
         d = std::max(d, 0.0);
-        const double r = std::asin(std::sqrt(std::min(n, d) / (n + d))) / std::numbers::pi;
+        const double r = std::asin(std::sqrt(std::min(n, d) / (n + d))) * std::numbers::inv_pi;
         return (n > d ? 0.5 : 0.0) + std::copysign(r, d - n);
     }
     /// arctan(sqrt((a - b^2)/d))/pi for d >= 0, the difference with one rounding and safe from underflow.
