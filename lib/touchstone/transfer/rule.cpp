@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -247,22 +248,27 @@ Rule gauss_panel_rule(const Ball& G, const Ratios& x, double accuracy, double V)
     const Guess guess(G, x);
     const double widest = guess.widest_imaginary();
     struct Panel { double lo, hi, rho; long n; bool even; };
-    // the largest ellipse that keeps off the zeros of cosh v and 1 + (1-x) sinh^2 v, and off |y| = 1
+    std::array<double, 65> cosines{}, sines{}; // of the angles at which an ellipse is looked at
+    for (std::size_t k = 0; k < cosines.size(); ++k) {
+        const double phi = std::numbers::pi * static_cast<double>(k) / 64;
+        cosines[k] = std::cos(phi), sines[k] = std::sin(phi);
+    }
+    std::vector<double> sizes;
+    for (double rho = 1.05; rho < 8; rho *= 1.03) sizes.push_back(rho);
+    // the largest ellipse that keeps off the zeros of cosh v and 1 + (1-x) sinh^2 v, and off |y| = 1: as a smaller one does, in strides first
     const auto largest_rho = [&](double lo, double hi, bool even) {
         const double mid = even ? 0 : (lo + hi) / 2, half = even ? hi : (hi - lo) / 2;
-        double best = 1;
-        for (double rho = 1.05; rho < 8; rho *= 1.03) {
-            const double minor = half * (rho - 1 / rho) / 2, left = mid - half * (rho + 1 / rho) / 2;
-            if (!(minor < half_pi * 0.99 || (!even && left > std::max(guess.A * 1.01, 0.01)))) break;
-            bool inside = true;
-            for (int k = 0; k <= 64 && inside; ++k) {
-                const double phi = std::numbers::pi * k / 64;
-                inside = guess.allows(mid + half * (rho + 1 / rho) / 2 * std::cos(phi), minor * std::sin(phi));
-            }
-            if (!inside) break;
-            best = rho;
-        }
-        return best;
+        const auto allowed = [&](double rho) {
+            const double minor = half * (rho - 1 / rho) / 2, major = half * (rho + 1 / rho) / 2;
+            if (!(minor < half_pi * 0.99 || (!even && mid - major > std::max(guess.A * 1.01, 0.01)))) return false;
+            for (std::size_t k = 0; k < cosines.size(); ++k)
+                if (!guess.allows(mid + major * cosines[k], minor * sines[k])) return false;
+            return true;
+        };
+        std::size_t known = 0; // so many are allowed
+        for (const std::size_t stride : {std::size_t{8}, std::size_t{1}})
+            while (known + stride <= sizes.size() && allowed(sizes[known + stride - 1])) known += stride;
+        return known == 0 ? 1.0 : sizes[known - 1];
     };
     std::vector<Panel> panels;
     double cost = HUGE_VAL;
