@@ -30,7 +30,7 @@ PATTERNS = [(r" \+( |$)", " - "), (r" -( |$)", " + "), (r" \*( |$)", " / "), (r"
 # What cannot change a proof: includes, loops, what is shown, precision and sizes of searches.
 NO_PROOF = re.compile(r"^\s*(#|//|/\*|\*|using|for \(|constexpr (slong|int|long) (digits|bits)|const int pieces)|to_string|WorkingPrecision|std::next|substr|size\(\)")
 OPTIONS = ["-O1", "-w", "-Wno-narrowing"]
-MOST_OF_A_FILE = 1000  # switch.hpp has room for sixty files
+MOST_OF_A_FILE = 1000  # switch.hpp has room for eighty files
 
 
 class Change:
@@ -119,7 +119,7 @@ class Program:
         if all(p.suffix == ".cpp" for p in changed):
             proofs = [p for p in proofs if p in changed]
         tests = [pathlib.Path("tests") / file for files in TESTS.values() for file in files]
-        return sorted(proofs) + tests + [self.here.relative_to(self.o.source) / "judge.cpp"]
+        return sorted(proofs) + tests + [self.here.relative_to(self.o.source) / file for file in ("judge.cpp", "ledger.cpp")]
 
     def place(self, path):
         copied = self.tree / path

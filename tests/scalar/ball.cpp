@@ -126,4 +126,5 @@ TEST_CASE("complex balls contain what they should")
     CHECK(exp(ComplexBall(Ball(0), pi<Ball>())).overlaps(ComplexBall(-1)));
     CHECK(abs(ComplexBall(Ball(3), Ball(4))).contains(Rational(5)));
     CHECK(atan2(ComplexBall(1), ComplexBall(1)).real().overlaps(pi<Ball>() / 4));
+    CHECK(atan2(sqrt(ComplexBall(3)), ComplexBall(3)).real().overlaps(pi<Ball>() / 6)); // arctan(y/x)
 }

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <string>
+#include <utility>
 
 using namespace touchstone;
 
@@ -19,6 +21,12 @@ TEST_CASE("products and powers of radicals are exact")
     CHECK_THROWS_AS(root2 + 1, NotExact);
     CHECK_THROWS_AS(sqrt(Exact(-1)), NotExact);
     CHECK_THROWS_AS(Exact(1) / Exact(0), NotExact);
+    const Exact y = 2 * sqrt(Exact(3)); // a factor beside the root
+    CHECK(sqrt(y) * sqrt(y) == y);
+    CHECK(pi<Exact>().power(Rational(2)) == pi<Exact>() * pi<Exact>());
+    CHECK(powm1(Exact(4), Exact(Rational(1, 2))).rational() == 1);
+    CHECK_FALSE(Exact(1) == Exact(0));
+    CHECK_FALSE(Exact(0) == Exact(1));
 }
 
 TEST_CASE("angles with exact sines are recognised, and no others")
@@ -32,7 +40,25 @@ TEST_CASE("angles with exact sines are recognised, and no others")
     CHECK(atan2(Exact(1), sqrt(Exact(3))) == pi<Exact>() / 6);
     CHECK(asin(Exact(Rational(1, 2))) == pi<Exact>() / 6);
     CHECK(acos(Exact(-1)) == pi<Exact>());
+    CHECK(atan2(Exact(1), Exact(-1)) == 3 * pi<Exact>() / 4);
     CHECK_THROWS_AS(atan2(Exact(1), Exact(2)), NotExact);
+    CHECK_THROWS_AS(atan2(sqrt(Exact(2)), Exact(1)), NotExact);
+}
+
+TEST_CASE("the cosines of all angles that have exact ones, on the whole circle")
+{
+    const Exact half(Rational(1, 2)), root_half = sqrt(half), root_three_quarters = sqrt(Exact(Rational(3, 4)));
+    const std::pair<Rational, Exact> first[] = {
+        {0, 1}, {Rational(1, 6), root_three_quarters}, {Rational(1, 4), root_half}, {Rational(1, 3), half}, {Rational(1, 2), 0}};
+    for (const auto& [angle, cosine] : first) {
+        CAPTURE(angle.get_str());
+        for (const int turns : {-2, 0, 2, 4}) {
+            CHECK(cos_pi(Exact(Rational(turns + angle))) == cosine);
+            CHECK(cos_pi(Exact(Rational(turns - angle))) == cosine);
+            CHECK(cos_pi(Exact(Rational(turns + 1 - angle))) == -cosine);
+            CHECK(cos_pi(Exact(Rational(turns + 1 + angle))) == -cosine);
+        }
+    }
 }
 
 TEST_CASE("Gamma at integers and half-integers")
@@ -41,6 +67,9 @@ TEST_CASE("Gamma at integers and half-integers")
     const Exact g = gamma_function(Exact(Rational(5, 2)));
     CHECK(g == Exact(Rational(3, 4)) * sqrt(pi<Exact>()));
     CHECK_THROWS_AS(gamma_function(Exact(Rational(1, 3))), NotExact);
+    for (const long pole : {0, -1, -1001}) CHECK_THROWS_AS(gamma_function(Exact(pole)), NotExact);
+    CHECK((gamma_function(Exact(1000)) / gamma_function(Exact(999))).rational() == 999);
+    CHECK_THROWS_AS(gamma_function(Exact(1001)), NotExact);
 }
 
 TEST_CASE("order is always decided")
@@ -62,7 +91,27 @@ TEST_CASE("sizes that exactness is not worth are refused, not computed")
 {
     CHECK_THROWS_AS(Exact(3).power(Rational(1, 1000003)), NotExact);
     CHECK_THROWS_AS(Exact(3).power(Rational(100000000)), NotExact);
+    CHECK_THROWS_AS(Exact(3).power(Rational(2000000)), NotExact); // 3 has two bits
+    CHECK_THROWS_AS(Exact(3).power(Rational(power(Rational(2), 64) + 1)), NotExact);
     CHECK(Exact(1).power(Rational(1, 1000003)).rational() == 1);
+    CHECK(Exact(1).power(Rational(100000000)).rational() == 1);
+    const Exact highest = Exact(3).power(Rational(1, 4096));
+    CHECK((highest * 2).degree() == 4096);
+    CHECK_THROWS_AS(highest * Exact(3).power(Rational(1, 4095)), NotExact);
+    CHECK_THROWS_AS(sqrt(highest), NotExact);
+}
+
+TEST_CASE("a product of powers is read to its end or refused")
+{
+    CHECK(parse_exact("1e-3*2")->rational() == Rational(1, 500));
+    CHECK(parse_exact("1E+3*2")->rational() == 2000);
+    CHECK(parse_exact("0x1p-1*4")->rational() == 2);
+    CHECK(parse_exact("0X1p-1*4")->rational() == 2);
+    const auto nested = [](std::size_t brackets) { return std::string(brackets, '(') + "1" + std::string(brackets, ')'); };
+    CHECK(parse_exact(nested(49))->rational() == 1);
+    CHECK_FALSE(parse_exact(nested(50)));
+    CHECK_FALSE(parse_exact("2*3-1"));
+    CHECK_FALSE(parse_exact("1e*2"));
 }
 
 TEST_CASE("a root is found by its least degree, in whatever form it is typed")

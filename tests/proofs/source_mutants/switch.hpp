@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Many changes of a source in one compilation, one of them switched on at run time: what mutate_sources.py writes into a copy of a source.
+/// Many changes of a source in one compilation, one of them switched on at run time: what mutate_sources.py and mutate_library.py write into a copy
+/// of a source.
 ///
 ///     a + b  ->  a + mutant::Sign{17} * b          times -1 if change 17 is on
 ///     a * b  ->  a * (mutant::Inverse{18} ->* b)   divided by b if change 18 is on; ->* binds tighter than *
 ///     3      ->  mutant::number(19, 3)             4 if change 19 is on
+///     a < b  ->  a < mutant::Compared{20} < b      a <= b if change 20 is on: both are read from the left, and bind as the one did
+///     a && b ->  (bool(a) != mutant::on(21) ? bool(b) : mutant::on(21))     a || b if change 21 is on
+///     a || b ->  (bool(a) != mutant::on(22) ? !mutant::on(22) : bool(b))    a && b if change 22 is on
 ///
 /// In a constant expression nothing can be switched; there the source stays what it is, and the change is not counted as reached.
 #pragma once
@@ -16,7 +20,7 @@
 
 namespace mutant {
 
-inline constexpr int most = 60000;
+inline constexpr int most = 80000;
 extern int active;                   ///< the change that is on, -1 for none
 extern unsigned char* reached;       ///< reached[i]: the program came by change i
 extern unsigned char at_start[most]; ///< the same before main
@@ -73,5 +77,30 @@ constexpr auto operator/(const A& a, const Factor<T>& f)
     if constexpr (requires { V(a * f.x); }) return on(f.id) ? V(a * f.x) : V(a / f.x);
     else return V(a / f.x);
 }
+
+/// The left side of a comparison, with the sign it had.
+enum class Order { less, at_most, more, at_least };
+template <Order order, class T>
+struct LeftSide {
+    int id;
+    const T& x;
+};
+struct Compared { int id; };
+template <class T>
+constexpr LeftSide<Order::less, T> operator<(const T& x, Compared c) { return {c.id, x}; }
+template <class T>
+constexpr LeftSide<Order::at_most, T> operator<=(const T& x, Compared c) { return {c.id, x}; }
+template <class T>
+constexpr LeftSide<Order::more, T> operator>(const T& x, Compared c) { return {c.id, x}; }
+template <class T>
+constexpr LeftSide<Order::at_least, T> operator>=(const T& x, Compared c) { return {c.id, x}; }
+template <class T, class U>
+constexpr auto operator<(const LeftSide<Order::less, T>& a, const U& b) { return on(a.id) ? a.x <= b : a.x < b; }
+template <class T, class U>
+constexpr auto operator<=(const LeftSide<Order::at_most, T>& a, const U& b) { return on(a.id) ? a.x < b : a.x <= b; }
+template <class T, class U>
+constexpr auto operator>(const LeftSide<Order::more, T>& a, const U& b) { return on(a.id) ? a.x >= b : a.x > b; }
+template <class T, class U>
+constexpr auto operator>=(const LeftSide<Order::at_least, T>& a, const U& b) { return on(a.id) ? a.x > b : a.x >= b; }
 
 } // namespace mutant
