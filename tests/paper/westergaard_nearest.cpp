@@ -168,6 +168,19 @@ TEST_CASE("a ball of pairs rounds to a binary64 number only where all of it does
         }
     CHECK(nearest_double(PairBall(0)) == 0.0);
     CHECK_FALSE(nearest_double(PairBall::indeterminate()).has_value());
+    // it reaches 2^-109 beyond the tie at 1 - 2^-54, but the sum of its low part and its radius is rounded to the tie
+    Ball just_beyond = Ball::exactly(1) - Ball::exactly(0x1p-54) + Ball::exactly(0x1p-107);
+    arb_add_error(just_beyond.get(), Ball::exactly(0x1p-107 + 0x1p-109).get());
+    CHECK_FALSE(nearest_double(PairBall::around(just_beyond)).has_value());
+}
+
+TEST_CASE("balls of pairs with one midpoint are in no order, and the diagonal is an eighth of a turn")
+{
+    CHECK(less(PairBall::pi(), PairBall::pi()) == Truth::unknown);
+    CHECK(less(PairBall(3), PairBall(3)) == Truth::no);
+    const PairBall eighth = angle_over_pi(PairBall(3), PairBall(3));
+    CHECK(ball(eighth).contains(Rational(1, 4)));
+    CHECK(eighth.radius() < 0x1p-90);
 }
 
 TEST_CASE("many points: the nearest binary64 number is the catalogue's")

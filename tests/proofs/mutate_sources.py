@@ -79,14 +79,15 @@ def rewritten(source, path, replacements):
 
 
 def excuses(source, everything, file="tests/proofs/equivalent_changes.json"):
-    """change -> why, though nobody finds it, it changes nothing that is proved. An excuse is for one change alone: it lies within the piece of a line that is quoted."""
+    """change -> why, though nobody finds it, it changes nothing that is proved. An excuse is for one change alone, or for as many alike as
+    it says: it lies within the piece of a line that is quoted."""
     found = {}
     within = lambda c, piece: piece in c.text and 0 <= c.column - c.text.index(piece) < len(piece)
     for e in json.loads((source / file).read_text()):
         meant = [str(c) for c in everything if e["file"] == str(c.path) and within(c, e["line"]) and e["change"] == f"{c.old.strip()} -> {c.new.strip()}"]
-        if len(meant) != 1:
-            sys.exit(f"{file}: '{e['line']}', {e['change']}, is {len(meant)} changes, not one: {'; '.join(meant)}")
-        found[meant[0]] = e["reason"]
+        if len(meant) != e.get("times", 1):
+            sys.exit(f"{file}: '{e['line']}', {e['change']}, is {len(meant)} changes, not {e.get('times', 1)}: {'; '.join(meant)}")
+        found.update(dict.fromkeys(meant, e["reason"]))
     return found
 
 

@@ -36,9 +36,7 @@ long small_integer(const Rational& x)
 void Exact::normalise()
 {
     if (factor_ == 0) {
-        radicand_ = 1;
-        degree_ = 1;
-        pi_power_ = 0;
+        *this = Exact();
         return;
     }
     for (unsigned long p = 2; p <= degree_; ++p)
