@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Change a sign, an operation, a comparison or a constant in a source of the library, one at a time, and see whether its tests find it.
 
-usage: mutate_library.py SOURCE BUILD SCRATCH [--area NAME] [--count N] [--seed 1] [--only PATH-PART] [--listed FILE] [--jobs 1] [--list]
+usage: mutate_library.py SOURCE BUILD SCRATCH [--area NAME] [--count N] [--seed 1] [--only PATH-PART] [--listed FILE] [--dearest SECONDS]
+       [--jobs 1] [--list]
 
 BUILD is a build of SOURCE with its tests. All changes of an area (AREAS) are compiled at once into copies of its sources, and switched on at run
 time (proofs/source_mutants/switch.hpp); these objects and the area's tests, which are compiled anew where they include a changed header, make one
-program. judge.cpp asks for each change the test cases that come by it, those of least time first, each with a limit of time (a change that makes
-a loop endless is found). A change that cannot be switched, or that nobody came by, is compiled alone: where it compiles and stands in a constant
+program. judge.cpp asks for each change the test cases that come by it, those of least time first and none that takes more than --dearest seconds,
+each with a limit of time (a change that makes a loop endless is found). A change that cannot be switched, or that nobody came by, is compiled alone: where it compiles and stands in a constant
 expression all tests are run, otherwise no test reaches it and it survives. Survivors are listed, unless library_equivalent_changes.json says why
 the change changes nothing that is claimed; exit code 1 if there is any. A seeded sample of --count is drawn from each area, or all of it; with
 --list the changes are only shown, with --listed those are judged whose lines FILE has.
@@ -255,7 +256,11 @@ class Program:
         return users | {p.relative_to(self.o.source) for pattern in self.area.sources for p in self.o.source.glob("lib/touchstone/" + pattern)}
 
     def build(self, switched):
-        """Compile everything; what does not compile as a switch is taken out of `switched`. The objects to link, by unit."""
+        """Compile everything; what does not compile as a switch is taken out of `switched`, and remembered. The objects to link, by unit."""
+        memory = self.objects.parent / "cannot_be_switched"
+        remembered = set(memory.read_text().splitlines()) if memory.exists() else set()
+        for n in [n for n, c in switched.items() if f"{c} in {c.text}" in remembered]:
+            del switched[n]
         all_units = self.units(self.write(switched))
         place = lambda u: self.objects / u.replace("/", "_")
         waiting = all_units
@@ -271,6 +276,8 @@ class Program:
                 if not here:
                     sys.exit(f"{u} does not compile, with no change in the lines named:\n{errors[:3000]}")
                 out |= here
+            with memory.open("a") as known:
+                known.writelines(f"{switched[n]} in {switched[n].text}\n" for n in out)
             changed = {switched.pop(n).path for n in out}
             self.write(switched)
             for path in changed - {c.path for c in switched.values()}:
@@ -308,7 +315,8 @@ class Program:
     def judged(self, objects, numbers, everything, excused):
         judge = self.link([self.judge_object(), *objects.values()], self.objects.parent / "judge")
         results = {}
-        with subprocess.Popen([str(judge)], cwd=self.o.build / "tests", stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
+        environment = {**os.environ, "TOUCHSTONE_DEAREST": str(self.o.dearest)}
+        with subprocess.Popen([str(judge)], cwd=self.o.build / "tests", env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
             running.stdin.write("\n".join(map(str, numbers)))
             running.stdin.close()
             for line in running.stdout:
@@ -337,13 +345,13 @@ def judge_area(o, area, excused, listed):
         return 0
     print(f"# {area}: {len(wanted)} changes, {len(some)} of them tried, seed {o.seed}", flush=True)
     program = Program(o, area)
-    files = {everything[n].path for n in some}
-    switched = {n: c for n, c in everything.items() if c.path in files}
+    switched = {n: c for n, c in everything.items() if o.only in str(c.path)}
     objects = program.build(switched)
     results = program.judged(objects, [n for n in some if n in switched], everything, excused)
-    for n in some:
-        if results.get(n, ("unreached", ""))[0] == "unreached":
-            results[n] = program.alone(objects, everything[n])
+    left = [n for n in some if results.get(n, ("unreached", ""))[0] == "unreached"]
+    for k, n in enumerate(left):
+        results[n] = program.alone(objects, everything[n])
+        print(f"# alone, {k + 1} of {len(left)}: {everything[n]} {' '.join(results[n])}", flush=True)
     counts = dict.fromkeys(("found", "excused", "survives", "does not compile"), 0)
     for n in some:
         verdict, who = results[n]
@@ -366,6 +374,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="")
     parser.add_argument("--listed", type=pathlib.Path)
+    parser.add_argument("--dearest", type=float, default=600)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--list", action="store_true")
     o = parser.parse_args()

@@ -44,6 +44,8 @@ TEST_CASE("exact ties round to even")
     CHECK(round_to_digits(Rational(375, 1000), 2).text() == "0.38");
     CHECK(round_to_digits(Rational(-125, 1000), 2).text() == "-0.12");
     CHECK(round_to_digits(Rational(99999), 3).text() == "1.00e+05");
+    CHECK(round_to_digits(Rational(149999), 2).text() == "1.5e+05");
+    CHECK(round_to_digits(Rational(149999), 1).text() == "1e+05");
     CHECK(round_to_digits(Rational(2, 3), 5).text() == "0.66667");
     CHECK(round_to_digits(power(Rational(10), -300), 4).text() == "1.000e-300");
     CHECK(round_to_digits(power(Rational(10), 300) - 1, 4).text() == "1.000e+300");
