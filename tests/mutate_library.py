@@ -49,9 +49,10 @@ AREAS = {
     "rounding": Area(["rounding/*"], ["rounding", "named_inputs", "table", "catalogue"]),
     "paper": Area(["paper/*.cpp"], ["formulas", "gap", "double_accuracy", "westergaard_nearest", "catalogue"]),
     "quadrature": Area(["quadrature/*"], ["quadrature", "typed_formulas", "public_integrals", "quadrature_second_routes"]),
-    "recursion": Area(["recursion/first_steps/*", "recursion/from_the_edge/*", "recursion/light_load.cpp", "transfer/proven_levels*", "transfer/two_waves*",
-                       "wave/*", "limit/*"],
-                      ["boxes", "first_steps", "transfer", "proven_levels", "methods", "limit", "rows"]),
+    "first_steps": Area(["recursion/first_steps/*", "recursion/light_load.cpp"], ["first_steps", "methods"]),
+    "from_the_edge": Area(["recursion/from_the_edge/*"], ["boxes", "transfer"]),
+    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "wave/*"], ["proven_levels", "three_waves"]),
+    "limit": Area(["limit/*"], ["limit", "rows"]),
     "disc": Area(["transfer/disc.hpp"], ["binary64"]),
 }
 COMPARISONS = [(r" <( |$)", " <= "), (r" >( |$)", " >= "), (r" <=( |$)", " < "), (r" >=( |$)", " > "), (r" &&( |$)", " || "), (r" \|\|( |$)", " && ")]
