@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/quadrature/nodes.hpp"
+#include "touchstone/quadrature/upper.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include <doctest/doctest.h>
 
@@ -249,4 +251,33 @@ TEST_CASE("a piece of the strip outlives the ones kept for later: a nested integ
     const std::string before = piece.distance(Side::right).real().dump();
     for (int i = 0; i < 40'002; ++i) StripPiece::at(Side::right, i * 0x1p-17, i * 0x1p-17, 0, 0);
     CHECK(piece.distance(Side::right).real().dump() == before);
+}
+
+TEST_CASE("exponents multiply as the rational numbers they are")
+{
+    const Rational values[] = {0, 1, 2, -1, Rational(1, 2), Rational(-1, 2), Rational(2, 3), Rational(3, 2)};
+    for (const Rational& a : values)
+        for (const Rational& b : values) {
+            CAPTURE(a.get_str());
+            CAPTURE(b.get_str());
+            CHECK((Exponent(a) * Exponent(b)).rational() == a * b);
+            CHECK((Exponent(a) + Exponent(b)).rational() == a + b);
+        }
+}
+
+TEST_CASE("an odd function over its argument is bounded about zero where its series converges, and nowhere beyond")
+{
+    const auto over = [](const Ball& radius) { return analytic::odd_over_argument(disc(radius), [](const ComplexBall& z) { return analytic::asin(z); }); };
+    const Ball third = Ball(1) / Ball(3);
+    const ComplexBall near = over(third);
+    CHECK(near.real().contains(asin(third) / third));
+    CHECK(near.is_finite());
+    CHECK_FALSE(over(Ball(3) / 2).is_finite());
+}
+
+TEST_CASE("a bound is written as a decimal that is no less")
+{
+    CHECK(bound_text(Ball(1300)) == "1.31e3"); // rounded up
+    CHECK(bound_text(Ball(Rational(13, 1000))) == "1.31e-2");
+    CHECK(bound_text(Ball::indeterminate()) == "null");
 }
