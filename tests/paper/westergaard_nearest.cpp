@@ -178,9 +178,24 @@ TEST_CASE("balls of pairs with one midpoint are in no order, and the diagonal is
 {
     CHECK(less(PairBall::pi(), PairBall::pi()) == Truth::unknown);
     CHECK(less(PairBall(3), PairBall(3)) == Truth::no);
+    CHECK(sqrt(PairBall(0)).radius() == 0);
     const PairBall eighth = angle_over_pi(PairBall(3), PairBall(3));
     CHECK(ball(eighth).contains(Rational(1, 4)));
     CHECK(eighth.radius() < 0x1p-90);
+}
+
+TEST_CASE("wide balls of pairs: products hold their corners, overlapping ones have no order, and a wide divisor says nothing")
+{
+    const auto wide = [](double middle, double radius) {
+        Ball b = Ball::exactly(middle);
+        arb_add_error(b.get(), Ball::exactly(radius).get());
+        return PairBall::around(b);
+    };
+    CHECK(ball(wide(3, 1) * wide(2, 1)).contains(Rational(12)));
+    CHECK(less(wide(3, 0.625), wide(2, 0.625)) == Truth::unknown);
+    CHECK(less(wide(2, 0.625), wide(3, 0.625)) == Truth::unknown);
+    CHECK(less(wide(3, 0.125), wide(2, 0.125)) == Truth::no);
+    CHECK_FALSE(std::isfinite((PairBall(1) / wide(0x1p-20, 0x1p-40)).radius()));
 }
 
 TEST_CASE("many points: the nearest binary64 number is the catalogue's")

@@ -441,3 +441,21 @@ TEST_CASE("Cauchy's principal value: the poles named are folded, others still di
     CHECK_THROWS_AS(at("1/x", "-1", "2", {"3"}), DomainError);
     CHECK_THROWS_AS(at("1/x", "-1", "2", {"0", "0"}), DomainError);
 }
+
+TEST_CASE("a function of one argument is taken with one, and with no more")
+{
+    for (const std::string name : {"sinc", "gamma", "rgamma", "lgamma", "digamma", "zeta", "erf", "erfc", "erfi", "ei", "si", "ci", "li", "dilog", "asinh", "acosh", "atanh", "expm1",
+                                   "log1p", "sech", "csch", "coth", "sinh", "tan", "sqrt", "exp", "abs", "floor"}) {
+        CAPTURE(name);
+        CHECK(column_of_error((name + "(x)").c_str()) == 0);
+        CHECK(column_of_error((name + "(x, x)").c_str()) != 0);
+        CHECK(column_of_error((name + "()").c_str()) != 0);
+    }
+}
+
+TEST_CASE("a half power too high to multiply out goes by its logarithm")
+{
+    const Ball value = integrate(parse_expression("x^(131/2)*sqrt(1-x)"), parse_limit("0"), parse_limit("1"), with_digits(25)).value;
+    CHECK(value.overlaps(gamma_function(Ball(Rational(133, 2))) * gamma_function(Ball(Rational(3, 2))) / gamma_function(Ball(68))));
+    CHECK(value.relative_bits() > 75);
+}
