@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every parser under libFuzzer, with the address and undefined behaviour sanitizers.
+"""Every parser under libFuzzer, with the address and undefined behaviour sanitizers or, several times as fast, without them.
 
-usage: campaign.py SOURCE BUILD SCRATCH [--executions 10000000] [--seconds S] [--only NAME,NAME] [--jobs 1] [--merge]
+usage: campaign.py SOURCE BUILD SCRATCH [--bare] [--executions 10000000] [--seconds S] [--only NAME,NAME] [--jobs 1] [--merge]
 
 The parsers and the targets are compiled by clang with coverage and sanitizers; all else is linked from BUILD, a build of SOURCE with its tests by
 any compiler (with clang before 16, which cannot compile it, the ledger's parser too: its texts are changed blindly). Each target starts from its
-corpus and from what earlier campaigns left in SCRATCH. SCRATCH/state.json holds the executions of each target on each commit, so that a campaign
-can be made in pieces: the same command goes on until each target has had its EXECUTIONS in all, or has been given S seconds (of wall time) in this
-call. What ends a parser, or takes it longer than 10 s or 1 GB, is kept in SCRATCH/NAME.finds and printed, and its target waits for the mending;
-exit code 1 if there is any. --merge writes the smallest texts that cover what the corpus and SCRATCH cover back into the corpus.
+corpus and from what earlier campaigns left in SCRATCH. With --bare there are no sanitizers, only the assertions of ours and of the C++ library's
+containers: most executions can be made so, on the texts that the sanitized ones found too. SCRATCH/state.json holds the executions of each target on
+each commit, bare ones apart, so that a campaign can be made in pieces: the same command goes on until each target has had its EXECUTIONS in all, of
+both kinds together, or has been given S seconds (of wall time) in this call. What ends a parser, or takes it longer than 10 s or 1 GB, is kept in
+SCRATCH/NAME.finds and printed, and its target waits for the mending; exit code 1 if there is any. --merge writes the smallest texts that cover what
+the corpus and SCRATCH cover back into the corpus.
 """
 import argparse
 import concurrent.futures
@@ -28,7 +30,8 @@ PARSERS = ["scalar/rational.cpp", "scalar/exact.cpp", "scalar/exact_text.cpp", "
            "table/rows.cpp", "table/ranges.cpp", "table/own_table.cpp", "table/shard.cpp", "table/format.cpp", "oracle/baseline.cpp",
            "oracle/printed.cpp", "oracle/subject.cpp", "quadrature/expression.cpp", "quadrature/expression_tree.cpp"]
 LEDGER = ["own/own_ledger.cpp", "print.cpp", "symbols.cpp", "symbolic/units.cpp"]  # of proofs/
-SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize=vptr", "-fno-sanitize-recover=all", "-O2", "-g1", "-fno-omit-frame-pointer"]
+COMMON = ["-O2", "-g1", "-fno-omit-frame-pointer", "-D_GLIBCXX_ASSERTIONS"]
+SANITIZERS = {"sanitized": ["-fsanitize=address,undefined", "-fno-sanitize=vptr", "-fno-sanitize-recover=all"], "bare": []}
 TARGETS = re.compile(r'\{"(\w+)", \w+, (\d+)\}')
 PIECE = 300  # seconds after which the executions made are written down
 # Freed memory is held back for 16 MB instead of 256, which stay in no cache, and each allocation remembers 4 callers instead of 30.
@@ -58,7 +61,7 @@ def words_of(build, target, pattern):
 def build_all(o, names):
     clang, version = newest_clang()
     commands = words_of(o.build, "test_parsers", "table/format.cpp$") + words_of(o.build, "test_parsers", "replay.cpp$")
-    flags = list(dict.fromkeys(w for w in commands if w.startswith(("-I", "-D", "-std"))))
+    flags = list(dict.fromkeys(w for w in commands if w.startswith(("-I", "-D", "-std")) and w != "-DNDEBUG"))  # assertions are on
     link = words_of(o.build, "test_parsers", " -o tests/fuzz/test_parsers")
     libraries = [w for w in link[link.index("-o") + 2:] if not w.endswith(".o")]  # with what of the ledgers is not compiled here
     lib = o.source / "lib/touchstone"
@@ -66,13 +69,14 @@ def build_all(o, names):
     sources = [lib / p for p in PARSERS] + [here / f for f in ("numbers.cpp", "files.cpp", "expressions.cpp")]
     if version >= 16 and "ledgers" in names:
         sources += [o.source / "proofs" / p for p in LEDGER] + [here / "ledgers.cpp"]
-        flags += [w for w in words_of(o.build, "test_parsers", "own_ledger.cpp$") if w.startswith(("-I", "-D", "-std")) and w not in flags]
-    objects = o.scratch / "objects"
+        flags += [w for w in words_of(o.build, "test_parsers", "own_ledger.cpp$") if w.startswith(("-I", "-D", "-std")) and w not in (*flags, "-DNDEBUG")]
+    options = SANITIZERS[o.kind] + COMMON
+    objects = o.scratch / f"objects_{o.kind}"
     objects.mkdir(parents=True, exist_ok=True)
     cache = [shutil.which("ccache")] if shutil.which("ccache") else []
 
     def compile(source, to, *more):
-        subprocess.run([*cache, clang, *flags, *SANITIZERS, *more, "-c", source, "-o", to], cwd=o.build, check=True)
+        subprocess.run([*cache, clang, *flags, *options, *more, "-c", source, "-o", to], cwd=o.build, check=True)
         return to
 
     with concurrent.futures.ThreadPoolExecutor(o.jobs) as pool:
@@ -84,9 +88,13 @@ def build_all(o, names):
 
         def program(name):
             entry = compile(here / "libfuzzer.cpp", objects / f"entry_{name}.o", f"-DTOUCHSTONE_FUZZ_TARGET={name}")
-            subprocess.run([clang, "-fsanitize=fuzzer", *SANITIZERS, entry, archive, *libraries, "-o", o.scratch / f"fuzz_{name}"], cwd=o.build, check=True)
+            subprocess.run([clang, "-fsanitize=fuzzer", *options, entry, archive, *libraries, "-o", program_of(o, name)], cwd=o.build, check=True)
 
         list(pool.map(program, names))
+
+
+def program_of(o, name):
+    return o.scratch / f"fuzz_{name}_{o.kind}"
 
 
 def corpora(o, name):
@@ -96,23 +104,25 @@ def corpora(o, name):
 
 
 class State:
-    """SCRATCH/state.json: {target: {commit: {executions, cpu_seconds, finds}}}."""
+    """SCRATCH/state.json: {target: {commit: {kind: {executions, cpu_seconds, finds}}}}, the kinds "sanitized" and "bare"."""
 
     def __init__(self, o):
         git = ["git", "-C", o.source]
         commit = subprocess.run([*git, "rev-parse", "--short=10", "HEAD"], capture_output=True, text=True).stdout.strip() or "unknown"
         changed = subprocess.run([*git, "status", "--porcelain", "--untracked-files=no"], capture_output=True, text=True).stdout.strip()
         self.commit = commit + ("+" if changed else "")
+        self.kind = o.kind
         self.file = o.scratch / "state.json"
         self.of = json.loads(self.file.read_text()) if self.file.exists() else {}
         self.lock = threading.Lock()
 
     def executions(self, name):
-        return sum(c["executions"] for c in self.of.get(name, {}).values())
+        return sum(made["executions"] for kinds in self.of.get(name, {}).values() for made in kinds.values())
 
     def add(self, name, executions, cpu_seconds, finds):
         with self.lock:
-            c = self.of.setdefault(name, {}).setdefault(self.commit, {"executions": 0, "cpu_seconds": 0, "finds": 0})
+            kinds = self.of.setdefault(name, {}).setdefault(self.commit, {})
+            c = kinds.setdefault(self.kind, {"executions": 0, "cpu_seconds": 0, "finds": 0})
             c["executions"] += executions
             c["cpu_seconds"] = round(c["cpu_seconds"] + cpu_seconds, 1)
             c["finds"] += finds
@@ -128,7 +138,7 @@ def piece(o, name, longest, executions, seconds):
     (o.scratch / "leaks").write_text("leak:libcln\n")  # once, when the library is loaded
     environment = dict(os.environ, LSAN_OPTIONS=f"suppressions={o.scratch}/leaks:print_suppressions=0", ASAN_OPTIONS=ADDRESS_SANITIZER)
     with open(o.scratch / f"{name}.log", "w") as log:
-        run = subprocess.Popen([o.scratch / f"fuzz_{name}", *limits, *corpora(o, name)], stdout=log, stderr=log, cwd=o.scratch, env=environment)
+        run = subprocess.Popen([program_of(o, name), *limits, *corpora(o, name)], stdout=log, stderr=log, cwd=o.scratch, env=environment)
         _, status, used = os.wait4(run.pid, 0)
         run.returncode = os.waitstatus_to_exitcode(status)
     made = re.search(r"stat::number_of_executed_units:\s*(\d+)", (o.scratch / f"{name}.log").read_text(errors="replace"))
@@ -155,6 +165,7 @@ def main():
     arguments = argparse.ArgumentParser()
     for name in ("source", "build", "scratch"):
         arguments.add_argument(name, type=lambda p: pathlib.Path(p).resolve())
+    arguments.add_argument("--bare", dest="kind", action="store_const", const="bare", default="sanitized")
     arguments.add_argument("--executions", type=int, default=10_000_000)
     arguments.add_argument("--seconds", type=int)
     arguments.add_argument("--only", default="")
@@ -173,14 +184,14 @@ def main():
             smallest = o.scratch / f"{name}.merged"
             shutil.rmtree(smallest, ignore_errors=True)
             smallest.mkdir()
-            subprocess.run([o.scratch / f"fuzz_{name}", "-merge=1", "-max_len=512", smallest, corpus, found], check=True, capture_output=True)
+            subprocess.run([program_of(o, name), "-merge=1", "-max_len=512", smallest, corpus, found], check=True, capture_output=True)
             for text in smallest.iterdir():
                 shutil.copy(text, corpus)
         return 0
     failed, state = False, State(o)
     with concurrent.futures.ThreadPoolExecutor(o.jobs) as pool:
         for name, made, used, finds in pool.map(lambda n: hunt(o, state, n, longest[n]), names):
-            on = ", ".join(f"{c['executions']} on {commit}" for commit, c in state.of.get(name, {}).items())
+            on = ", ".join(f"{c['executions']} {kind} on {commit}" for commit, kinds in state.of.get(name, {}).items() for kind, c in kinds.items())
             print(f"{name}: {made} executions, {made / max(used, 1e-9):.0f} a CPU second, {len(finds)} finds; in all {state.executions(name)} of {o.executions} ({on})"
                   f"{''.join(f'{chr(10)}  {f}' for f in finds)}", flush=True)
             failed = failed or bool(finds)
