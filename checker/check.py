@@ -11,7 +11,10 @@ import argparse
 import hashlib
 import json
 import os
+import re
+import signal
 import sys
+import tempfile
 from math import inf
 from fractions import Fraction
 
@@ -22,6 +25,10 @@ import memory
 from intervals import Interval
 
 MOST_BITS = 16384
+MOST_SCALE = 10**6  # the largest n in a table: the work grows with it
+LONGEST_FILE = 1 << 26
+NUMBER = re.compile(r"[-+]?[0-9]{1,5000}(/[0-9]{1,5000}|\.[0-9]{0,5000})?([eE][-+]?[0-9]{1,5})?")
+PATIENCE = 1800  # seconds for one row: a stranger's inputs may lie in the domain and be beyond all patience
 sys.set_int_max_str_digits(0) if hasattr(sys, "set_int_max_str_digits") else None
 
 
@@ -29,13 +36,28 @@ class Unreadable(Exception):
     pass
 
 
+def printable(text):
+    """on one line of a terminal, whoever wrote the file"""
+    return "".join(c if c.isprintable() else "?" for c in str(text))[:1000]
+
+
+class TooLong(Exception):
+    pass
+
+
+def too_long(*_):
+    raise TooLong
+
+
 def read(path):
     """header, rows of a canonical table, its sha256 verified"""
     try:
         with open(path, encoding="ascii", newline="") as file:
-            text = file.read()
+            text = file.read(LONGEST_FILE + 1)
     except (OSError, UnicodeDecodeError) as reason:
         raise Unreadable(f"{path}: {reason}") from None
+    if len(text) > LONGEST_FILE:
+        raise Unreadable(f"{path}: longer than any table")
     if "\r" in text:
         raise Unreadable(f"{path}: has carriage returns; its line ends were changed")
     lines = text.split("\n")
@@ -45,7 +67,9 @@ def read(path):
     try:
         header = json.loads(headers[0][2:])
         inputs, rows_promised, digest = header["inputs"], header["rows"], header["sha256"]
-    except (ValueError, KeyError, TypeError) as reason:
+        if not all(isinstance(text, str) for text in (*inputs, header["name"], header["quantity"])) or not isinstance(inputs, list):
+            raise ValueError("name, quantity or inputs are no texts")
+    except (ValueError, KeyError, TypeError, RecursionError) as reason:
         raise Unreadable(f"{path}: header: {reason}") from None
     rows = [line for line in lines if line and not line.startswith("#")]
     if len(rows) != rows_promised:
@@ -91,13 +115,24 @@ def with_certificates(forms, paths):
             **both("segments.density", certified("segments.density")), "limit.area_constant": constant, "limit.area_ratio": ratio}
 
 
+def with_patience(seconds):
+    """TooLong after so many seconds, where the system has alarms; 0: no more"""
+    if hasattr(signal, "SIGALRM"):
+        signal.signal(signal.SIGALRM, too_long)
+        signal.alarm(seconds)
+
+
 def verdict(form, row, names, binary64):
     """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits"""
     cells = row.split()
+    if not all(NUMBER.fullmatch(cell) for cell in cells[: len(names) + 2]):
+        return "unreadable", 0
     try:
         inputs = [Fraction(float(c)) if binary64 else Fraction(c) for c in cells[: len(names)]]
         value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])
     except (ValueError, OverflowError, ZeroDivisionError):
+        return "unreadable", 0
+    if any(name == "n" and not 0 <= x <= MOST_SCALE for name, x in zip(names, inputs)):
         return "unreadable", 0
     printed, low, high = len(cells[len(names)].split("e")[0].replace("-", "").replace(".", "").lstrip("0")), 0, 0
     width = inf
@@ -108,6 +143,10 @@ def verdict(form, row, names, binary64):
         except (closed_forms.Undecided, ZeroDivisionError):
             Interval.bits *= 2
             continue
+        except (ValueError, TypeError, IndexError):  # outside the domain, or inputs of another quantity
+            return "unreadable", 0
+        except (MemoryError, TooLong):
+            return "undecided", 0
         if true is None:
             return "not a closed form", 0
         if isinstance(true, Fraction):
@@ -135,9 +174,10 @@ def keep(path, found):
     except (OSError, ValueError, TypeError, KeyError) as reason:
         raise Unreadable(f"{path}: not a file of coverage: {reason}") from None
     known |= {entry["table"]: entry for entry in found}
-    with open(path + ".new", "w", encoding="ascii") as file:
+    with tempfile.NamedTemporaryFile("w", encoding="ascii", dir=os.path.dirname(path) or ".", delete=False) as file:  # a new one, whoever may write there
         file.write("[\n" + ",\n".join(json.dumps(known[name]) for name in sorted(known)) + "\n]\n")
-    os.replace(path + ".new", path)
+    os.chmod(file.name, 0o644)
+    os.replace(file.name, path)
 
 
 def main():
@@ -163,22 +203,24 @@ def main():
             form = forms.get(header["quantity"])
             if form is None:
                 raise Unreadable(f"{path}: no closed form is known for '{header['quantity']}'")
-        except Unreadable as reason:
-            print(f"check.py: {reason}", file=sys.stderr)
+        except (Unreadable, MemoryError) as reason:
+            print(f"check.py: {printable(reason) or f'{path}: needs too much memory'}", file=sys.stderr)
             worst = max(worst, 65)
             continue
         step = max(1, -(-len(rows) // arguments.limit)) if arguments.limit else 1
         count, least, none, confirmed = {}, inf, True, 0
         for number, row in enumerate(rows[::step]):
+            with_patience(PATIENCE)
             said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
+            with_patience(0)
             count[said] = count.get(said, 0) + 1
             least, none, confirmed = min(least, digits or inf), none and not digits, confirmed + (said == "right" or digits > 0)
             if said in ("wrong", "unreadable") or said == "undecided" and not digits:
-                print(f"{path}: row {number * step + 1}: {said}: {row}", file=sys.stderr)
+                print(f"{path}: row {number * step + 1}: {said}: {printable(row)}", file=sys.stderr)
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)
         right = count.get("right", 0)
         asked = len(rows[::step])
-        print(f"{header['name']:30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {'-' if none else 'exact' if least == inf else least:>6}", flush=True)
+        print(f"{printable(header['name']):30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {'-' if none else 'exact' if least == inf else least:>6}", flush=True)
         if wrong:
             worst = max(worst, 1)
         found.append({"table": header["name"], "rows": asked, "confirmed": confirmed, "all_digits": right, "wrong": wrong,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The checker on the committed tables, on mutants of their rows, and on files that are no tables."""
 import argparse
+import hashlib
 import json
 import pathlib
 import random
@@ -29,8 +30,8 @@ CERTIFIED = {"contact_area": (12, ""), "segments_count": (12, ""), "contact_exce
              "contact_exceedance": (8, "n=1", "n=2", "n=3")}  # to so many digits, by certificates of these rows
 
 
-def run(*arguments):
-    return subprocess.run([sys.executable, known.checker / "check.py", *map(str, arguments)], capture_output=True, text=True)
+def run(*arguments, **more):
+    return subprocess.run([sys.executable, known.checker / "check.py", *map(str, arguments)], capture_output=True, text=True, **more)
 
 
 class Checker(unittest.TestCase):
@@ -131,6 +132,30 @@ class Checker(unittest.TestCase):
                     self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
                     self.assertNotIn("Traceback", result.stderr)
             self.assertEqual(run(pathlib.Path(folder) / "none").returncode, 65)
+
+    def test_hostile_tables(self):
+        """Well sealed, and written to crash the checker or to keep it for ever: one line a table or row, and soon."""
+        header = {"name": "t", "quantity": "archard.alpha", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3}
+        iterate, half = {"quantity": "peaks.iterate", "inputs": ["n", "load", "G"]}, {"quantity": "westergaard.half_width", "inputs": ["load"]}
+        cases = {
+            "brackets without end": (65, {"x": None}, "0 1.5 0 0"), "inputs of another type": (65, {"inputs": 5}, "0 1.5 0 0"),
+            "a quantity of another type": (65, {"quantity": ["a"]}, "0 1.5 0 0"), "a name of another type": (65, {"name": 5}, "0 1.5 0 0"),
+            "inputs of another quantity": (1, {"inputs": ["n"]}, "0 1.5 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
+            "a number of a billion digits": (1, {}, "0 1.5 1e999999999 0"), "a bound of as many": (1, {}, "0 1.5 1 1e-999999999"), "out of the domain": (1, half, "-1 1 0"),
+            "a control character": (1, half, "1\x1b[2J 1 0"),
+        }
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "t.txt"
+            for name, (code, changes, row) in cases.items():
+                sealed = {**header, **changes, "rows": 1, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
+                path.write_text(f"# {json.dumps(sealed)}\n{row}\n".replace("null", "[" * 100000 + "]" * 100000))
+                result = run(path, timeout=60)
+                with self.subTest(name):
+                    self.assertEqual((result.returncode, len(result.stderr.splitlines())), (code, 1), result.stderr[-300:])
+                    self.assertTrue(result.stderr.rstrip("\n").isprintable())
+            path.unlink()
+            path.symlink_to("/dev/zero")
+            self.assertEqual(run(path, timeout=60).returncode, 65)
 
 
 if __name__ == "__main__":
