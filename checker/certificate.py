@@ -23,6 +23,7 @@ from transfer import Refused
 SMALLEST_STEP = Fraction(1, 1 << 16)  # of a rule: exp(-1/step) is a number one can write
 LONGEST_FILE, LONGEST_WORD, MOST_PANELS, MOST_PANELS_OF_A_MESH = 1 << 28, 4096, 64, 4096
 PATIENCE = 20  # seconds
+INTEGER = {10: re.compile("0|-?[1-9][0-9]*"), 16: re.compile("0|-?[1-9a-f][0-9a-f]*")}  # a long certificate has millions
 MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024, "power": 200}
 
 
@@ -36,7 +37,8 @@ def need(holds, why, kind=Malformed):
 
 
 def integer(text, base=16):
-    need(len(text) < (LONGEST_WORD if base == 16 else 10) and re.fullmatch("0|-?[1-9][0-9]*" if base == 10 else "0|-?[1-9a-f][0-9a-f]*", text), f"'{text[:40]}' is no integer")
+    if not (len(text) < (LONGEST_WORD if base == 16 else 10) and INTEGER[base].fullmatch(text)):
+        raise Malformed(f"'{text[:40]}' is no integer")
     return int(text, base)
 
 

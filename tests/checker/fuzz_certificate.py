@@ -7,6 +7,7 @@ one another; where these fit together and are few, they are proved too, but with
 """
 import argparse
 import hashlib
+import os
 import pathlib
 import random
 import re
@@ -23,7 +24,7 @@ parser.add_argument("--checker", required=True, type=pathlib.Path)
 parser.add_argument("--program", required=True)
 parser.add_argument("--executions", type=int, default=1500)
 parser.add_argument("--seconds", type=int, default=10**6, help="end after so many, whatever was asked")
-parser.add_argument("--proved", type=int, default=40, help="one in so many of the texts whose lines fit together is proved")
+parser.add_argument("--proved", type=int, default=40, help="one in so many of the texts whose lines fit together is proved; 0: none, so that more texts are tried")
 parser.add_argument("--seed", type=int, default=20261124)
 parser.add_argument("--finds", type=pathlib.Path, help="directory that finds are kept in")
 known = parser.parse_args()
@@ -148,6 +149,8 @@ def main():
             said = said_of(path, True)
             assert said.startswith("refuted: "), (what, said)  # what the program writes comes as far as the claim
         pool, reasons, proved, finds = list(written), {}, 0, []
+        memory = os.memfd_create("certificate")  # a file that costs no disk
+        path = pathlib.Path(f"/proc/self/fd/{memory}")
         began, made = time.process_time(), 0
         while made < known.executions and time.process_time() - began < known.seconds:
             text = chosen.choice(written if chosen.randrange(3) == 0 else pool[-60:] + written)
@@ -161,7 +164,7 @@ def main():
             made += 1
             signal.alarm(LONGEST_TIME)
             try:
-                said = said_of(path, chosen.randrange(known.proved) == 0)
+                said = said_of(path, known.proved > 0 and chosen.randrange(known.proved) == 0)
             except BaseException as wrong:  # noqa: BLE001
                 signal.alarm(0)
                 if isinstance(wrong, KeyboardInterrupt):
