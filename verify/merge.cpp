@@ -18,6 +18,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <unordered_map>
 
 namespace touchstone::program {
 namespace {
@@ -96,7 +97,8 @@ void find_strangers(Found& f)
     for (const Shard& s : f.shards) ++specs[s.spec + fmt::format("/{}", s.share.count)];
     const auto most = std::max_element(specs.begin(), specs.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     std::map<std::size_t, std::string> seen;
-    std::vector<std::string> row_from;
+    std::unordered_map<std::size_t, std::size_t> row_from; // as many as there are, whatever number of rows a share promises
+    std::size_t total = 0;
     for (std::size_t i = 0; i < f.shards.size(); ++i) {
         const Shard& s = f.shards[i];
         std::string fault;
@@ -115,16 +117,17 @@ void find_strangers(Found& f)
             continue;
         }
         f.count = s.share.count;
-        row_from.resize(s.total);
+        total = s.total;
         for (const auto& r : s.rows) {
-            if (!row_from[r.number - 1].empty()) {
-                f.faults.push_back(fmt::format("{} has row {}, and so has {}", f.files[i], r.number, row_from[r.number - 1]));
+            if (const auto [at, fresh] = row_from.emplace(r.number, i); !fresh) {
+                f.faults.push_back(fmt::format("{} has row {}, and so has {}", f.files[i], r.number, f.files[at->second]));
                 f.bad.insert(s.share.index);
                 break;
             }
-            row_from[r.number - 1] = f.files[i];
         }
     }
+    if (f.faults.empty() && seen.size() == f.count && row_from.size() != total)
+        f.faults.push_back(fmt::format("all shares are there, but not all rows: {} of {}", row_from.size(), total));
 }
 
 /// What is to be made again: "--array=3,7-9", or nothing.
@@ -142,6 +145,8 @@ std::string missing(const Found& f)
 std::string write_table(const Table& t, const fs::path& folder)
 {
     const std::string text = format(t, "txt"), file = t.name + ".txt";
+    // a seal says that a share is whole, not who made it: what is written is what a reader of tables takes
+    if (t.status() != Status::undecided) parse_table(text, file);
     write_file(folder / file, text);
     renew_manifest(folder, "txt",
                    {{{"name", t.name},
@@ -155,18 +160,30 @@ std::string write_table(const Table& t, const fs::path& folder)
     return std::string(to_string(t.status()));
 }
 
+/// The word after a row's " # "; empty: it is none of the statuses.
+std::string status_of(const std::string& line)
+{
+    const auto mark = line.find(" # ");
+    if (mark == std::string::npos) return "";
+    const std::string word = line.substr(mark + 3, line.find(':', mark) - mark - 3);
+    static const std::set<std::string> all{"exact", "certified", "estimated", "undecided", "refused"};
+    return all.contains(word) ? word : "";
+}
+
 std::string write_rows(const std::vector<Shard>& shards, const fs::path& folder)
 {
     const Shard& any = shards.front();
     std::vector<const std::string*> lines(any.total);
     for (const Shard& s : shards)
-        for (const auto& r : s.rows) lines.at(r.number - 1) = &r.line;
+        for (const auto& r : s.rows) {
+            if (status_of(r.line).empty()) throw CorruptTable(fmt::format("{}: row {} has no status", any.name, r.number));
+            lines.at(r.number - 1) = &r.line;
+        }
     const RowTableKind kind = kind_from(any.about);
     const fs::path path = folder / (any.name + ".txt");
     RowTable table(kind, path.string(), false);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto status = lines[i]->substr(lines[i]->find(" # ") + 3);
-        table.write(i + 1, *lines[i] + "\n", status.substr(0, status.find(':')));
+        table.write(i + 1, *lines[i] + "\n", status_of(*lines[i]));
     }
     table.finish(true);
     const std::string weakest = table.counts().contains("refused")     ? "refused"

@@ -4,6 +4,8 @@
 
 usage: test_shards.py TOUCHSTONE SOURCE
 """
+import hashlib
+import json
 import os
 import pathlib
 import re
@@ -114,7 +116,6 @@ class Shards(unittest.TestCase):
     def test_another_version(self):
         """A sealed shard whose head names another version: as an older program would have left it."""
         self.make("archard_alpha", 2)
-        import hashlib
         file = self.file("archard_alpha", 1, 2)
         first, head, rows = file.read_text().split("\n", 2)
         sealed = re.sub(r',"sha256":"[0-9a-f]+"}$', "}", head[2:])
@@ -122,6 +123,42 @@ class Shards(unittest.TestCase):
         other = re.sub(r'"version":"[^"]+"', '"version":"0.0.1"', sealed)
         file.write_text(f"{first}\n# {other[:-1]},\"sha256\":\"{hashlib.sha256(f'{other}{chr(10)}{rows}'.encode()).hexdigest()}\"}}\n{rows}")
         self.assertIn("made by version 0.0.1", self.merged(65).stderr)
+
+    def sealed(self, name, rows, kind="table", about=None, **changes):
+        """A share that nobody made, sealed as a forger would."""
+        head = {"name": name, "kind": kind, "shard": 1, "of": 1, "rows": len(rows), "total": len(rows), "version": run("--version").stdout.split()[1], "spec": "0",
+                "about": about or {"quantity": "archard.K", "inputs": ["n"], "digits": 3, "forced": False}, **changes}
+        text, body = json.dumps(head, separators=(",", ":"), ensure_ascii=False), "".join(f"{row}\n" for row in rows)
+        seal = hashlib.sha256(f"{text}\n{body}".encode()).hexdigest()
+        self.shares.mkdir(exist_ok=True)
+        (self.shares / "share.txt").write_text(f'# Touchstone shard 1 of 1\n# {text[:-1]},"sha256":"{seal}"}}\n{body}')
+
+    def test_hostile_shares(self):
+        """A seal says that a share is whole, not that it means well: nothing is written elsewhere, no promise takes memory, no row is believed."""
+        right = '1 0 0.637 5e-4 # {"status":"certified","routes":["a"]}'
+        own = self.folder / "rows.txt"
+        own.write_text("# n\n1\n")
+        run("eval", "archard.K", "--rows", own, "--digits", "5", "--shard", "1/1", "--out", self.folder / "own")
+        of_rows = json.loads(next((self.folder / "own").iterdir()).read_text().splitlines()[1][2:])["about"]
+        own.unlink()
+        shutil.rmtree(self.folder / "own")
+        self.sealed("good", [right])
+        self.merged()
+        (self.shares / "good.txt").unlink()
+        (self.shares / "manifest.txt.json").unlink()
+        for kind, about, row in (("table", None, right), ("rows", of_rows, "1 1 0.50095 5e-06 # certified")):
+            for name in ("../escaped", str(self.folder / "absolute"), "..", "a/b", "a\nb", "a\x1b[2Jb", "", "a.txt"):
+                self.sealed(name, [row], kind, about)
+                self.assertIn("has a name that is no table's", self.merged(65).stderr)
+            for total in (2, 10**6, 10**18):
+                self.sealed("t", [row], kind, about, total=total)
+                self.assertIn("but not all rows: 1 of", self.merged(65).stderr)
+        for kind, about, row in (("table", None, "1 x"), ("table", None, "1 0 zzz 5e-4" + right[14:]), ("table", None, "1 0 0.637 5e-4 # " + "[" * 200_000), ("table", None, "1 1e999 0.637 5e-4" + right[14:]),
+                                 ("rows", of_rows, "1 1"), ("rows", of_rows, "1 1 0.50095 5e-06"), ("rows", of_rows, "1 1 0.50095 5e-06 # proven")):
+            self.sealed("t", [row], kind, about)
+            self.assertNotIn("internal error", self.merged(65).stderr)
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["shares"])
+        self.assertEqual([p.name for p in self.shares.iterdir()], ["share.txt"])
 
     def test_killed_in_the_middle(self):
         """SIGKILL leaves no share, and a share made anew after it is right."""

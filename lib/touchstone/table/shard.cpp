@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <sstream>
@@ -58,9 +59,17 @@ Status status_named(const std::string& name)
     throw CorruptTable(fmt::format("a row has the status '{:.40}'", name));
 }
 
+/// It becomes the name of a file in the folder of the shares, and nowhere else.
+bool names_a_file(std::string_view name)
+{
+    return !name.empty() &&
+           std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
+}
+
 TableRow row_of(const std::string& line, const std::vector<std::string>& inputs, bool has_forced)
 {
     const auto mark = line.find(row_mark);
+    if (mark == std::string::npos) throw CorruptTable("a row has no status");
     std::istringstream words(line.substr(0, mark));
     TableRow row;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
@@ -69,7 +78,7 @@ TableRow row_of(const std::string& line, const std::vector<std::string>& inputs,
         row.inputs.push_back(std::strtod(word.c_str(), nullptr));
     }
     words >> row.result.value >> row.result.error_bound;
-    const Json known = Json::parse(line.substr(mark + row_mark.size()));
+    const Json known = Json::parse(shallow(std::string_view(line).substr(mark + row_mark.size())));
     row.result.status = status_named(known.at("status"));
     row.result.routes = known.at("routes").get<std::vector<std::string>>();
     std::string forced;
@@ -147,6 +156,7 @@ Shard parse_shard(std::string_view text, std::string_view file)
              head.at("total"),
              head.at("about").dump(),
              {}};
+        if (!names_a_file(s.name)) throw fail("has a name that is no table's: letters, digits, _ and - alone");
         const std::size_t count = head.at("rows");
         for (std::size_t end; !rows.empty(); rows.remove_prefix(end + 1)) {
             end = rows.find('\n');
