@@ -48,7 +48,7 @@ struct JudgeOptions {
     std::size_t held_out = 32;
     std::optional<std::size_t> recheck; ///< else `rechecked_rows`, of those that take less than seconds
     std::string seed_text = std::to_string(default_seed);
-    double start_limit = 60, silence_limit = 10, total_limit = 600;
+    double start_limit = 60, silence_limit = 10, total_limit = 600, memory_limit = 8;
 };
 
 /// The table to judge by: a file, a stored one beside the program, or one computed now.
@@ -76,6 +76,7 @@ Reference find_reference(const std::string& name)
     return {parse_table(format(t, "txt"), name), ""};
 }
 
+std::size_t bytes(double gib) { return static_cast<std::size_t>(gib * static_cast<double>(std::size_t{1} << 30)); }
 std::chrono::milliseconds limit(double seconds) { return std::chrono::milliseconds(std::max(1L, std::lround(seconds * 1000))); }
 
 oracle::Answers read_answers(const std::string& file, std::size_t rows)
@@ -107,7 +108,7 @@ oracle::Answers ask(const JudgeOptions& o, const std::vector<oracle::Question>& 
 {
     oracle::InputRows rows;
     for (const auto& q : questions) rows.push_back(q.inputs);
-    const oracle::Limits limits{limit(o.start_limit), limit(o.silence_limit), limit(o.total_limit)};
+    const oracle::Limits limits{limit(o.start_limit), limit(o.silence_limit), limit(o.total_limit), bytes(o.memory_limit)};
     if (!o.answers.empty()) return read_answers(o.answers, rows.size());
     if (!o.library.empty()) return oracle::ask_library(o.library, o.symbol, rows, limits);
     return oracle::ask_command(o.command, rows, limits);
@@ -190,6 +191,8 @@ void check_options(const JudgeOptions& o)
     for (const double seconds : {o.start_limit, o.silence_limit, o.total_limit})
         if (!(seconds > 0 && seconds <= 1e6))
             throw Failure(usage_error, fmt::format("a time limit of {} s: must be > 0 and <= 10^6", seconds));
+    if (!(o.memory_limit > 0 && o.memory_limit <= 1e6))
+        throw Failure(usage_error, fmt::format("a memory limit of {} GiB: must be > 0 and <= 10^6", o.memory_limit));
 }
 
 /// The steps of a judgement on one bar: rows certified anew, rows held out, rows judged.
@@ -433,6 +436,7 @@ void add_judge(CLI::App& app, Run& run)
     command->add_option("--start-limit", o->start_limit, "Seconds until the first answer")->capture_default_str();
     command->add_option("--row-limit", o->silence_limit, "Seconds of silence between answers")->capture_default_str();
     command->add_option("--time-limit", o->total_limit, "Seconds in all")->capture_default_str();
+    command->add_option("--memory-limit", o->memory_limit, "GiB held by the code and its children")->capture_default_str();
     command->add_flag("--json", o->json, "One JSON object");
     command->add_option("--junit", o->junit, "Write JUnit XML, one test case a row")->check(not_empty());
     command->add_option("--svg", o->svg, "Write a plot of error against input")->check(not_empty());

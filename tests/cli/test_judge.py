@@ -191,6 +191,32 @@ class Protocol(unittest.TestCase):
         except OSError:
             return b""
 
+    def test_no_file_of_others_is_left_open(self):
+        """What whoever started the judge had open is none of the judged code's business."""
+        with open("/etc/hostname") as secret:
+            os.set_inheritable(secret.fileno(), True)
+            script = "import os, sys; assert len(os.listdir('/proc/self/fd')) == 4; exec(open(sys.argv[1]).read())"  # the fourth is the folder's
+            words = ("judge", "westergaard_half_width", "--json")
+            r = subprocess.run([options.touchstone, *words, "--", sys.executable, "-c", script, SOURCE / "script.py"], capture_output=True, text=True, pass_fds=[secret.fileno()])
+            self.assertEqual(r.returncode, 0, r.stdout)
+            r = subprocess.run([options.touchstone, *words, "--library", options.library, "--symbol", "open_files"], capture_output=True, text=True, pass_fds=[secret.fileno()])
+            self.assertEqual(r.returncode, 0, r.stdout)
+
+    def test_memory_has_a_limit(self):
+        limits = ("--start-limit", "30", "--time-limit", "40", "--held-out", "4")
+        hog = "b = bytearray(700 << 20); import time; time.sleep(1000)"
+        for script in (hog, f"import os, time; pid = os.fork()\nif pid == 0:\n  {hog}\ntime.sleep(1000)"):
+            start = time.monotonic()
+            code, j, err = judge("westergaard_half_width", *limits, "--memory-limit", "0.5", "--", sys.executable, "-c", script)
+            self.assertEqual((code, j["fault"]["kind"]), (69, "memory"), j)
+            self.assertIn("(the limit is 0.5)", err)
+            self.assertLess(time.monotonic() - start, 25)
+        # memory that is reserved and not held is not counted
+        reserves = "import mmap, sys\nm = mmap.mmap(-1, 4 << 30)\nexec(open(sys.argv[1]).read())"
+        code, j, err = judge("westergaard_half_width", *limits, "--memory-limit", "0.5", "--", sys.executable, "-c", reserves, SOURCE / "script.py")
+        self.assertEqual((code, err), (0, ""), j)
+        self.assertEqual(run("westergaard_half_width", "--memory-limit", "0", "--", "cat").returncode, 64)
+
     def test_what_is_no_fault(self):
         for name in ("slow-start", "chatter"):
             code, j, err = judge("westergaard_half_width", *self.LIMITS, "--", subject("broken"), "fault", name)

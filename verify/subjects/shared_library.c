@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A C code as a shared library: touchstone judge TABLE --library libsubject.so --symbol NAME */
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,6 +10,7 @@ double pressure(double x, double load);
 double crashes(double load);
 double prints(double load);
 double ends(double load);
+double open_files(double load);
 
 static const double pi = 3.14159265358979323846;
 
@@ -38,4 +40,11 @@ double ends(double load)
 {
     if (load > 0.5) exit(0);
     return half_width(load);
+}
+
+double open_files(double load) /* wrong if it was left a file of the judge's: beside the three streams it has the one for its answers */
+{
+    int file, open = 0;
+    for (file = 3; file < 1000; ++file) open += fcntl(file, F_GETFD) != -1;
+    return open == 1 ? half_width(load) : -open;
 }

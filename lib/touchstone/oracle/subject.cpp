@@ -14,7 +14,10 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <istream>
+#include <iterator>
+#include <sstream>
 #include <poll.h>
 #include <spawn.h>
 #include <system_error>
@@ -30,7 +33,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t longest_line = 4096;   ///< no number needs more
+constexpr int first_of_others = 3;           ///< of the descriptors: a subject has none from here on that whoever started the judge left open
 constexpr std::size_t kept_chatter = 2000;
+constexpr std::chrono::milliseconds weighing{200}; ///< between two looks at the memory of a subject
 
 class Descriptor {
 public:
@@ -124,6 +129,29 @@ private:
     bool ended_ = false;
 };
 
+/// Bytes of memory that the processes of a group hold. What they have merely reserved is not counted, since some languages' run-time
+/// systems and the sanitizers reserve more than any machine has; so that no limit of the kernel's serves.
+std::size_t resident(pid_t group)
+{
+    static const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    std::size_t pages = 0;
+    std::error_code error;
+    for (std::filesystem::directory_iterator process("/proc", error), end; !error && process != end; process.increment(error)) {
+        const std::string name = process->path().filename().string();
+        if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+        std::ifstream in(process->path() / "stat");
+        std::string line;
+        std::getline(in, line);
+        const auto behind_name = line.rfind(')'); // which may hold blanks and brackets
+        if (behind_name == std::string::npos) continue;
+        std::istringstream words(line.substr(behind_name + 1));
+        std::vector<std::string> word((std::istream_iterator<std::string>(words)), std::istream_iterator<std::string>());
+        constexpr std::size_t of_group = 2, of_pages = 21; // the fields 5 and 24 of proc(5)
+        if (word.size() > of_pages && word[of_group] == std::to_string(group)) pages += std::strtoul(word[of_pages].c_str(), nullptr, 10);
+    }
+    return pages * page;
+}
+
 std::string quoted(std::string_view text)
 {
     std::string shown;
@@ -141,6 +169,7 @@ std::string_view trimmed(std::string_view s)
     return first == std::string_view::npos ? std::string_view{} : s.substr(first, s.find_last_not_of(blanks) - first + 1);
 }
 
+double gib(std::size_t bytes) { return static_cast<double>(bytes) / static_cast<double>(std::size_t{1} << 30); }
 double seconds(std::chrono::milliseconds t) { return static_cast<double>(t.count()) / 1000; }
 
 /// Collects answers line by line out of pieces of output.
@@ -206,14 +235,22 @@ Answers converse(pid_t pid, Descriptor to, Descriptor from, Descriptor chatter, 
         else if (quiet.count() <= 0) fault(FaultKind::hang, fmt::format("gave no answer within {:g} s of its start", seconds(limits.start)));
         return std::chrono::ceil<std::chrono::milliseconds>(std::min(whole, quiet)).count();
     };
+    auto weighed = start - weighing;
+    const auto weigh = [&]() { // now and then, since it reads of every process
+        if (Clock::now() - weighed < weighing) return;
+        if (const std::size_t bytes = resident(pid); bytes > limits.memory)
+            fault(FaultKind::memory, fmt::format("held {:.1f} GiB of memory (the limit is {:g})", gib(bytes), gib(limits.memory)));
+        weighed = Clock::now();
+    };
     if (questions.empty()) to.close();
     std::array<char, 65536> buffer;
     while (!answers.fault && interrupted == 0 && from.open()) {
         const auto wait = left();
+        if (!answers.fault) weigh();
         if (answers.fault) break;
         std::array<pollfd, 3> fds{pollfd{from.get(), POLLIN, 0}, pollfd{chatter.open() ? chatter.get() : -1, POLLIN, 0},
                                   pollfd{to.open() ? to.get() : -1, POLLOUT, 0}};
-        if (::poll(fds.data(), fds.size(), static_cast<int>(std::min<long>(wait, 1000))) <= 0) continue;
+        if (::poll(fds.data(), fds.size(), static_cast<int>(std::min<long>(wait, weighing.count()))) <= 0) continue;
         if (fds[2].revents != 0) {
             const ssize_t n = ::write(to.get(), questions.data() + sent, questions.size() - sent);
             if (n > 0) {
@@ -246,8 +283,10 @@ Answers converse(pid_t pid, Descriptor to, Descriptor from, Descriptor chatter, 
     // a fault found here stands; else how it ended may be one
     active = Clock::now();
     spoke = true;
-    while (!answers.fault && interrupted == 0 && !process.ended())
-        if (left() > 0) ::poll(nullptr, 0, 1);
+    while (!answers.fault && interrupted == 0 && !process.ended()) {
+        weigh();
+        if (!answers.fault && left() > 0) ::poll(nullptr, 0, 1);
+    }
     if (chatter.open()) { // its last words
         const ssize_t n = ::read(chatter.get(), buffer.data(), buffer.size());
         if (n > 0) answers.chatter.append(buffer.data(), static_cast<std::size_t>(n));
@@ -335,6 +374,7 @@ std::string_view to_string(FaultKind kind)
     case FaultKind::too_many: return "too_many";
     case FaultKind::garbage: return "garbage";
     case FaultKind::endless_line: return "endless_line";
+    case FaultKind::memory: return "memory";
     case FaultKind::closed_input: break;
     }
     return "closed_input";
@@ -362,6 +402,7 @@ Answers ask_command(const std::vector<std::string>& command, const InputRows& ro
     posix_spawn_file_actions_adddup2(&files, in.read.get(), 0);
     posix_spawn_file_actions_adddup2(&files, out.write.get(), 1);
     posix_spawn_file_actions_adddup2(&files, err.write.get(), 2);
+    posix_spawn_file_actions_addclosefrom_np(&files, first_of_others);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t defaults, none;
@@ -401,7 +442,9 @@ Answers ask_library(const std::string& library, const std::string& symbol, const
         ::dup2(nothing, 0);
         ::dup2(err.write.get(), 1); // what the library prints is chatter, not an answer
         ::dup2(err.write.get(), 2);
-        serve_library(path, symbol, rows, out.write.get());
+        ::dup2(out.write.get(), first_of_others);
+        ::close_range(first_of_others + 1, ~0U, 0);
+        serve_library(path, symbol, rows, first_of_others);
     }
     ::setpgid(pid, pid);
     out.write.close();

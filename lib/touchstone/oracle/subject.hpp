@@ -3,8 +3,8 @@
 /// The code under test, asked row by row, whatever language it is written in and however it misbehaves.
 ///
 /// A subject gets one line of blanks-separated C99 hexadecimal numbers for each row and answers one
-/// number a line. It runs in a process group of its own: a crash, a hang or a flood of output ends it
-/// and its children, is reported as what it is, and never reaches the judge.
+/// number a line. It runs in a process group of its own, with three pipes and no other file of the judge's open: a crash, a hang, a flood
+/// of output or of memory ends it and its children, is reported as what it is, and never reaches the judge.
 #pragma once
 
 #include <chrono>
@@ -27,6 +27,7 @@ enum class FaultKind {
     garbage,       ///< a line that is not one number
     endless_line,  ///< no line end, or no answer, within what a number can need
     closed_input,  ///< stopped reading before all rows were sent
+    memory,        ///< took more memory than the limit
 };
 std::string_view to_string(FaultKind); ///< in words
 /// The first breach of the protocol, after which nothing is read.
@@ -42,6 +43,7 @@ struct Limits {
     std::chrono::milliseconds start{60'000}; ///< to the first answer
     std::chrono::milliseconds silence{10'000}; ///< between two answers
     std::chrono::milliseconds total{600'000}; ///< to the last answer
+    std::size_t memory = std::size_t{8} << 30; ///< bytes resident in all its processes together
 };
 /// What a subject answered, in the order of the rows.
 struct Answers {
