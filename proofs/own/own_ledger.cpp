@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -172,6 +174,25 @@ Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file
     return a;
 }
 
+/// What a ledger's folder holds, read whole. A ledger may be a stranger's: no link and no ".." leads out of its folder, and what never ends
+/// (a device, a pipe) or is longer than any ledger is not read.
+std::string file_in(const std::string& dir, const std::string& name)
+{
+    namespace fs = std::filesystem;
+    constexpr std::uintmax_t longest = std::uintmax_t{64} << 20;
+    const std::string path = dir + "/" + name;
+    std::error_code error;
+    if (!fs::exists(path, error)) throw OwnLedgerError(path + ": no such file", true);
+    const fs::path folder = fs::canonical(dir, error), real = fs::canonical(path, error);
+    if (std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first != folder.end())
+        throw OwnLedgerError(path + ": is outside of the ledger's folder");
+    if (!fs::is_regular_file(real, error) || fs::file_size(real, error) > longest)
+        throw OwnLedgerError(path + ": is no plain file of at most " + std::to_string(longest) + " bytes");
+    std::ifstream in(real, std::ios::binary);
+    if (!in) throw OwnLedgerError(path + ": cannot be read");
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place& at)
 {
     only(t, {"formula", "columns", "rounding", "rows", "file"}, at);
@@ -197,9 +218,7 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
             for (const auto& cell : row) rows.back().push_back(cell.is_string() ? cell.get<std::string>() : cell.dump());
         }
     } else {
-        const std::string name = dir + "/" + text(t, "file", at, "table.txt");
-        std::ifstream in(name);
-        if (!in) throw OwnLedgerError(name + ": no such file", true);
+        std::istringstream in(file_in(dir, text(t, "file", at, "table.txt")));
         for (std::string line; std::getline(in, line);) {
             if (line.empty() || line[0] == '#') continue;
             std::istringstream words(line);
@@ -345,10 +364,7 @@ bool OwnLedger::has(const std::string& id) const
 
 OwnLedger load_ledger(const std::string& dir)
 {
-    const std::string name = dir + "/ledger.json";
-    std::ifstream in(name);
-    if (!in) throw OwnLedgerError(name + ": no such file", true);
-    return read_ledger({std::istreambuf_iterator<char>(in), {}}, dir);
+    return read_ledger(file_in(dir, "ledger.json"), dir);
 }
 
 OwnLedger read_ledger(const std::string& written, const std::string& dir)

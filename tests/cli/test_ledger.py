@@ -2,6 +2,7 @@
 """A ledger of one's own: the example's two planted misprints, what a typesetter could change, and bad input."""
 import copy
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -139,6 +140,36 @@ class Changed(unittest.TestCase):
         def change(ledger):
             del self.entry(ledger, "H3")["follows"]
         self.assertEqual(self.judge(change, "H3").returncode, 2)
+
+    def test_nothing_outside_of_its_folder_is_read(self):
+        """A ledger may be a stranger's: neither a name with .. nor a link leads out, and what has no end is not begun."""
+        with tempfile.TemporaryDirectory() as scratch:
+            folder, secret = pathlib.Path(scratch) / "ledger", pathlib.Path(scratch) / "secret.txt"
+            folder.mkdir()
+            secret.write_text("0.5 0.25\n")
+            os.mkfifo(folder / "pipe")
+            (folder / "link").symlink_to(secret)
+            (folder / "zero").symlink_to("/dev/zero")
+            (folder / "inside.txt").write_text("2 2\n")
+            (folder / "same").symlink_to("inside.txt")
+
+            def judged(name):
+                table = {"formula": "a", "columns": ["a"], "file": name}
+                (folder / "ledger.json").write_text(json.dumps({"symbols": {"a": {"dimension": "1"}}, "entries": [{"id": "T", "table": table}]}))
+                r = run("--ledger", folder)
+                self.assertLessEqual(r.stderr.count("\n"), 1)
+                return r.returncode, r.stderr
+
+            for name in ("../secret.txt", "link", "zero", "../../../dev/zero", f"../{folder.name}-other/../secret.txt"):
+                code, said = judged(name)
+                self.assertIn(code, (65, 66))
+                self.assertRegex(said, "outside of the ledger's folder|no such file")
+            self.assertIn("no plain file", judged("pipe")[1])
+            for name in ("inside.txt", "same", "./inside.txt"):
+                self.assertEqual(judged(name)[0], 0, name)
+            (folder / "ledger.json").unlink()
+            (folder / "ledger.json").symlink_to("/dev/zero")
+            self.assertIn("outside", run("--ledger", folder).stderr)
 
     def test_bad_input_is_one_line_with_file_and_entry(self):
         def no_dimension(ledger):
