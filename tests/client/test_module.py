@@ -110,6 +110,16 @@ class Client(unittest.TestCase):
             with self.assertRaises(ref.CorruptTable):
                 ref.load(damaged)
 
+    def test_a_header_that_is_none_is_refused(self):
+        text = self.table.read_text()
+        header = next(line for line in text.splitlines() if line.startswith("# {"))
+        damaged = pathlib.Path(self.folder.name) / "damaged.txt"
+        for other in ('{"name":', "{}", '{"a":%s}' % ("[" * 100000 + "]" * 100000), header[2:].replace('"inputs":["load"]', '"inputs":5'), header[2:].replace('"sha256":"', '"sha256":5,"a":"')):
+            self.assertNotEqual(other, header[2:])
+            damaged.write_text(text.replace(header, f"# {other}"))
+            with self.assertRaisesRegex(ref.CorruptTable, "no JSON header"):
+                ref.load(damaged)
+
     def test_numbers_without_end_are_refused(self):
         text = self.table.read_text()
         row = text.splitlines(keepends=True)[-1]

@@ -135,6 +135,18 @@ class Table:
         return dict(zip(names, numpy.array(data).T))
 
 
+def _header(text, file):
+    """The JSON of a table's header, with what is asked of it."""
+    try:
+        header = json.loads(text)
+        right = all(isinstance(header[key], kind) for key, kind in (("name", str), ("quantity", str), ("inputs", list), ("rows", int), ("sha256", str)))
+    except (ValueError, KeyError, TypeError, RecursionError):
+        right = False
+    if not right:
+        raise CorruptTable(f"{file}: no JSON header with name, quantity, inputs, rows and sha256")
+    return header
+
+
 def load(file):
     """Reads a canonical table; checks its form and its SHA-256."""
     with open(file, encoding="ascii") as f:
@@ -145,7 +157,7 @@ def load(file):
         if not line.startswith("#"):
             break
         if line.startswith("# {"):
-            header = json.loads(line[2:])
+            header = _header(line[2:], file)
     else:
         raise CorruptTable(f"{file}: no rows")
     body = "".join(lines[first:])
