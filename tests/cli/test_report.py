@@ -218,7 +218,7 @@ class Alone(unittest.TestCase):
                 self.assertEqual(answer.returncode, 65, answer.stderr)
 
     def test_gnuplot_missing(self):
-        answer = subprocess.run([PROGRAM, "paper", "figure1", "--svg", "/nowhere/f.svg"], capture_output=True, text=True, env={"PATH": "/nowhere"})
+        answer = subprocess.run([PROGRAM, "paper", "figure1", "--svg", "/nowhere/f.svg"], capture_output=True, text=True, env=dict(os.environ, PATH="/nowhere"))
         self.assertEqual(answer.returncode, 69)
         self.assertIn("gnuplot-nox", answer.stderr)
 
