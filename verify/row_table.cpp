@@ -86,9 +86,19 @@ int held(const std::string& path)
             throw Failure(cannot_write, fmt::format("cannot write {}: another run is writing it", path));
         }
         // else it is held; or the file system knows no locks, and two runs at once are the user's to avoid
-        if (::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino) return descriptor;
-        ::close(descriptor); // another run has just finished with it
+        const bool same = ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino;
+        if (same && S_ISREG(ours.st_mode)) return descriptor;
+        ::close(descriptor);
+        if (same) throw Failure(cannot_write, fmt::format("cannot write {}: is no plain file", path)); // a pipe would be written to without end
+        // another run has just finished with it
     }
+}
+
+/// A file that was not there: what a dead run left is removed, and no link of anybody's is followed. -1: it cannot be.
+int opened_anew(const std::string& path)
+{
+    ::unlink(path.c_str());
+    return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
 
 } // namespace
@@ -175,7 +185,8 @@ RowTable::RowTable(RowTableKind kind, std::string out, bool resume)
         part_ = out_ + ".part";
         if (resume) open_before(longest_of({out_, part_, out_ + ".part2"}));
         held_ = held(out_ + ".part");
-        file_ = std::fopen(part_.c_str(), "wb");
+        const int descriptor = part_ == out_ + ".part" ? ::dup(held_) : opened_anew(part_);
+        file_ = descriptor < 0 || ::ftruncate(descriptor, 0) != 0 ? nullptr : ::fdopen(descriptor, "wb");
         if (file_ == nullptr) throw not_written(part_);
     }
     if (!kind_.json) put(header(""));
@@ -293,6 +304,7 @@ void RowTable::finish(bool complete)
         whole += ".whole";
         std::ifstream rows(part_, std::ios::binary);
         rows.seekg(static_cast<std::streamoff>(header("").size()));
+        if (const int descriptor = opened_anew(whole); descriptor < 0 || ::close(descriptor) != 0) throw not_written(whole);
         std::ofstream to(whole, std::ios::binary);
         to << header(said);
         if (rows_ > 0) to << rows.rdbuf();

@@ -214,6 +214,30 @@ class Writers(unittest.TestCase):
                 self.assertIn((together / "archard_delta.txt").read_bytes(), whole)
                 self.assertEqual([p.name for p in together.iterdir()], ["archard_delta.txt"])
 
+    def test_links_and_pipes_beside_a_table_of_rows(self):
+        """Somebody else may write in the folder too: what grows beside FILE goes through no link of theirs, and into no pipe."""
+        with self.old_state(self.rows):
+            table, others = self.here / "table.txt", self.here / "others"
+            words = ("eval", "westergaard.half_width", "--digits", "9", "--jobs", "1", "--out", table, "--rows", self.here / "rows")
+            others.write_text("theirs\n")
+            for end in (".part.whole", ".part2", ".part2.whole"):
+                (self.here / ("table.txt" + end)).symlink_to(others)
+            self.assertEqual(run(PROGRAM, *words).returncode, 0)
+            self.assertEqual(table.read_bytes(), self.after["rows"]["table.txt"])
+            part = self.here / "table.txt.part"  # a table cut off is taken up again: it grows in the second file then
+            table.rename(part)
+            (self.here / "table.txt.part2").unlink(missing_ok=True)
+            (self.here / "table.txt.part2").symlink_to(others)
+            self.assertEqual(run(PROGRAM, *words, "--resume").returncode, 0)
+            self.assertEqual(table.read_bytes(), self.after["rows"]["table.txt"])
+            self.assertEqual(others.read_text(), "theirs\n")
+            part.symlink_to(others)
+            self.assertEqual(run(PROGRAM, *words).returncode, 73)
+            part.unlink()
+            os.mkfifo(part)
+            self.assertIn("is no plain file", run(PROGRAM, *words).stderr)
+            self.assertEqual(others.read_text(), "theirs\n")
+
     def test_two_tables_of_rows_are_not_mixed(self):
         """A table that grows in FILE.part has one writer: the second is refused while the first is at it, and may when it is done."""
         with self.old_state(self.rows):
