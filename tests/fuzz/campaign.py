@@ -113,7 +113,9 @@ class State:
         self.commit = commit + ("+" if changed else "")
         self.kind = o.kind
         self.file = o.scratch / "state.json"
-        self.of = json.loads(self.file.read_text()) if self.file.exists() else {}
+        found = json.loads(self.file.read_text()) if self.file.exists() else {}
+        # before there were kinds, all executions were sanitized ones
+        self.of = {name: {commit: {"sanitized": made} if "executions" in made else made for commit, made in on.items()} for name, on in found.items()}
         self.lock = threading.Lock()
 
     def executions(self, name):
