@@ -60,8 +60,10 @@ std::map<std::string, Found> find_shards(const std::string& folder)
     std::error_code error;
     if (!fs::is_directory(folder, error)) throw Failure(no_input_file, fmt::format("{} is no folder", folder));
     std::vector<fs::path> paths;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (entry.is_regular_file(error) && looks_like_a_shard(entry.path())) paths.push_back(entry.path());
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        std::error_code of_entry; // a link that leads nowhere is no shard
+        if (entry.is_regular_file(of_entry) && looks_like_a_shard(entry.path())) paths.push_back(entry.path());
+    }
     if (error) throw Failure(bad_input, fmt::format("{}: {}", folder, error.message()));
     std::sort(paths.begin(), paths.end());
     std::map<std::string, Found> all;
@@ -202,6 +204,16 @@ std::string write_rows(const std::vector<Shard>& shards, const fs::path& folder)
     return weakest;
 }
 
+/// The folder may have come with its shares from anywhere: no link in it has us write elsewhere.
+void require_inside(const fs::path& folder, const std::string& file)
+{
+    std::error_code error;
+    if (!fs::is_symlink(folder / file, error)) return;
+    const fs::path here = fs::canonical(folder), there = fs::canonical(folder / file, error); // an error: there is nothing yet where it leads
+    if (error || there.parent_path() != here)
+        throw Failure(cannot_write, fmt::format("cannot write {}: it is a link that leads out of the folder", (folder / file).string()));
+}
+
 int merge(const std::string& folder)
 {
     auto all = find_shards(folder);
@@ -222,7 +234,9 @@ int merge(const std::string& folder)
         throw Failure(faulty ? bad_input : fails, fmt::format("{}", fmt::join(complaints, " | ")));
     }
     bool any_undecided = false;
+    require_inside(folder, "manifest.txt.json");
     for (const auto& [name, f] : all) {
+        require_inside(folder, name + ".txt");
         const std::string status =
             f.shards.front().kind == "table" ? write_table(table_of_shards(f.shards), folder) : write_rows(f.shards, folder);
         any_undecided = any_undecided || status == "undecided";

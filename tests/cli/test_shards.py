@@ -159,6 +159,16 @@ class Shards(unittest.TestCase):
             self.assertNotIn("internal error", self.merged(65).stderr)
         self.assertEqual([p.name for p in self.folder.iterdir()], ["shares"])
         self.assertEqual([p.name for p in self.shares.iterdir()], ["share.txt"])
+        victim = self.folder / "victim"
+        for kind, about, row in (("table", None, right), ("rows", of_rows, "1 1 0.50095 5e-06 # certified")):
+            for link in ("t.txt", "manifest.txt.json"):
+                for there in (True, False):
+                    self.sealed("t", [row], kind, about)
+                    victim.write_text("theirs") if there else victim.unlink()
+                    (self.shares / link).symlink_to(victim)
+                    self.assertIn("leads out of the folder", self.merged(73).stderr)
+                    self.assertEqual(victim.exists() and victim.read_text(), there and "theirs")
+                    (self.shares / link).unlink()
 
     def test_killed_in_the_middle(self):
         """SIGKILL leaves no share, and a share made anew after it is right."""
