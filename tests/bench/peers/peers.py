@@ -246,7 +246,7 @@ def areas(bench):
     """(e)"""
     rows = []
     loads = "load=0.001,0.01,0.1,0.5,1"
-    sets = [("3/2", 10, 8)] if bench.quick else [("3/2", 10, 50), ("3/2", 5, 50), ("1.05", 10, 6), ("1.05", 5, 6)]
+    sets = [("3/2", 10, 8)] if bench.quick else [("3/2", 10, 50), ("3/2", 5, 50), ("3/2", 10, 15), ("3/2", 5, 15), ("1.05", 10, 6), ("1.05", 5, 6)]
     for D, gamma, digits in sets:
         words = ["contact.area", f"n=0:{2 if bench.quick else 20}:1", loads, f"D={D}", f"gamma={gamma}"]
         last, seconds = repeated([bench.touchstone, "eval", *words, "--digits", str(digits), "--jobs", "1"], limit=bench.limit)
