@@ -49,6 +49,10 @@ TEST_CASE("gauss_legendre: the Chebyshev polynomial T_4 and two nodes")
     arb_cosh(largest.get(), four.get(), 128);
     const Ball exact = -Ball(2) / Ball(15), by_rule = -Ball(14) / Ball(9); // T_4(1/sqrt(3)) = -7/9
     attains(exact - by_rule, lemma::gauss_legendre(largest, sigma, 2), Rational(13, 20));
+    // next to the segment the sum of the geometric series counts: at rho^2 = 2, 64 2^-2 (1 + 1/2 + 1/4 + ...)
+    const Ball near = lemma::gauss_legendre(Ball(15), log(Ball(2)) / 2, 2);
+    CHECK(near.contains(Rational(32)));
+    CHECK(near.relative_bits() > 40);
 }
 
 TEST_CASE("discretisation: exp(-t^2) attains N_d/(exp(2 pi d/h) - 1) at d = pi/h")

@@ -459,3 +459,12 @@ TEST_CASE("a half power too high to multiply out goes by its logarithm")
     CHECK(value.overlaps(gamma_function(Ball(Rational(133, 2))) * gamma_function(Ball(Rational(3, 2))) / gamma_function(Ball(68))));
     CHECK(value.relative_bits() > 75);
 }
+
+TEST_CASE("a Bessel function of half odd order is taken with its power at 0")
+{
+    const Ball value = integrate(parse_expression("besselj(1/2,x)/sqrt(x)"), parse_limit("0"), parse_limit("1"), with_digits(25)).value;
+    Ball sine_integral;
+    arb_hypgeom_si(sine_integral.get(), Ball(1).get(), WorkingPrecision::bits());
+    CHECK(value.overlaps(sqrt(Ball(2) / pi<Ball>()) * sine_integral)); // J_(1/2) = (2/(pi x))^(1/2) sin x
+    CHECK(value.relative_bits() > 75);
+}
