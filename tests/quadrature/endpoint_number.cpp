@@ -2,7 +2,6 @@
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/quadrature/nodes.hpp"
 #include "touchstone/quadrature/upper.hpp"
-#include "touchstone/quadrature/widen.hpp"
 
 #include <doctest/doctest.h>
 
@@ -263,16 +262,6 @@ TEST_CASE("exponents multiply as the rational numbers they are")
             CHECK((Exponent(a) * Exponent(b)).rational() == a * b);
             CHECK((Exponent(a) + Exponent(b)).rational() == a + b);
         }
-}
-
-TEST_CASE("an odd function over its argument is bounded about zero where its series converges, and nowhere beyond")
-{
-    const auto over = [](const Ball& radius) { return analytic::odd_over_argument(disc(radius), [](const ComplexBall& z) { return analytic::asin(z); }); };
-    const Ball third = Ball(1) / Ball(3);
-    const ComplexBall near = over(third);
-    CHECK(near.real().contains(asin(third) / third));
-    CHECK(near.is_finite());
-    CHECK_FALSE(over(Ball(3) / 2).is_finite());
 }
 
 TEST_CASE("a bound is written as a decimal that is no less")

@@ -453,13 +453,6 @@ TEST_CASE("a function of one argument is taken with one, and with no more")
     }
 }
 
-TEST_CASE("a half power too high to multiply out goes by its logarithm")
-{
-    const Ball value = integrate(parse_expression("x^(131/2)*sqrt(1-x)"), parse_limit("0"), parse_limit("1"), with_digits(25)).value;
-    CHECK(value.overlaps(gamma_function(Ball(Rational(133, 2))) * gamma_function(Ball(Rational(3, 2))) / gamma_function(Ball(68))));
-    CHECK(value.relative_bits() > 75);
-}
-
 TEST_CASE("a Bessel function of half odd order is taken with its power at 0")
 {
     const Ball value = integrate(parse_expression("besselj(1/2,x)/sqrt(x)"), parse_limit("0"), parse_limit("1"), with_digits(25)).value;

@@ -34,6 +34,8 @@ TEST_CASE("angles with exact sines are recognised, and no others")
     const Exact third = Exact(Rational(1, 3)), quarter = Exact(Rational(1, 4));
     CHECK(cos_pi(third).rational() == Rational(1, 2));
     CHECK((sin_pi(quarter) * sin_pi(quarter)).rational() == Rational(1, 2));
+    CHECK(sin_pi(Exact(Rational(1, 6))).rational() == Rational(1, 2));
+    CHECK(sin_pi(Exact(Rational(-1, 6))).rational() == Rational(-1, 2));
     CHECK(cos_pi(Exact(Rational(7, 3))).rational() == Rational(1, 2));
     CHECK(cos_pi(Exact(Rational(-4, 3))).rational() == Rational(-1, 2));
     CHECK_THROWS_AS(cos_pi(Exact(Rational(1, 5))), NotExact);
