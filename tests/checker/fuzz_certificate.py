@@ -141,6 +141,8 @@ def said_of(path, prove):
 def main():
     chosen = random.Random(known.seed)
     signal.signal(signal.SIGALRM, hang)
+    ended = []
+    signal.signal(signal.SIGTERM, lambda *_: ended.append(True))  # what has been made is counted all the same
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "certificate.txt"
         written = []
@@ -153,7 +155,7 @@ def main():
         memory = os.memfd_create("certificate")  # a file that costs no disk
         path = pathlib.Path(f"/proc/self/fd/{memory}")
         began, made = time.process_time(), 0
-        while made < known.executions and time.process_time() - began < known.seconds:
+        while made < known.executions and time.process_time() - began < known.seconds and not ended:
             text = chosen.choice(written if chosen.randrange(3) == 0 else pool[-60:] + written)
             for _ in range(chosen.choice([1, 1, 1, 2, 3])):
                 text = changed(text, pool, chosen)
