@@ -36,6 +36,11 @@ class Integrate(unittest.TestCase):
         self.assertEqual((code, j["status"], j["digits"], len(j["value"].replace(".", ""))), (0, "certified", 50, 50))
         self.assertAlmostEqual(float(j["value"]), LOG_OVER_ROOT, 8)
         self.assertEqual(float.fromhex(j["binary64"]), float(j["value"]))
+        self.assertEqual(j["parts"][0]["rule"], "product integration")
+        self.assertIn("discretisation", j["parts"][0]["proof"])
+
+    def test_tanh_sinh_shows_its_certificate(self):
+        j = as_json("x^x", "0", "1")[1]
         self.assertEqual(j["parts"][0]["rule"], "tanh-sinh")
         self.assertIn("discretisation", j["parts"][0]["certificate"])
 

@@ -5,6 +5,7 @@
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/quadrant.hpp"
+#include "touchstone/quadrature/singular_weights.hpp"
 #include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/strip.hpp"
 
@@ -53,6 +54,18 @@ TEST_CASE("gauss_legendre: the Chebyshev polynomial T_4 and two nodes")
     const Ball near = lemma::gauss_legendre(Ball(15), log(Ball(2)) / 2, 2);
     CHECK(near.contains(Rational(32)));
     CHECK(near.relative_bits() > 40);
+}
+
+TEST_CASE("interpolation: the Chebyshev polynomial T_1, the weight log u and one node")
+{
+    const WorkingPrecision precision(128);
+    const SingularWeight w{0, 0, 1, 0};
+    const Ball sigma(20);
+    Ball largest; // of |T_1| on the ellipse
+    arb_cosh(largest.get(), sigma.get(), 128);
+    const auto rule = WeightedNodes::get(w, 1, 128);
+    const Ball exact = moments(w, 2)[1] * Ball(2); // over z: T_1 is P_1, and its value at the node is 0
+    attains(exact, lemma::interpolation(largest, sigma, rule->size(), 1), Rational(24, 100));
 }
 
 TEST_CASE("discretisation: exp(-t^2) attains N_d/(exp(2 pi d/h) - 1) at d = pi/h")

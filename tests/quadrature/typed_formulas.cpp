@@ -206,7 +206,7 @@ TEST_CASE("half-integer powers at both ends: Gauss-Legendre in the angle, and ta
                            Row{"x^(5/2)/(1+x)^5", "0", "inf", "gamma(7/2)*gamma(3/2)/gamma(5)", angle},
                            Row{"1/((1-x)*sqrt(-x))", "-inf", "0", "pi", angle}, Row{"sin(sqrt(x))", "0", "1", "2*sin(1)-2*cos(1)", angle},
                            Row{"1/(x^2+1/10000)/sqrt(1-x^2)", "-1", "1", "pi*100/sqrt(1+1/10000)", "tanh-sinh"},
-                           Row{"x^(-1/3)", "0", "1", "3/2", "tanh-sinh"}, Row{"log(x)/sqrt(x)", "0", "1", "-4", "tanh-sinh"}}) {
+                           Row{"x^(-1/3)", "0", "1", "3/2", "product integration"}, Row{"log(x)/sqrt(x)", "0", "1", "-4", "product integration"}}) {
         CAPTURE(row.formula);
         const auto at = [&](bool gauss_legendre) {
             IntegralOptions o = with_digits(60);

@@ -4,6 +4,7 @@
 #include "touchstone/quadrature/inner_integral.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/substitution.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,12 +48,16 @@ private:
     std::optional<Zero> zero_at(const Node& n, const ExpressionPtr& e, Side side) const;
     std::optional<Zero> zero_of_odd_difference(const Node& n) const;
     std::optional<Exponent> order_beside(const Node& n, Side side, double distance) const;
+    bool shows_its_order(const Node& n, Side side, double radius) const;
     std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node& n, Side side, double radius) const;
     /// The end as an exact number, if it is finite and one.
     const std::optional<ExactSum>& end(Side s) const { return s == Side::left ? place_.range->from.exact : place_.range->to.exact; }
     bool has_range() const { return place_.range != nullptr; }
     bool is_infinite() const { return has_range() && place_.range->map != Map::finite; }
     bool reaches_one(const ExpressionPtr& e) const;
+    std::optional<long> zero_of_sine(const Polynomial& argument, Side s, const ExactSum& first) const;
+    std::optional<ExpressionPtr> about_its_zero(const Expression& e) const;
+    NodePtr logarithm(const ExpressionPtr& argument) const;
     int sign_of_linear(const Expression& e) const;
     ExpressionPtr settled(const ExpressionPtr& e) const;
 
@@ -119,6 +124,58 @@ bool Compiler::reaches_one(const ExpressionPtr& e) const
     return false;
 }
 
+/// m, if the argument is first + m pi at the end.
+std::optional<long> Compiler::zero_of_sine(const Polynomial& argument, Side s, const ExactSum& first) const
+{
+    if (!end(s)) return std::nullopt;
+    const auto m = (value(argument, *end(s)) - first).times_pi();
+    return m && m->get_den() == 1 && m->get_num().fits_sint_p() ? std::optional(m->get_num().get_si()) : std::nullopt;
+}
+
+/// A sine or cosine of a linear argument that vanishes at an end where its argument does not: as the sine of one that does, and as the
+/// product sin y = 2 sin(y/2) sin((pi - y)/2) where the range is half a period, so that neither end asks for an expansion.
+std::optional<ExpressionPtr> Compiler::about_its_zero(const Expression& e) const
+{
+    const auto p = polynomial(*e.args[0]);
+    if (!has_range() || place_.range->map != Map::finite || !p || p->size() != 2 || !(*p)[0].is_real() || !(*p)[1].is_real())
+        return std::nullopt;
+    const ExactSum first = e.op == Op::cos ? ExactSum(Rational(-1, 2)) * ExactSum::pi() : ExactSum(0); // cos y = sin(y + pi/2)
+    const auto left = zero_of_sine(*p, Side::left, first), right = zero_of_sine(*p, Side::right, first);
+    if (!left && !right) return std::nullopt;
+    const bool half_period = left && right && std::labs(*left - *right) == 1;
+    if (e.op == Op::sin && !half_period && (left ? *left : *right) == 0) return std::nullopt; // it shows as it is
+    const auto formula = [](const Polynomial& q) { return sum(product(formula_of(q[1]), make_variable()), formula_of(q[0])); };
+    // y, which is 0 at one end, with its sine times `sign`
+    const long m = left ? *left : *right;
+    Polynomial y{(*p)[0] - first - ExactSum(m) * ExactSum::pi(), (*p)[1]};
+    long sign = m % 2 == 0 ? 1 : -1;
+    if (!half_period) return sign == 1 ? of(Op::sin, formula(y)) : of(Op::negate, of(Op::sin, formula(y)));
+    if (*right < *left) {
+        y = {-y[0], -y[1]};
+        sign = -sign;
+    }
+    const ExactSum half(Rational(1, 2));
+    const Polynomial near{y[0] * half, y[1] * half}, far{half * ExactSum::pi() - near[0], -near[1]};
+    return product(number(2 * sign), product(of(Op::sin, formula(near)), of(Op::sin, formula(far))));
+}
+
+/// log of the fraction that the distance to one end is of the range: its zero at the other end shows. log(1/y) is -log(y).
+NodePtr Compiler::logarithm(const ExpressionPtr& argument) const
+{
+    const bool is_inverse = argument->op == Op::divide && argument->args[0]->op == Op::number && argument->args[0]->number == 1;
+    if (is_inverse && sign_of_linear(*argument->args[1]) == 1) return compile(of(Op::negate, of(Op::log, argument->args[1])));
+    const auto p = has_range() && place_.range->map == Map::finite ? polynomial(*argument) : std::nullopt;
+    if (!p || p->size() != 2 || !end(Side::left) || !end(Side::right)) return nullptr;
+    const ExactSum at_left = value(*p, *end(Side::left)), at_right = value(*p, *end(Side::right)), one(1);
+    const bool from_left = at_left.is_zero() && at_right == one, from_right = at_right.is_zero() && at_left == one;
+    if (!from_left && !from_right) return nullptr;
+    auto n = std::make_unique<Node>();
+    n->kind = Kind::logarithm_of_fraction;
+    n->rest = {from_left ? (*p)[1] : -(*p)[1]}; // 1 over the range's length
+    n->order = {from_left ? 1 : 0, from_left ? 0 : 1};
+    return n;
+}
+
 /// By what the function is replaced so that its behaviour at the ends shows.
 std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
 {
@@ -132,6 +189,8 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
         return minus ? difference(up, down) : sum(up, down);
     };
     switch (e.op) {
+    case Op::sin:
+    case Op::cos: return about_its_zero(e);
     case Op::tan: return quotient(of(Op::sin, a), of(Op::cos, a));
     case Op::cot: return quotient(of(Op::cos, a), of(Op::sin, a));
     case Op::sec: return quotient(one, of(Op::cos, a));
@@ -168,8 +227,7 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
 NodePtr Compiler::part_of(const ExpressionPtr& e) const
 {
     const ExpressionPtr& a = e->args[0];
-    if (e->op == Op::abs)
-        return power(of(Op::real_part, product(a, of(Op::conjugate, a))), make_number(Rational(1, 2)));
+    if (e->op == Op::abs) return power(of(Op::real_part, product(a, of(Op::conjugate, a))), make_number(Rational(1, 2)));
     const bool of_value = e->op == Op::real_value || e->op == Op::imaginary_value;
     const bool imaginary = e->op == Op::imaginary_part || e->op == Op::imaginary_value;
     if (is_real(*a) && !(of_value && has_complex_point(*a))) return imaginary ? constant(ExactSum(0)) : compile(a);
@@ -326,12 +384,14 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     case Op::multiply: return node(Kind::multiply, e->args);
     case Op::divide: return node(Kind::divide, e->args);
     case Op::negate: return node(Kind::multiply, {number(-1), e->args[0]});
-    case Op::odd_difference:
-        return node(Kind::add, {e->args[0], of(Op::negate, substituted(e->args[0], of(Op::negate, make_variable())))});
+    case Op::odd_difference: return node(Kind::add, {e->args[0], of(Op::negate, substituted(e->args[0], of(Op::negate, make_variable())))});
     case Op::sqrt:
     case Op::cbrt: return power(e->args[0], make_number(Rational(1, e->op == Op::sqrt ? 2 : 3)));
     case Op::power: return power(e->args[0], e->args[1]);
     case Op::exp: return exponential(e->args[0]);
+    case Op::log:
+        if (NodePtr n = logarithm(e->args[0])) return n;
+        return node(Kind::function, e->args, e->op);
     case Op::abs:
         if (!is_real(*e->args[0])) return part_of(e);
         return without_branch(e);
@@ -397,6 +457,15 @@ std::optional<Exponent> Compiler::order_beside(const Node& n, Side side, double 
     return v.factor().is_finite() ? std::optional(v.order(side).power) : std::nullopt;
 }
 
+/// Whether n is a power of s times what is proved analytic and without a zero on the disc |s| <= radius: then no expansion shows more.
+bool Compiler::shows_its_order(const Node& n, Side side, double radius) const
+{
+    const ComplexBall s = disc(Ball::exactly(radius));
+    const Disc<ComplexBall> about(side, s);
+    const ComplexBall c = evaluate(n, point_about(about, place_), place_).factor();
+    return c.is_finite() && !acb_contains_zero(c.get());
+}
+
 /// On the disc |s| <= radius about the end, n = s^p c: p, and a bound of |c|. Nothing if c is not proved analytic there.
 std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, Side side, double radius) const
 {
@@ -431,6 +500,10 @@ std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, 
 /// The zero that the exact expansion shows and the sum of terms does not.
 std::optional<Zero> Compiler::zero_at(const Node& n, const ExpressionPtr& e, Side side) const
 {
+    constexpr double beside = 0x1p-20;
+    const Range& range = *place_.range;
+    const double span = range.map == Map::finite ? to_double(range.to.ball() - range.from.ball()) / 2 : 1;
+    if (shows_its_order(n, side, span * beside)) return std::nullopt;
     const auto series = expanded(e, side);
     if (!series || series->is_exactly_zero || series->valuation.get_den() != 1 || series->valuation < 0 ||
         !series->valuation.get_num().fits_slong_p())
@@ -438,8 +511,6 @@ std::optional<Zero> Compiler::zero_at(const Node& n, const ExpressionPtr& e, Sid
     Zero zero;
     zero.order = series->valuation.get_num().get_si();
     zero.c = series->c;
-    const Range& range = *place_.range;
-    const double span = range.map == Map::finite ? to_double(range.to.ball() - range.from.ball()) / 2 : 1;
     if (const auto own = order_beside(n, side, span / 64); own && *own == Exponent(zero.order)) return std::nullopt; // it shows as it is
     std::optional<Zero> best;
     for (double radius = span; radius >= span / 64; radius /= 2) {

@@ -23,6 +23,7 @@ enum class Kind {
     function,
     ordered_function,
     exponential,
+    logarithm_of_fraction,
     ball,
     real_part,
     imaginary_part,
@@ -59,8 +60,8 @@ struct Node {
     ExpressionPtr source;          // ball
     std::shared_ptr<const InnerIntegral> inner;
     Exponent exponent;             // power; exponential: the k of exp(k x) exp(...)
-    std::array<long, 2> order{};   // factored: exact multiplicities at the two ends
-    Polynomial rest;               // factored: what remains
+    std::array<long, 2> order{};   // factored: exact multiplicities at the two ends; logarithm_of_fraction: the end whose distance it is of
+    Polynomial rest;               // factored: what remains; logarithm_of_fraction: 1 over the range's length
     std::array<std::optional<Zero>, 2> zero;
 
     /// A constant, a coefficient: computed once at the highest precision asked for so far. So a compiled formula belongs to one thread at a time.

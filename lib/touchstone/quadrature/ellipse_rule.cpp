@@ -7,53 +7,23 @@
 #include "touchstone/quadrature/widen.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <list>
+#include <map>
 #include <sstream>
 
-#if __has_include(<flint/arb_hypgeom.h>)
-#include <flint/arb_hypgeom.h>
-#else
-#include <arb_hypgeom.h>
-#endif
-
 namespace touchstone::quadrature {
-
-GaussNodes::GaussNodes(long n, slong bits)
-    : n_(n)
-    , bits_(bits)
-{
-    const WorkingPrecision precision(bits);
-    const Ball quarter = pi<Ball>() / Ball(4);
-    entries_.resize(static_cast<std::size_t>((n + 1) / 2));
-    for (long k = 0; k < (n + 1) / 2; ++k) { // roots in descending order
-        Entry& e = entries_[static_cast<std::size_t>(k)];
-        arb_hypgeom_legendre_p_ui_root(e.z.get(), e.weight.get(), static_cast<ulong>(n), static_cast<ulong>(k), bits);
-        const Ball angle = quarter + quarter * e.z;
-        arb_sin_cos(e.sine.get(), e.cosine.get(), angle.get(), bits);
-    }
-}
-
-std::shared_ptr<const GaussNodes> GaussNodes::get(long n, slong bits)
-{
-    thread_local std::list<std::shared_ptr<const GaussNodes>> cache;
-    for (auto it = cache.begin(); it != cache.end(); ++it)
-        if ((*it)->n_ == n && (*it)->bits_ >= bits && (*it)->bits_ <= bits + bits / 4 + 64) {
-            cache.splice(cache.begin(), cache, it);
-            return cache.front();
-        }
-    constexpr std::size_t most = 24;
-    cache.push_front(std::shared_ptr<const GaussNodes>(new GaussNodes(n, (bits + 63) / 64 * 64)));
-    if (cache.size() > most) cache.pop_back();
-    return cache.front();
-}
 
 namespace {
 
 /// Ball that holds [a, b].
-Ball between(double a, double b)
+Ball between(double a, double b) { return hull(Ball::exactly(a), Ball::exactly(b)); }
+
+Ball middle_of(const Ball& x)
 {
-    return hull(Ball::exactly(a), Ball::exactly(b));
+    Ball m;
+    arb_set_arf(m.get(), arb_midref(x.get()));
+    return m;
 }
 
 /// Few values of n, so that tables of nodes are shared.
@@ -65,103 +35,182 @@ long rounded_count(double n)
     return std::max(4L, static_cast<long>(std::ceil(n / static_cast<double>(step))) * step);
 }
 
-class EllipseProof {
-public:
-    EllipseProof(const EllipseFunction& f, double bits)
-        : f_(f)
-        , bits_(bits)
-    {
-    }
-    struct Ellipse {
-        double sigma;
-        Ball bound; ///< of |F|
-    };
-    /// The ellipse that asks for the fewest nodes, of those tried.
-    std::optional<Ellipse> best(double log2_tolerance);
-    long pieces = 0;
-
-private:
-    ComplexBall value(double s1, double s2, double phi1, double phi2);
-    bool is_covered(double s1, double s2, double phi1, double phi2, double smallest, long budget, Ball& bound);
-    std::optional<Ellipse> largest_proved();
-    Ball bound_on(double sigma);
-
-    const EllipseFunction& f_;
-    double bits_;
-};
-
-constexpr double half_turn = 3.1416; // a little more than pi
-
-/// F on cosh(s + i phi), as balls of cosh s cos phi and sinh s sin phi.
-ComplexBall EllipseProof::value(double s1, double s2, double phi1, double phi2)
+/// z = cosh(s + i phi) on a box, as balls of cosh s cos phi and sinh s sin phi.
+EllipseBox box_of(double s1, double s2, double phi1, double phi2)
 {
-    ++pieces;
+    const WorkingPrecision precision(strip_bits);
     const Ball s = between(s1, s2), phi = between(phi1, phi2);
     Ball sine, cosine, sinh_s, cosh_s;
     arb_sin_cos(sine.get(), cosine.get(), phi.get(), strip_bits);
     arb_sinh_cosh(sinh_s.get(), cosh_s.get(), s.get(), strip_bits);
-    return f_.in_plane(ComplexBall(cosh_s * cosine, sinh_s * sine));
+    EllipseBox box{ComplexBall(cosh_s * cosine, sinh_s * sine), {}, {}};
+    const ComplexBall angle = (ComplexBall(1) + box.z) * ComplexBall(pi<Ball>() / Ball(4));
+    acb_sin_cos(box.sine.get(), box.cosine.get(), angle.get(), strip_bits);
+    return box;
 }
 
-/// Whether F is analytic on the boxes, halved down to the smallest; `bound` becomes one of |F| there too.
-bool EllipseProof::is_covered(double s1, double s2, double phi1, double phi2, double smallest, long budget, Ball& bound)
+/// The same boxes come back for each integrand.
+const EllipseBox& kept_box(double s1, double s2, double phi1, double phi2)
+{
+    constexpr std::size_t most = 4000;
+    thread_local std::map<std::array<double, 4>, EllipseBox> boxes;
+    const std::array<double, 4> key{s1, s2, phi1, phi2};
+    if (const auto found = boxes.find(key); found != boxes.end()) return found->second;
+    if (boxes.size() > most) boxes.clear();
+    return boxes.emplace(key, box_of(s1, s2, phi1, phi2)).first->second;
+}
+
+/// Bounds M_k, in the order of the weights.
+using Bounds = std::vector<Ball>;
+
+class EllipseProof {
+public:
+    /// `guess`: about the largest ellipse.
+    EllipseProof(const EllipseFunction& f, double bits, double guess)
+        : f_(f)
+        , bits_(bits)
+        , guess_(guess)
+    {
+    }
+    struct Ellipse {
+        double sigma;
+        Bounds bounds;
+    };
+    /// The ellipse that asks for the fewest nodes, of those tried.
+    std::optional<Ellipse> best(double log2_tolerance);
+    /// About as many nodes bring the error down to 2^log2_tolerance.
+    double nodes_for(const Ellipse&, double log2_tolerance) const;
+    long pieces = 0;
+
+private:
+    std::optional<Bounds> value(double s1, double s2, double phi1, double phi2);
+    bool is_covered(double s1, double s2, double phi1, double phi2, double smallest, long budget, Bounds& bounds);
+    std::optional<Ellipse> largest_proved(double log2_tolerance);
+    std::optional<Bounds> bounds_on(double sigma);
+
+    const EllipseFunction& f_;
+    double bits_, guess_;
+    double failed_from_ = 0, failed_to_ = 0; // phi, where the last ellipse was not proved
+    std::vector<ComplexBall> values_;
+    std::vector<Ball> middles_; // m_k: of the first box looked at
+};
+
+constexpr double half_turn = 3.1416; // a little more than pi
+
+void take_larger(Bounds& all, const Bounds& some)
+{
+    if (all.empty()) all.resize(some.size());
+    for (std::size_t k = 0; k < some.size(); ++k)
+        if (arb_gt(some[k].get(), all[k].get())) all[k] = some[k];
+}
+
+/// Bounds of |c_k - m_k| on the box.
+std::optional<Bounds> EllipseProof::value(double s1, double s2, double phi1, double phi2)
+{
+    ++pieces;
+    f_.in_plane(kept_box(s1, s2, phi1, phi2), values_);
+    const bool first = middles_.empty();
+    Bounds sizes;
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+        if (!values_[k].is_finite()) return std::nullopt;
+        if (first) middles_.push_back(middle_of(values_[k].real()));
+        sizes.push_back(upper_ball(values_[k] - ComplexBall(middles_[k])));
+    }
+    return sizes;
+}
+
+/// Whether F is analytic on the boxes, halved down to the smallest; `bounds` become such that hold there too.
+bool EllipseProof::is_covered(double s1, double s2, double phi1, double phi2, double smallest, long budget, Bounds& bounds)
 {
     if (pieces >= budget) return false;
-    if (const ComplexBall y = value(s1, s2, phi1, phi2); y.is_finite()) {
-        const Ball size = upper_ball(y);
-        if (arb_gt(size.get(), bound.get())) bound = size;
+    if (const auto sizes = value(s1, s2, phi1, phi2)) {
+        take_larger(bounds, *sizes);
         return true;
     }
     const double height = s2 - s1, width = phi2 - phi1;
-    if (height <= smallest && width <= smallest) return false;
+    if (height <= smallest && width <= smallest) {
+        failed_from_ = phi1;
+        failed_to_ = phi2;
+        return false;
+    }
     if (width > height) {
         const double phi = (phi1 + phi2) / 2;
-        return is_covered(s1, s2, phi1, phi, smallest, budget, bound) && is_covered(s1, s2, phi, phi2, smallest, budget, bound);
+        return is_covered(s1, s2, phi1, phi, smallest, budget, bounds) && is_covered(s1, s2, phi, phi2, smallest, budget, bounds);
     }
     const double s = (s1 + s2) / 2;
-    return is_covered(s, s2, phi1, phi2, smallest, budget, bound) && is_covered(s1, s, phi1, phi2, smallest, budget, bound);
+    return is_covered(s, s2, phi1, phi2, smallest, budget, bounds) && is_covered(s1, s, phi1, phi2, smallest, budget, bounds);
+}
+
+/// By the rates exp(-2 sigma) a node beside the weight 1 and exp(-sigma) beside the others.
+double EllipseProof::nodes_for(const Ellipse& e, double log2_tolerance) const
+{
+    double most = 0;
+    for (std::size_t k = 0; k < e.bounds.size(); ++k) {
+        const bool one = f_.weights[k].is_one();
+        const double bits = log2_upper(e.bounds[k]) - log2_tolerance - std::log2(1 - std::exp(-(one ? 2 : 1) * e.sigma));
+        most = std::max(most, bits * M_LN2 / ((one ? 2 : 1) * e.sigma));
+    }
+    return most;
 }
 
 /// The upper half of the ellipse is enough: F is real on the real line. A value in the plane costs about two at nodes.
-std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved()
+std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_tolerance)
 {
-    constexpr double first = 2.0 / 3, second = 0.3, highest = 3, few_pieces = 30, least_saved = 16, step = 2.25;
+    constexpr double highest = 3, least = 0.1, few_pieces = 60, least_saved = 16, step = 2.25, trusted = 0.8, smaller = 0.7;
     std::optional<Ellipse> proved;
     std::optional<double> failed;
-    const auto nodes = [&](double sigma) { return bits_ * M_LN2 / (2 * sigma); };
+    const bool plain = std::all_of(f_.weights.begin(), f_.weights.end(), [](const SingularWeight& w) { return w.is_one(); });
+    const auto nodes = [&](double sigma) { // the bounds taken to be as large as on the ellipse that is proved
+        return proved ? nodes_for(*proved, log2_tolerance) * proved->sigma / sigma : bits_ * M_LN2 / ((plain ? 2 : 1) * sigma);
+    };
     const auto try_up_to = [&](double sigma, double below, double allowance) {
-        Ball bound = proved ? proved->bound : Ball(0);
-        if (is_covered(below, sigma, 0, half_turn, (sigma - below) / 4, pieces + static_cast<long>(allowance), bound))
-            proved = Ellipse{sigma, bound};
+        Bounds bounds = proved ? proved->bounds : Bounds();
+        const double smallest = (sigma - below) / 4;
+        const long budget = pieces + static_cast<long>(allowance);
+        // where the one before failed this one will fail first
+        const bool likely = failed_to_ <= failed_from_ || is_covered(below, sigma, failed_from_, failed_to_, smallest, budget, bounds);
+        if (likely && is_covered(below, sigma, 0, half_turn, smallest, budget, bounds))
+            proved = Ellipse{sigma, bounds};
         else
             failed = sigma;
     };
-    for (const double sigma : {first, second})
-        if (!proved) try_up_to(sigma, 0, few_pieces + nodes(sigma) / 10);
-    while (proved) {
+    const bool is_bounded = guess_ < highest;
+    constexpr double unguided = 2.0 / 3;
+    double sigma = is_bounded ? std::max(trusted * guess_, least) : unguided;
+    for (int attempt = 0; attempt < 3 && !proved && sigma >= least; ++attempt, sigma *= smaller)
+        try_up_to(sigma, 0, few_pieces + nodes(sigma) / 6);
+    constexpr long easily = 4; // boxes: then the guess was far too cautious, as for waves that few nodes do not resolve
+    while (proved && (!is_bounded || failed || pieces <= easily)) {
         const double middle = failed ? (proved->sigma + *failed) / 2 : std::min(highest, step * proved->sigma);
         const double saved = nodes(proved->sigma) - nodes(middle);
         if (saved < least_saved) break;
-        try_up_to(middle, proved->sigma, saved / 2);
+        try_up_to(middle, proved->sigma, saved / 1.5);
     }
     return proved;
 }
 
-/// Of |F| on the boundary: the box with the largest bound is halved as long as that lowers the bound.
-Ball EllipseProof::bound_on(double sigma)
+/// On the boundary: the box with the largest bound is halved as long as that lowers the bound.
+std::optional<Bounds> EllipseProof::bounds_on(double sigma)
 {
     struct Arc {
         double phi1, phi2;
-        Ball size;
+        std::optional<Bounds> sizes;
+        double bits; // log2 of the largest
     };
     constexpr int at_first = 4, most_halvings = 12;
     constexpr double worth_while = 1; // in bits
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
     std::vector<Arc> arcs;
-    const auto add = [&](double phi1, double phi2) { arcs.push_back({phi1, phi2, upper_ball(value(sigma, sigma, phi1, phi2))}); };
-    for (int k = 0; k < at_first; ++k) add(half_turn * k / at_first, half_turn * (k + 1) / at_first);
-    const auto smaller = [](const Arc& a, const Arc& b) {
-        return !b.size.is_finite() || (a.size.is_finite() && arb_lt(a.size.get(), b.size.get()));
+    const auto add = [&](double phi1, double phi2) {
+        Arc arc{phi1, phi2, value(sigma, sigma, phi1, phi2), unbounded};
+        if (arc.sizes) {
+            arc.bits = -unbounded;
+            for (const Ball& b : *arc.sizes) arc.bits = std::max(arc.bits, log2_upper(b));
+        }
+        arcs.push_back(std::move(arc));
     };
+    for (int k = 0; k < at_first; ++k) add(half_turn * k / at_first, half_turn * (k + 1) / at_first);
+    const auto smaller = [](const Arc& a, const Arc& b) { return a.bits < b.bits; };
     for (int k = 0; k < most_halvings; ++k) {
         const auto largest = std::max_element(arcs.begin(), arcs.end(), smaller);
         const Arc halved = *largest;
@@ -169,56 +218,137 @@ Ball EllipseProof::bound_on(double sigma)
         const double phi = (halved.phi1 + halved.phi2) / 2;
         add(halved.phi1, phi);
         add(phi, halved.phi2);
-        const Ball after = std::max_element(arcs.begin(), arcs.end(), smaller)->size;
-        if (after.is_finite() && halved.size.is_finite() && log2_upper(halved.size) - log2_upper(after) < worth_while) break;
+        const double after = std::max_element(arcs.begin(), arcs.end(), smaller)->bits;
+        if (std::isfinite(after) && std::isfinite(halved.bits) && halved.bits - after < worth_while) break;
     }
-    return std::max_element(arcs.begin(), arcs.end(), smaller)->size;
+    Bounds all;
+    for (const Arc& a : arcs) {
+        if (!a.sizes) return std::nullopt;
+        take_larger(all, *a.sizes);
+    }
+    return all;
 }
 
 std::optional<EllipseProof::Ellipse> EllipseProof::best(double log2_tolerance)
 {
     constexpr double high = 1.25, least = 0.05;
-    auto best = largest_proved();
-    if (!best) return std::nullopt;
-    const auto height = [&](const Ball& bound) { return log2_upper(bound) - log2_tolerance; }; // in bits: nodes go by it, over sigma
-    if (height(best->bound) < high * bits_) return best;
-    best->bound = bound_on(best->sigma);
-    double sigma = best->sigma;
+    const auto proved = largest_proved(log2_tolerance);
+    if (!proved) return std::nullopt;
+    // nodes as many times as a bound of 1 would take
+    const auto excess = [&](const Ellipse& e) {
+        return nodes_for(e, log2_tolerance) / nodes_for({e.sigma, Bounds(e.bounds.size(), Ball(1))}, -bits_);
+    };
+    if (excess(*proved) < high) return proved;
+    std::optional<Ellipse> best;
+    double sigma = proved->sigma;
+    if (auto bounds = bounds_on(sigma)) best = Ellipse{sigma, std::move(*bounds)};
     for (;;) {
-        if (best->bound.is_finite() && height(best->bound) < high * bits_) break; // a smaller ellipse can't save what its height costs
+        if (best && excess(*best) < high) break; // a smaller ellipse can't save what its height costs
         // as if the height grew like the square of sigma, as that of a Gaussian does
-        const double excess = best->bound.is_finite() ? height(best->bound) / bits_ - 1 : 9;
-        sigma *= std::clamp(std::sqrt(1 / excess), 0.2, 0.6);
+        sigma *= std::clamp(std::sqrt(1 / (best ? excess(*best) - 1 : 9)), 0.2, 0.6);
         if (sigma < least) break;
-        Ellipse other{sigma, bound_on(sigma)};
-        if (!other.bound.is_finite()) continue;
-        if (best->bound.is_finite() && height(other.bound) / sigma > height(best->bound) / best->sigma) break;
+        auto bounds = bounds_on(sigma);
+        if (!bounds) continue;
+        Ellipse other{sigma, std::move(*bounds)};
+        if (best && nodes_for(other, log2_tolerance) > nodes_for(*best, log2_tolerance)) break;
         best = std::move(other);
     }
-    return best->bound.is_finite() ? best : std::nullopt;
+    return best;
 }
 
 struct Sum {
     Ball value{0}, absolute{0};
+    std::vector<std::vector<Ball>> at_nodes; ///< c_k at the nodes, from 1 to -1; only of few
 };
 
-Sum sum_of(const EllipseFunction& f, long n, slong bits)
+double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+Sum sum_of(const EllipseFunction& f, long n, slong bits, bool keeps_values = false)
 {
     const auto nodes = GaussNodes::get(n, bits);
+    std::vector<std::shared_ptr<const WeightedNodes>> weights;
+    for (const SingularWeight& w : f.weights) weights.push_back(w.is_one() ? nullptr : WeightedNodes::get(w, n, bits));
     const WorkingPrecision precision(bits);
     Sum sum;
+    if (keeps_values) sum.at_nodes.resize(static_cast<std::size_t>(n));
+    std::vector<Ball> c;
     const auto& entries = nodes->entries();
     for (std::size_t k = 0; k < entries.size(); ++k) {
         const bool is_middle = n % 2 != 0 && k + 1 == entries.size();
         for (const bool mirrored : {false, true}) {
             if (mirrored && is_middle) continue;
-            const Ball y = f.at_node(entries[k], mirrored);
-            arb_addmul(sum.value.get(), y.get(), entries[k].weight.get(), bits);
-            const Ball size = upper_ball(y);
-            arb_addmul(sum.absolute.get(), size.get(), entries[k].weight.get(), strip_bits);
+            f.at_node(entries[k], mirrored, c);
+            for (std::size_t i = 0; i < c.size(); ++i) {
+                const Ball& weight = weights[i] ? weights[i]->at(k, mirrored) : entries[k].weight;
+                arb_addmul(sum.value.get(), c[i].get(), weight.get(), bits);
+                const Ball size = upper_ball(c[i]), share = upper_ball(weight);
+                arb_addmul(sum.absolute.get(), size.get(), share.get(), strip_bits);
+            }
+            if (keeps_values) sum.at_nodes[mirrored ? static_cast<std::size_t>(n) - 1 - k : k] = c;
         }
     }
     return sum;
+}
+
+struct Guess {
+    double sigma;
+    bool is_resolved; ///< whether the nodes show how F varies at all
+};
+
+/// About the sigma of the largest ellipse, by how fast the coefficients of Legendre's polynomials fall that the values at a few nodes show;
+/// some large number where they show none. Nothing is claimed of it: it says where the proof is to begin.
+Guess guessed_ellipse(const Sum& rough, long n)
+{
+    constexpr double unknown = 9, noise = 1e-13;
+    const auto nodes = GaussNodes::get(n, strip_bits);
+    const auto& entries = nodes->entries();
+    const auto count = static_cast<std::size_t>(n);
+    double least = unknown;
+    for (std::size_t i = 0; i < rough.at_nodes.front().size(); ++i) {
+        std::vector<double> a(count, 0);
+        for (std::size_t j = 0; j < count; ++j) {
+            const auto& e = entries[std::min(j, count - 1 - j)];
+            const double z = j < count - 1 - j ? to_double(e.z) : -to_double(e.z),
+                         value = to_double(rough.at_nodes[j][i]) * to_double(e.weight);
+            double before = 0, now = 1;
+            for (std::size_t k = 0; k < count; ++k) {
+                a[k] += value * now * (static_cast<double>(k) + 0.5);
+                const double next =
+                    ((2 * static_cast<double>(k) + 1) * z * now - static_cast<double>(k) * before) / (static_cast<double>(k) + 1);
+                before = now;
+                now = next;
+            }
+        }
+        const auto largest = [&](std::size_t from, std::size_t to) {
+            double most = 0;
+            for (std::size_t k = from; k < to; ++k) most = std::max(most, std::fabs(a[k]));
+            return most;
+        };
+        constexpr std::size_t width = 5;
+        constexpr double entire = 1.5; // falling ever faster
+        const double early = largest(1, 1 + width), middle = largest(1 + width, 1 + 2 * width),
+                     late = largest(1 + 2 * width, 1 + 3 * width);
+        if (!(middle > 0) || !(late > noise * largest(0, count))) continue;
+        const double first_fall = std::log(early / middle), second_fall = std::log(middle / late);
+        if (first_fall > 0 && second_fall > entire * first_fall) continue;
+        least = std::min(least, std::max(0.0, first_fall + second_fall) / static_cast<double>(2 * width));
+    }
+    constexpr double unresolved = 0.15;
+    return least < unresolved ? Guess{unknown, false} : Guess{least, true};
+}
+
+/// Of the rule with n nodes.
+Ball discretisation_of(const EllipseFunction& f, const EllipseProof::Ellipse& e, long n, slong bits)
+{
+    const Ball sigma = Ball::exactly(e.sigma);
+    Ball total(0);
+    for (std::size_t k = 0; k < f.weights.size(); ++k) {
+        if (f.weights[k].is_one())
+            total += lemma::gauss_legendre(e.bounds[k], sigma, n);
+        else
+            total += lemma::interpolation(e.bounds[k], sigma, WeightedNodes::get(f.weights[k], n, bits)->size(), n);
+    }
+    return upper_ball(total);
 }
 
 } // namespace
@@ -228,39 +358,43 @@ std::string EllipseIntegral::proof(const Ball& scale) const
     const Ball size = touchstone::abs(scale), rounding = radius_of(value) * size;
     std::ostringstream text;
     text.precision(4);
-    text << "|f| <= " << bound_text(bound * size) << " on the ellipse with the ends for foci, rho = " << std::exp(sigma) << ", in at most " << pieces
-         << " boxes; |discretisation| <= " << bound_text(discretisation * size) << ", with rounding <= " << bound_text(rounding);
+    text << "|f| <= " << bound_text(bound * size) << " up to a constant on the ellipse with the ends for foci, rho = " << std::exp(sigma)
+         << ", in at most " << pieces << " boxes; |discretisation| <= " << bound_text(discretisation * size)
+         << ", with rounding <= " << bound_text(rounding);
     return text.str();
 }
 
 std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits, bool of_absolute, long most_nodes)
 {
-    constexpr long rough = 8;          // nodes that show the size
-    constexpr double believed = 10;    // bits that may cancel, where the rough values show that some do
+    constexpr long rough = 16;      // nodes that show the size
+    constexpr double believed = 10; // bits that may cancel, where the rough values show that some do
     constexpr int most_attempts = 3;
     constexpr slong guard = 12;
-    Sum first = sum_of(f, rough, strip_bits);
+    const Sum first = sum_of(f, rough, strip_bits, true);
     if (!first.value.is_finite() || !first.absolute.is_finite()) return std::nullopt;
     const double absolute = log2_upper(first.absolute);
     if (!std::isfinite(absolute)) return std::nullopt;
     const double rough_size = log2_upper(first.value);
-    const double size = of_absolute || rough_size > absolute - 1 ? absolute - 1 : absolute - believed;
+    const Guess guess = guessed_ellipse(first, rough);
+    const double size = of_absolute || (guess.is_resolved && rough_size > absolute - 1) ? absolute - 1 : absolute - believed;
     double log2_tolerance = size - bits - 2;
-    EllipseProof proof(f, bits);
+    EllipseProof proof(f, bits, guess.sigma);
     const WorkingPrecision coarse(strip_bits);
     const auto ellipse = proof.best(log2_tolerance);
     if (!ellipse) return std::nullopt;
     EllipseIntegral out;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
-        const double wanted = (log2_upper(ellipse->bound) - log2_tolerance + 3 - std::log2(1 - std::exp(-2 * ellipse->sigma))) * M_LN2;
-        const long n = rounded_count(std::max(4.0, wanted / (2 * ellipse->sigma)));
+        constexpr double constants = 3; // log2 of what stands before the bounds
+        const long n = rounded_count(std::max(4.0, proof.nodes_for(*ellipse, log2_tolerance - constants)));
         if (n > most_nodes) return std::nullopt;
         const slong precision = std::max<slong>(strip_bits, static_cast<slong>(absolute - log2_tolerance) + guard);
         Sum sum = sum_of(f, n, precision);
         if (!sum.value.is_finite()) return std::nullopt;
-        const Ball discretisation = upper_ball(lemma::gauss_legendre(ellipse->bound, Ball::exactly(ellipse->sigma), n));
+        const Ball discretisation = discretisation_of(f, *ellipse, n, precision);
         widen(sum.value, discretisation);
-        out = {sum.value, out.nodes + n, proof.pieces, ellipse->sigma, ellipse->bound, discretisation};
+        const Ball largest = *std::max_element(ellipse->bounds.begin(), ellipse->bounds.end(),
+                                               [](const Ball& a, const Ball& b) { return arb_lt(a.get(), b.get()) != 0; });
+        out = {sum.value, out.nodes + n, proof.pieces, ellipse->sigma, largest, discretisation};
         const double shortfall = bits - static_cast<double>(out.value.relative_bits());
         if (shortfall <= 0 || of_absolute) break;
         log2_tolerance -= std::min(shortfall + 2, bits);

@@ -104,6 +104,8 @@ Complex logarithm(const Complex& x);
 template <class V>
 EndpointNumber<V> inverse_hyperbolic_sine_of_large(const EndpointNumber<V>& x)
 {
+    // which of the two is taken depends on the piece, and with it what stands beside the logarithm
+    if (x.frame() && x.frame()->keeps_logarithms()) return {x.frame(), {}, {}, V::indeterminate()};
     const EndpointNumber<V> one(1);
     const auto of_positive = [&](const EndpointNumber<V>& y) {
         return EndpointNumber<V>(logarithm(y) + log(EndpointNumber<V>(one + sqrt(EndpointNumber<V>(one + one / (y * y))))));

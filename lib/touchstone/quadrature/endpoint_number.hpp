@@ -30,8 +30,10 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <string>
+#include <vector>
 
 namespace touchstone::quadrature {
 
@@ -214,6 +216,8 @@ public:
     virtual V vanishing(Side, const Ball& /*e*/, const Exponent& /*k*/) const { return V::indeterminate(); }
     /// If it does: encloses log u / rho (log r / rho).
     virtual V logarithm_over_rho(Side) const { return V::indeterminate(); }
+    /// Whether log u and log r are kept as symbols (EndpointNumber::logarithms) and have no value here.
+    virtual bool keeps_logarithms() const { return false; }
 
     V power(Side s, const Exponent& e) const
     {
@@ -256,7 +260,17 @@ struct Order {
     }
 };
 
+/// c (log u)^left (log r)^right
+template <class V>
+struct LogarithmTerm {
+    int left = 0, right = 0;
+    V c;
+};
+
 /// u^p r^q c. See the head of this file.
+///
+/// In a frame that keeps logarithms a number is u^p r^q (c + sum of c_ij (log u)^i (log r)^j). Sums and products carry the terms along; to
+/// every other operation such a number has no value, so that what is finite has its logarithms all in the terms.
 template <class V>
 class EndpointNumber {
 public:
@@ -270,31 +284,53 @@ public:
     EndpointNumber(const ComplexBall& z) requires std::same_as<V, ComplexBall> : c_(z) {}
     EndpointNumber(double) = delete;
     EndpointNumber(const Frame<V>* frame, Order p, Order q, V c) : frame_(frame), p_(p), q_(q), c_(std::move(c)) {}
+    using Terms = std::vector<LogarithmTerm<V>>;
+    /// The terms are of different kinds, with left + right > 0.
+    EndpointNumber(const Frame<V>* frame, Order p, Order q, V c, Terms logarithms)
+        : frame_(frame)
+        , p_(p)
+        , q_(q)
+        , c_(std::move(c))
+        , logarithms_(logarithms.empty() ? nullptr : std::make_shared<const Terms>(std::move(logarithms)))
+    {
+    }
 
     const Order& left() const { return p_; }
     const Order& right() const { return q_; }
     const Order& order(Side s) const { return s == Side::left ? p_ : q_; }
-    const V& factor() const { return c_; }
+    /// Indeterminate if there are logarithms.
+    const V& factor() const { return logarithms_ ? nothing() : c_; }
+    /// What no logarithm stands beside, and the terms with one.
+    const V& factor_without_logarithm() const { return c_; }
+    bool has_logarithms() const { return logarithms_ != nullptr; }
+    const Terms& logarithms() const
+    {
+        static const Terms none;
+        return logarithms_ ? *logarithms_ : none;
+    }
     const Frame<V>* frame() const { return frame_; }
-    bool is_plain() const { return p_.is_zero() && q_.is_zero(); }
+    bool is_plain() const { return p_.is_zero() && q_.is_zero() && !logarithms_; }
     /// u^p r^q c as one ball: non-finite if it is unbounded here.
-    V value() const { return is_plain() ? c_ : over(frame_, {}, {}); }
+    V value() const { return logarithms_ ? nothing() : is_plain() ? c_ : over(frame_, {}, {}); }
 
     friend EndpointNumber operator*(const EndpointNumber& a, const EndpointNumber& b)
     {
+        if (a.logarithms_ || b.logarithms_) return product_of_terms(a, b);
         return {common(a, b), a.p_ + b.p_, a.q_ + b.q_, analytic::is_one(b.c_) ? a.c_ : a.c_ * b.c_};
     }
     friend EndpointNumber operator/(const EndpointNumber& a, const EndpointNumber& b)
     {
+        if (a.logarithms_ || b.logarithms_) return a * EndpointNumber(b.frame_, Order{} - b.p_, Order{} - b.q_, V(1) / b.factor());
         return {common(a, b), a.p_ - b.p_, a.q_ - b.q_, a.c_ / b.c_};
     }
     friend EndpointNumber operator+(const EndpointNumber& a, const EndpointNumber& b)
     {
+        if (a.logarithms_ || b.logarithms_) return sum_of_terms(a, b);
         if (a.p_ == b.p_ && a.q_ == b.q_) return {common(a, b), a.p_, a.q_, a.c_ + b.c_};
         const Order p = Order::dominant(a.p_, b.p_), q = Order::dominant(a.q_, b.q_);
         return {common(a, b), p, q, a.over(common(a, b), p, q) + b.over(common(a, b), p, q)};
     }
-    EndpointNumber operator-() const { return {frame_, p_, q_, -c_}; }
+    EndpointNumber operator-() const { return logarithms_ ? *this * EndpointNumber(-1) : EndpointNumber(frame_, p_, q_, -c_); }
     friend EndpointNumber operator-(const EndpointNumber& a, const EndpointNumber& b) { return a + (-b); }
     EndpointNumber& operator+=(const EndpointNumber& o) { return *this = *this + o; }
     EndpointNumber& operator-=(const EndpointNumber& o) { return *this = *this - o; }
@@ -303,9 +339,50 @@ public:
 
     /// An analytic function of the value: non-finite if the value is not bounded here.
     template <class F>
-    EndpointNumber map(F&& f) const { return {frame_, {}, {}, f(value())}; }
+    EndpointNumber map(F&& f) const { return {frame_, {}, {}, logarithms_ ? nothing() : f(value())}; }
 
 private:
+    static const V& nothing()
+    {
+        static const V indeterminate = V::indeterminate();
+        return indeterminate;
+    }
+    static void add_term(V& free, Terms& terms, int left, int right, V c)
+    {
+        if (left == 0 && right == 0) {
+            free += c;
+            return;
+        }
+        for (LogarithmTerm<V>& t : terms)
+            if (t.left == left && t.right == right) {
+                t.c += c;
+                return;
+            }
+        terms.push_back({left, right, std::move(c)});
+    }
+    static EndpointNumber product_of_terms(const EndpointNumber& a, const EndpointNumber& b)
+    {
+        V free = a.c_ * b.c_;
+        Terms terms;
+        for (const auto& s : a.logarithms()) add_term(free, terms, s.left, s.right, s.c * b.c_);
+        for (const auto& t : b.logarithms()) add_term(free, terms, t.left, t.right, a.c_ * t.c);
+        for (const auto& s : a.logarithms())
+            for (const auto& t : b.logarithms()) add_term(free, terms, s.left + t.left, s.right + t.right, s.c * t.c);
+        return {common(a, b), a.p_ + b.p_, a.q_ + b.q_, std::move(free), std::move(terms)};
+    }
+    static EndpointNumber sum_of_terms(const EndpointNumber& a, const EndpointNumber& b)
+    {
+        const Frame<V>* frame = common(a, b);
+        const Order p = Order::dominant(a.p_, b.p_), q = Order::dominant(a.q_, b.q_);
+        V free(0);
+        Terms terms;
+        for (const EndpointNumber* x : {&a, &b}) {
+            const V power = EndpointNumber(x->frame_, x->p_, x->q_, V(1)).over(frame, p, q);
+            add_term(free, terms, 0, 0, power * x->c_);
+            for (const auto& t : x->logarithms()) add_term(free, terms, t.left, t.right, power * t.c);
+        }
+        return {frame, p, q, std::move(free), std::move(terms)};
+    }
     static const Frame<V>* common(const EndpointNumber& a, const EndpointNumber& b) { return a.frame_ ? a.frame_ : b.frame_; }
     /// this / (u^p r^q)
     V over(const Frame<V>* frame, const Order& p, const Order& q) const
@@ -322,6 +399,7 @@ private:
     const Frame<V>* frame_ = nullptr;
     Order p_, q_;
     V c_;
+    std::shared_ptr<const Terms> logarithms_;
 };
 
 template <class V>
@@ -334,6 +412,8 @@ EndpointNumber<V> sqrt(const EndpointNumber<V>& x)
 template <class V>
 EndpointNumber<V> to_power(const EndpointNumber<V>& x, const Exponent& e)
 {
+    constexpr long most = 8;
+    if (x.has_logarithms() && e.is_integer() && e.num() > 0 && e.num() <= most) return e.num() == 1 ? x : x * to_power(x, e - Exponent(1));
     return {x.frame(), x.left() * e, x.right() * e, analytic::rational_power(x.factor(), e)};
 }
 template <class V>
@@ -417,7 +497,7 @@ EndpointNumber<V> pow(const EndpointNumber<V>& x, const EndpointNumber<V>& y)
     else return y.is_plain() ? pow(x, y.factor()) : exp(y * log(x));
 }
 
-/// log(u^p r^q c) = p log u + q log r + log c. On a piece that reaches an end the logarithm
+/// log(u^p r^q c) = p log u + q log r + log c, log c principal; so it is for a number without logarithms. On a piece that reaches an end the logarithm
 /// there is unbounded; it is returned as rho times a bounded factor.
 template <class V>
 EndpointNumber<V> log(const EndpointNumber<V>& x)
@@ -430,6 +510,10 @@ EndpointNumber<V> log(const EndpointNumber<V>& x)
         if (x.frame()->reaches(s)) {
             const Order rho{0, 1};
             sum += EndpointNumber<V>(x.frame(), s == Side::left ? rho : Order{}, s == Side::right ? rho : Order{}, V(p.ball()) * x.frame()->logarithm_over_rho(s));
+        }
+        else if (x.frame()->keeps_logarithms()) {
+            const bool left = s == Side::left;
+            sum += EndpointNumber<V>(x.frame(), {}, {}, V(0), {{left ? 1 : 0, left ? 0 : 1, V(p.ball())}});
         }
         else sum += EndpointNumber<V>(x.frame(), {}, {}, V(p.ball()) * x.frame()->logarithm(s));
     }

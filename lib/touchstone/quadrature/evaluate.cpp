@@ -158,6 +158,48 @@ N<V> part(const Node& node, const Point<V>& p, const Place& place)
     }
 }
 
+Ball middle_of(const Ball& s)
+{
+    Ball m;
+    arb_set_arf(m.get(), arb_midref(s.get()));
+    return m;
+}
+ComplexBall middle_of(const ComplexBall& s) { return {middle_of(s.real()), middle_of(s.imag())}; }
+
+/// log x for x + y = 1, with the zero where y has one. Where |y| < 1/2 the logarithm is principal, on the strip too.
+template <class V>
+N<V> logarithm_of_fraction(const N<V>& x, const N<V>& y)
+{
+    const bool keeps = x.frame() && x.frame()->keeps_logarithms();
+    const V v = y.value();
+    const Ball size = upper_ball(v), twice = size + size;
+    const bool near = !keeps && arb_lt(twice.get(), Ball(1).get());
+    if constexpr (std::same_as<V, Ball>) {
+        if (!near) return log(x);
+        Ball l;
+        const Ball minus = -v;
+        arb_log1p(l.get(), minus.get(), WorkingPrecision::bits());
+        return N<V>(l);
+    }
+    else {
+        if (y.is_plain() || keeps) return log(x);
+        const auto times = [&](const N<V>& l) { return y * N<V>(y.frame(), l.left(), l.right(), l.factor() / v); };
+        if (!near) return times(log(x));
+        // log(1 - y)/y = -(sum of y^k/(k + 1)), its derivative at most 1/2 + |y|/(1 - |y|) in size: from the middle of the ball over the
+        // ball
+        const V middle = middle_of(v);
+        const Ball slope = Ball(1) / Ball(2) + size / (Ball(1) - size);
+        V ratio(-1);
+        if (!is_exactly_zero(middle)) {
+            const V minus = -middle;
+            acb_log1p(ratio.get(), minus.get(), WorkingPrecision::bits());
+            ratio = ratio / middle;
+        }
+        widen(ratio, slope * radius_of(v));
+        return y * N<V>(y.frame(), {}, {}, ratio);
+    }
+}
+
 template <class V>
 N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
 {
@@ -201,6 +243,11 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
         else
             return function_of(node.op, order.factor().real(), arg(1));
     }
+    case Kind::logarithm_of_fraction: {
+        const N<V> over(kept<V>(node, 0, node.rest[0], place));
+        const Side own = node.order[0] != 0 ? Side::left : Side::right;
+        return logarithm_of_fraction(N<V>(over * p.distance(own)), N<V>(over * p.distance(own == Side::left ? Side::right : Side::left)));
+    }
     case Kind::exponential:
         return p.exp_x ? to_power(*p.exp_x, node.exponent) : function_of(Op::exp, N<V>(N<V>(node.exponent.ball()) * p.x));
     }
@@ -218,14 +265,6 @@ V series(const Node& node, const Zero& zero, std::size_t first_kept, const V& s,
     widen(r, lemma::remainder(zero.bound, q, static_cast<long>(zero.c.size())));
     return r;
 }
-
-Ball middle_of(const Ball& s)
-{
-    Ball m;
-    arb_set_arf(m.get(), arb_midref(s.get()));
-    return m;
-}
-ComplexBall middle_of(const ComplexBall& s) { return {middle_of(s.real()), middle_of(s.imag())}; }
 
 /// How many bits the ball knows of its number, at most those at work.
 template <class V>
@@ -266,6 +305,9 @@ constexpr std::size_t other_end = 16; // where the kept coefficients of the righ
 template <class V>
 N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
 {
+    if (const auto* frame = p.x.frame() ? p.x.frame() : p.left.frame(); frame && frame->keeps_logarithms())
+        if (N<V> r = ordinary(node, p, place); r.has_logarithms())
+            return r; // the zero of a sum with logarithms is none of what stands beside them
     N<V> front(1);
     for (const Side s : {Side::left, Side::right})
         if (const auto& zero = node.zero[s == Side::left ? 0 : 1]; zero && zero->order != 0)
@@ -286,9 +328,12 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
         return front * N<V>(front.frame(), {}, {}, t);
     }
     const N<V> quotient = ordinary(node, p, place) / front;
-    // the orders that the sum shows at an end with a zero belong to the factor: T has none there
-    const Order left = node.zero[0] ? Order{} : quotient.left(), right = node.zero[1] ? Order{} : quotient.right();
-    const N<V> hidden(quotient.frame(), node.zero[0] ? quotient.left() : Order{}, node.zero[1] ? quotient.right() : Order{}, V(1));
+    // The orders that the sum shows at an end with a zero belong to the factor: T has none there. Where logarithms are kept the other end's
+    // do too, as in T: what stands beside a logarithm must be one function, whichever way it was enclosed.
+    const bool all = quotient.frame() && quotient.frame()->keeps_logarithms();
+    const bool in_left = node.zero[0] || all, in_right = node.zero[1] || all;
+    const Order left = in_left ? Order{} : quotient.left(), right = in_right ? Order{} : quotient.right();
+    const N<V> hidden(quotient.frame(), in_left ? quotient.left() : Order{}, in_right ? quotient.right() : Order{}, V(1));
     return front * N<V>(quotient.frame(), left, right, quotient.factor() * hidden.value());
 }
 

@@ -72,28 +72,26 @@ bool is_of_the_kind(const PanelIntegrand& f)
 
 std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const Interval& interval, const Options& options)
 {
-    constexpr long most_nodes = 200; // a table of more costs more than tanh-sinh
+    const long most_nodes = options.digits <= 100 ? 300 : 200; // a table of more costs more than tanh-sinh
     constexpr double bits_per_digit = 3.3219281;
-    Ball quarter;
     {
         const WorkingPrecision precision(strip_bits);
         f.prepare();
         if (!is_of_the_kind(f)) return std::nullopt;
-        quarter = pi<Ball>() / Ball(4);
     }
     EllipseFunction g;
-    g.in_plane = [&](const ComplexBall& z) {
-        const Angle<ComplexBall> a = angle_of(ComplexBall(quarter) * (ComplexBall(1) + z));
-        return times_slope(f.on_strip(a), a);
+    g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
+        const Angle<ComplexBall> a(box.sine, box.cosine);
+        c.assign(1, times_slope(f.on_strip(a), a));
     };
     std::vector<EndpointNumber<Ball>> values;
     slong prepared = 0;
-    g.at_node = [&](const GaussNodes::Entry& e, bool mirrored) {
+    g.at_node = [&](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
         if (prepared != WorkingPrecision::bits()) f.prepare();
         prepared = WorkingPrecision::bits();
         const Angle<Ball> a(mirrored ? e.cosine : e.sine, mirrored ? e.sine : e.cosine);
         f.at_node(a, values);
-        return times_slope(values.front(), a);
+        c.assign(1, times_slope(values.front(), a));
     };
     const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
     const auto found = by_ellipse(g, wanted, options.of_absolute, most_nodes);

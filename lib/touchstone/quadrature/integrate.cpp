@@ -97,6 +97,8 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
             auto a = regular ? by_one_ellipse(*f, digits, options_.of_absolute)
                      : algebraic ? by_half_powers(f, digits, options_.of_absolute) : std::nullopt;
             if (a && a->value.is_finite()) return *a;
+            if (!regular) a = by_product_rule(f, digits, options_.of_absolute);
+            if (a && a->value.is_finite()) return *a;
         }
         const auto gauss_legendre = [&] { return by_gauss_legendre(*f, complex_, digits, kinks, options_.quick); };
         if (options_.gauss_legendre && regular) {
@@ -250,19 +252,25 @@ bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long 
     return false;
 }
 
-/// The half beside a singular end in t = 1/(distance to it), which makes exp(-1/x) an exponential and sin(1/x) a wave; the rest as it is.
+/// In t = 1/(distance to a singular end), which makes exp(-1/x) an exponential and sin(1/x) a wave: the whole range, or the half beside the end
+/// with the rest as it is.
 bool Integration::add_about_infinity(const Limit& from, const Limit& to, bool left, long digits, int depth, Integral& out)
 {
     const Limit &end = left ? from : to, &other = left ? to : from;
     if (substituted_ || !end.exact || (!other.infinite && !other.exact)) return false;
+    const std::string in =
+        left ? std::string(" in 1/(x-").append(end.text).append(")") : std::string(" in 1/(").append(end.text).append("-x)");
+    if (!other.infinite) // all of it, where the other end allows that
+        if (const auto start = (*to.exact - *from.exact).inverse();
+            start && add_of_another(about_infinity(e_, *end.exact, left ? 1 : -1), limit_at(*start, text_of(*start)), parse_limit("inf"), in,
+                                    digits, out))
+            return true;
     const ExactSum half = other.infinite ? *end.exact + ExactSum(left ? 1 : -1) : (*from.exact + *to.exact) * ExactSum(Rational(1, 2));
     const auto start = (left ? half - *end.exact : *end.exact - half).inverse();
     const auto f = about_infinity(e_, *end.exact, left ? 1 : -1);
     if (!start) return false;
     const Limit middle = limit_at(half, text_of(half));
     Integral whole = out;
-    const std::string in =
-        left ? std::string(" in 1/(x-").append(end.text).append(")") : std::string(" in 1/(").append(end.text).append("-x)");
     if (!add_of_another(f, limit_at(*start, text_of(*start)), parse_limit("inf"), in, digits, whole)) return false;
     if (!(left ? add_part(middle, to, digits, depth + 1, whole) : add_part(from, middle, digits, depth + 1, whole))) return false;
     out = std::move(whole);

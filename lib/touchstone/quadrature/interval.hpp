@@ -91,6 +91,7 @@ private:
 template <class V>
 EndpointNumber<V> minus_log_of_complement(const EndpointNumber<V>& u, const EndpointNumber<V>& r)
 {
+    if (r.frame() && r.frame()->keeps_logarithms()) return -log(r);
     if constexpr (std::same_as<V, ComplexBall>) {
         // |-log(1 - u)/u - 1| <= sum |u|^k/(k + 1) <= |u| / (2 (1 - |u|)), principal branch; which it is:
         // |u| < 1/2 happens in the left half of the strip alone, where |E| <= 1 and log r = -log(1 + E) is principal.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/logarithmic_ends.hpp"
 
+#include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #include <cmath>
+#include <map>
+#include <vector>
 
 #if __has_include(<flint/acb_hypgeom.h>)
 #include <flint/acb_hypgeom.h>
@@ -20,30 +23,52 @@ namespace {
 template <class V>
 using N = EndpointNumber<V>;
 
-/// As many terms of a power series in q that q^n is below the last bit at work, and a few.
-long terms_for(const Ball& q)
+/// As many terms of a power series in q that q^n is below the last bit at work, or well below the radius of the argument, and a few.
+long terms_for(const Ball& q, const Ball& radius)
 {
     constexpr long most = 20000;
-    const double bits = -log2_upper(q);
-    return bits > 0 ? std::min(most, static_cast<long>(static_cast<double>(WorkingPrecision::bits()) / bits) + 2) : most;
+    constexpr double spare = 8; // bits
+    const double bits = -log2_upper(q),
+                 wanted = std::min(static_cast<double>(WorkingPrecision::bits()), spare - std::min(0.0, log2_upper(radius)));
+    return bits > 0 ? std::min(most, static_cast<long>(wanted / bits) + 2) : most;
 }
 
-/// sum over n >= 1 of 2 a_n s_n u^n and sum over n >= 0 of b_n u^n, a_n = ((1/2)_n/n!)^2, b_n = (1/2)_n (3/2)_n/((2)_n n!),
-/// s_n = 1/(1 2) + 1/(3 4) + ... (n terms), for |u| < 1.
+/// 2 a_n s_n and b_n, a_n = ((1/2)_n/n!)^2, b_n = (1/2)_n (3/2)_n/((2)_n n!), s_n = 1/(1 2) + 1/(3 4) + ... (n terms).
+struct EllipticCoefficients {
+    std::vector<Ball> logarithmic, regular;
+};
+
+/// The first of them to the precision at work, kept.
+const EllipticCoefficients& elliptic_coefficients(long terms)
+{
+    thread_local std::map<slong, EllipticCoefficients> kept;
+    constexpr std::size_t most_precisions = 8;
+    if (kept.size() > most_precisions) kept.clear();
+    EllipticCoefficients& c = kept[WorkingPrecision::bits()];
+    if (c.regular.size() >= static_cast<std::size_t>(terms)) return c;
+    c = {};
+    Ball a(1), b(1), s(0);
+    for (long n = 0; n < terms; ++n) {
+        c.logarithmic.push_back(Ball(2) * a * s);
+        c.regular.push_back(b);
+        s += Ball(1) / Ball((2 * n + 1) * (2 * n + 2));
+        a = a * Ball((2 * n + 1) * (2 * n + 1)) / Ball((2 * n + 2) * (2 * n + 2));
+        b = b * Ball((2 * n + 1) * (2 * n + 3)) / Ball((2 * n + 2) * (2 * n + 4));
+    }
+    return c;
+}
+
+/// sum of 2 a_n s_n u^n and sum of b_n u^n, for |u| < 1.
 template <class V>
 std::pair<V, V> elliptic_series(const V& u)
 {
     const Ball q = upper_ball(u);
-    const long terms = terms_for(q);
-    V logarithmic(0), regular(0), power(1);
-    Ball a(1), b(1), s(0);
-    for (long n = 0; n < terms; ++n) {
-        if (n > 0) logarithmic += power * V(Ball(2) * a * s);
-        regular += power * V(b);
-        power = power * u;
-        s += Ball(1) / Ball((2 * n + 1) * (2 * n + 2));
-        a = a * Ball((2 * n + 1) * (2 * n + 1)) / Ball((2 * n + 2) * (2 * n + 2));
-        b = b * Ball((2 * n + 1) * (2 * n + 3)) / Ball((2 * n + 2) * (2 * n + 4));
+    const long terms = terms_for(q, radius_of(u));
+    const EllipticCoefficients& c = elliptic_coefficients(terms);
+    V logarithmic(0), regular(0);
+    for (auto n = static_cast<std::size_t>(terms); n-- > 0;) {
+        logarithmic = logarithmic * u + V(c.logarithmic[n]);
+        regular = regular * u + V(c.regular[n]);
     }
     widen(logarithmic, lemma::elliptic_remainder(q, terms));
     widen(regular, lemma::remainder(Ball(1), q, terms)); // b_n <= 1
@@ -64,24 +89,60 @@ bool is_below(const V& v, const Rational& bound)
     return arb_lt(upper_ball(v).get(), Ball(bound).get()) != 0;
 }
 
+/// Whether log u is a symbol here: then what stands beside it must be one function on the whole of the plane.
+template <class V>
+bool keeps_its_logarithm(const N<V>& u)
+{
+    return u.frame() && u.frame()->keeps_logarithms() && !u.is_plain();
+}
+
+/// K(1 - u) = -(1/pi) K(u) (log u - log 16) - S(u) and what E(1 - u) takes besides.
+template <class V>
+struct AboutOne {
+    V k;       ///< K(u)
+    V rest;    ///< S(u)
+    V regular; ///< (K(u) - E(u))/u
+};
+
+template <class V>
+AboutOne<V> by_series(const V& u)
+{
+    const auto [logarithmic, regular] = elliptic_series(u);
+    return {elliptic_of_complement(V(1) - u).k, logarithmic, regular * V(pi<Ball>() / Ball(4))};
+}
+
+/// Off the cuts, by principal functions.
+template <class V>
+AboutOne<V> by_values(const V& u)
+{
+    const auto own = elliptic_of_complement(V(1) - u), other = elliptic_of_complement(u);
+    const V logarithm = analytic::log(u) - V(log(Ball(16)));
+    return {own.k, own.k / V(-pi<Ball>()) * logarithm - other.k, (own.k - own.e) / u};
+}
+
+/// `near`: |u| < 1/2, where a box may hold 0.
+AboutOne<Ball> about_one(const Ball& u, bool) { return by_values(u); }
+AboutOne<ComplexBall> about_one(const ComplexBall& u, bool near) { return near ? by_series(u) : by_values(u); }
+
 template <class V>
 N<V> elliptic(Op op, const N<V>& u)
 {
-    const Op plain = op == Op::elliptic_k_of_complement ? Op::elliptic_k : Op::elliptic_e;
+    const bool is_k = op == Op::elliptic_k_of_complement, keeps = keeps_its_logarithm(u);
     const V v = u.value();
-    if (!vanishes_at_an_end(u) || !is_below(v, Rational(1, 2))) {
+    if (!v.is_finite()) return N<V>(V::indeterminate());
+    const bool near = vanishes_at_an_end(u) && is_below(v, Rational(1, 2));
+    if (keeps && !vanishes_at_an_end(u)) return N<V>(V::indeterminate());
+    if (!keeps && (std::same_as<V, Ball> || !near)) {
         if (!u.is_plain() && !is_principal(u)) return N<V>(V::indeterminate());
-        return N<V>(special_function(plain, V(1) - v));
+        const auto both = elliptic_of_complement(v);
+        return N<V>(is_k ? both.k : both.e);
     }
-    const auto [logarithmic, regular] = elliptic_series(v);
-    const V k = special_function(Op::elliptic_k, v);
-    const Ball log16 = log(Ball(16));
+    const AboutOne<V> parts = about_one(v, near);
     // DLMF 19.12.1
-    const N<V> K = N<V>(k / V(-pi<Ball>())) * (log(u) - N<V>(log16)) - N<V>(logarithmic);
-    if (plain == Op::elliptic_k) return K;
-    // Legendre's relation, with (K(u) - E(u))/u = (pi/4) sum of b_n u^n
-    const Ball quarter_pi = pi<Ball>() / Ball(4);
-    return (N<V>(V(Ball(2) * quarter_pi)) + u * N<V>(regular * V(quarter_pi)) * K) / N<V>(k);
+    const N<V> K = N<V>(parts.k / V(-pi<Ball>())) * (log(u) - N<V>(log(Ball(16)))) - N<V>(parts.rest);
+    if (is_k) return K;
+    // Legendre's relation
+    return (N<V>(V(pi<Ball>() / Ball(2))) + u * N<V>(parts.regular) * K) / N<V>(parts.k);
 }
 
 /// sum over k of (psi(k + 1) + psi(n + k + 1)) w^k/(k! (n + k)!)
@@ -163,13 +224,16 @@ std::optional<N<V>> bessel(Op op, const Ball& order, const N<V>& x)
 {
     constexpr double largest = 8;
     const double nu = arf_get_d(arb_midref(order.get()), ARF_RND_NEAR);
+    if (x.has_logarithms()) return N<V>(V::indeterminate());
     if (!vanishes_at_an_end(x) || !order.is_exact() || std::fabs(nu) > largest) return std::nullopt;
     const bool integer = arb_is_int(order.get()) != 0, logarithmic = op == Op::bessel_k || op == Op::bessel_y;
     const bool half_odd = !integer && arb_is_int((order * Ball(2)).get()) != 0;
     if (!(integer && logarithmic && nu >= 0) && !(half_odd && (op == Op::bessel_j || op == Op::bessel_i))) return std::nullopt;
     // farther away terms cancel: bits at a node, less than what a box loses otherwise on a piece
     const Rational near(std::same_as<V, Ball> ? 2 : 8);
-    if (!is_below(x.value(), near)) {
+    constexpr long farthest = 64; // the series takes as many terms as x is large
+    if (keeps_its_logarithm(x) && !is_below(x.value(), Rational(farthest))) return N<V>(V::indeterminate());
+    if (!keeps_its_logarithm(x) && !is_below(x.value(), near)) {
         if (!is_principal(x)) return N<V>(V::indeterminate());
         return N<V>(special_function(op, order, x.value()));
     }

@@ -3,6 +3,7 @@
 
 #include "touchstone/quadrature/ellipse_rule.hpp"
 #include "touchstone/quadrature/half_powers.hpp"
+#include "touchstone/quadrature/product_rule.hpp"
 #include "touchstone/quadrature/strip.hpp"
 
 #include <algorithm>
@@ -110,13 +111,13 @@ std::optional<Attempt> by_one_ellipse(const Integrand& f, long digits, bool of_a
         ends = {(from + to) / Ball(2), (to - from) / Ball(2), WorkingPrecision::bits()};
     };
     EllipseFunction g;
-    g.in_plane = [&](const ComplexBall& z) {
+    g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
         prepare();
-        return f.in_plane(ComplexBall(ends.middle) + ComplexBall(ends.half) * z);
+        c.assign(1, f.in_plane(ComplexBall(ends.middle) + ComplexBall(ends.half) * box.z));
     };
-    g.at_node = [&](const GaussNodes::Entry& e, bool mirrored) {
+    g.at_node = [&](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
         prepare();
-        return f.at_real(mirrored ? ends.middle - ends.half * e.z : ends.middle + ends.half * e.z);
+        c.assign(1, f.at_real(mirrored ? ends.middle - ends.half * e.z : ends.middle + ends.half * e.z));
     };
     const auto found = by_ellipse(g, static_cast<double>(digits) * bits_per_digit + 1, of_absolute, most_nodes);
     if (!found) return std::nullopt;
@@ -141,6 +142,23 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f,
     if (!e) return std::nullopt;
     Attempt a = attempt_of(*e, f->range());
     a.part.rule = "gauss-legendre in the angle";
+    a.part.evaluations = e->evaluations;
+    a.part.proof = e->proof;
+    return a;
+}
+
+std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f, long digits, bool of_absolute)
+{
+    Options options;
+    options.digits = digits;
+    options.of_absolute = of_absolute;
+    const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
+    const auto interval = std::make_shared<Interval>(f->range().interval());
+    const detail::MakePanel make = [&](const Rational& from, const Rational& to) { return detail::panel_integrand(at, interval, from, to); };
+    const auto e = detail::integrate_by_product_rule(make, *interval, options);
+    if (!e) return std::nullopt;
+    Attempt a = attempt_of(*e, f->range());
+    a.part.rule = "product integration";
     a.part.evaluations = e->evaluations;
     a.part.proof = e->proof;
     return a;

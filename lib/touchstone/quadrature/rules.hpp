@@ -29,6 +29,9 @@ std::optional<Attempt> by_one_ellipse(const Integrand&, long digits, bool of_abs
 /// half_powers.hpp, of a real formula without kinks on a finite range or an algebraic map.
 std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>&, long digits, bool of_absolute);
 
+/// product_rule.hpp, of a real formula without kinks.
+std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, long digits, bool of_absolute);
+
 /// tanh_sinh.hpp; of a complex formula both parts, by one proof.
 Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>&, bool complex, long digits, const IntegralOptions&);
 

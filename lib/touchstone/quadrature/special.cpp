@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/special.hpp"
 
+#include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/endpoint_number.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #if __has_include(<flint/acb_hypgeom.h>)
-#include <flint/acb_elliptic.h>
 #include <flint/acb_hypgeom.h>
 #else
-#include <acb_elliptic.h>
 #include <acb_hypgeom.h>
 #endif
 
@@ -157,8 +156,8 @@ ComplexBall special_function(Op op, const ComplexBall& z)
     case Op::airy_ai:
     case Op::airy_bi: return airy(op, z);
     case Op::lambert_w: return lambert_w(z);
-    case Op::elliptic_k: return off(meets_from(z, Ball(1)), acb_elliptic_k);
-    case Op::elliptic_e: return off(meets_from(z, Ball(1)), acb_elliptic_e);
+    case Op::elliptic_k: return elliptic_of_complement(ComplexBall(1) - z).k;
+    case Op::elliptic_e: return elliptic_of_complement(ComplexBall(1) - z).e;
     case Op::floor: {
         ComplexBall w;
         acb_real_floor(w.get(), z.get(), 1, bits());
@@ -196,6 +195,8 @@ Ball special_function(Op op, const Ball& x)
     case Op::log1p: return real(arb_log1p);
     case Op::sinc: return analytic::sinc(x);
     case Op::gamma: return real(arb_gamma);
+    case Op::elliptic_k: return elliptic_of_complement(Ball(1) - x).k;
+    case Op::elliptic_e: return elliptic_of_complement(Ball(1) - x).e;
     default: return special_function(op, ComplexBall(x)).real();
     }
 }

@@ -69,6 +69,9 @@ bool StripProof::layer(Side side, double x1, double x2, double y1, double y2, do
     if (value(piece).factor().is_finite()) return true;
     const double width = x2 - x1, height = y2 - y1;
     if (width <= smallest && height <= smallest) {
+        failed_side_ = side;
+        failed_from_ = x1;
+        failed_to_ = x2;
         fail(piece, "the integrand is not proved analytic");
         return false;
     }
@@ -188,6 +191,13 @@ bool StripProof::run(Panel& panel, double bits)
         reason = out.str();
         failure_u = -1;
     };
+    // what an end does not show on the lowest strip it shows on none
+    constexpr double lowest_height = 1e-4;
+    for (const Side s : {Side::left, Side::right})
+        if (const End e = end(s, lowest_height); !e.proved || !(Exponent(0) < e.here)) {
+            report_end(e, s);
+            return false;
+        }
     struct Candidate {
         double d;
         End left, right;
@@ -204,7 +214,11 @@ bool StripProof::run(Panel& panel, double bits)
         }
         budget_ = std::min(total, pieces + allowance);
         const double smallest = (c.d - below) / 32;
-        const bool yes = is_constant_ || (layer(Side::left, 0, c.left.edge, below, c.d, smallest) &&
+        // where the one before failed this one will fail first
+        const double reach = (failed_side_ == Side::left ? c.left : c.right).edge;
+        const bool likely = is_constant_ || failed_to_ <= failed_from_ || failed_to_ > reach ||
+                            layer(failed_side_, failed_from_, failed_to_, below, c.d, smallest);
+        const bool yes = is_constant_ || (likely && layer(Side::left, 0, c.left.edge, below, c.d, smallest) &&
                                           layer(Side::right, 0, c.right.edge, below, c.d, smallest));
         budget_ = total;
         return yes;
@@ -220,7 +234,9 @@ bool StripProof::run(Panel& panel, double bits)
                 failed = d;
         }
     };
-    descend(1, 1.0 / 64, 150 + static_cast<long>(nodes_cost / 4));
+    const long first_allowance = 150 + static_cast<long>(nodes_cost / 4);
+    descend(0.75, 0.75, first_allowance);
+    descend(0.5, 1.0 / 64, first_allowance);
     // lower: a singularity may be close; or a factor such as cos x, which grows with the height of the strip, needs a low one
     if (proved.empty()) descend(failure_u >= 0 ? 0.125 : 1.0 / 128, failure_u >= 0 ? 1e-4 : 1e-3, total);
     if (proved.empty()) return false;

@@ -52,6 +52,8 @@ private:
     const PanelFunction<ComplexBall>& f_;
     long budget_;
     bool is_constant_ = false;
+    Side failed_side_ = Side::left;
+    double failed_from_ = 0, failed_to_ = 0; // Re t, where the last strip was not proved
     double pieces_per_bit_ = 1; // as many values of f cost what one bit of the tolerance costs at the nodes
     EndpointNumber<ComplexBall> constant_;
 };

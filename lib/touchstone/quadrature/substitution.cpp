@@ -112,6 +112,31 @@ std::optional<Monomial> monomial(const Expression& e)
     }
 }
 
+/// The monomials among the factors of a product or quotient, and the other factors above and below.
+struct Factors {
+    Monomial all{ExactSum(1), 0};
+    ExpressionPtr above = number(1), below = number(1);
+
+    void take(const ExpressionPtr& e, bool inverse)
+    {
+        const auto own = monomial(*e);
+        if (const auto a = own ? power(*own, inverse ? -1 : 1) : std::nullopt) {
+            all = {all.c * a->c, all.m + a->m};
+            return;
+        }
+        if (e->op == Op::multiply || e->op == Op::divide) {
+            take(e->args[0], inverse);
+            take(e->args[1], inverse != (e->op == Op::divide));
+        }
+        else if (e->op == Op::negate) {
+            all.c = -all.c;
+            take(e->args[0], inverse);
+        }
+        else
+            (inverse ? below : above) = product(inverse ? below : above, e);
+    }
+};
+
 void collect_powers(const Expression& e, std::set<Rational>& found)
 {
     if (!depends_on_x(e)) return;
@@ -131,6 +156,16 @@ void collect_powers_in_arguments(const Expression& e, std::set<Rational>& found)
 {
     if (is_wave_or_exponential(e.op)) collect_powers(*e.args.back(), found);
     for (const ExpressionPtr& a : e.args) collect_powers_in_arguments(*a, found);
+}
+
+/// The same for x > 0, with one monomial before it all.
+ExpressionPtr with_one_monomial(const ExpressionPtr& e)
+{
+    Factors f;
+    f.take(e, false);
+    const ExpressionPtr x = make_variable();
+    const ExpressionPtr power = f.all.m == 0 ? number(1) : f.all.m == 1 ? x : make(Op::power, {x, number(f.all.m)});
+    return quotient(product(product(formula_of(f.all.c), power), f.above), f.below);
 }
 
 } // namespace
@@ -193,7 +228,7 @@ ExpressionPtr about_infinity(const ExpressionPtr& e, const ExactSum& end, int di
         return quotient(formula_of((*p)[1] * ExactSum(direction)), make_variable());
     };
     const ExpressionPtr f = replaced(e, end.is_zero() ? step : make(Op::add, {formula_of(end), step}), linear);
-    return quotient(f, make(Op::power, {make_variable(), number(2)}));
+    return with_one_monomial(quotient(f, make(Op::power, {make_variable(), number(2)})));
 }
 
 } // namespace touchstone::quadrature

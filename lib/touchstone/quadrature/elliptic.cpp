@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/elliptic.hpp"
+
+#include "touchstone/quadrature/endpoint_number.hpp"
+#include "touchstone/quadrature/upper.hpp"
+#include "touchstone/quadrature/widen.hpp"
+
+namespace touchstone::quadrature {
+namespace {
+
+Ball real_part(const Ball& x) { return x; }
+Ball real_part(const ComplexBall& z) { return z.real(); }
+
+Ball shifted(Ball x, slong e)
+{
+    arb_mul_2exp_si(x.get(), x.get(), e);
+    return x;
+}
+ComplexBall shifted(ComplexBall z, slong e)
+{
+    acb_mul_2exp_si(z.get(), z.get(), e);
+    return z;
+}
+template <class V>
+V half(V x)
+{
+    return shifted(std::move(x), -1);
+}
+
+/// About log2 of an exact number >= 0.
+slong exponent_of(const Ball& x)
+{
+    constexpr slong none = -(WORD(1) << 40);
+    return arb_is_zero(x.get()) ? none : arf_abs_bound_lt_2exp_si(arb_midref(x.get()));
+}
+
+Ball lower_ball(const Ball& x)
+{
+    Ball low;
+    arb_get_lbound_arf(arb_midref(low.get()), x.get(), 53);
+    return low;
+}
+
+/// a_0 = 1, b_0 = sqrt v, c_n = (a_(n-1) - b_(n-1))/2: K = pi/(2 a), E = K (1 - m/2 - sum over n >= 1 of 2^(n-1) c_n^2), a the limit. All
+/// means have a real part of delta = min(Re a_n, Re b_n) at least from n on, and c_(n+1) = c_n^2/(4 a_(n+1)). So once |c_n| <= 2 delta the
+/// limit is within |c_n|^2/(2 delta) of a_n, and what the sum lacks after its n-th term is at most 2^(n+1) |c_n|^4/(16 delta^2).
+template <class V>
+Elliptic<V> by_means(const V& v)
+{
+    constexpr int most = 64;
+    const slong bits = WorkingPrecision::bits();
+    V a(1), b = analytic::sqrt(v), sum = (V(1) - v) / V(2), c, square;
+    Ball size;
+    slong before = WORD_MAX;
+    int n = 0;
+    for (slong now = 0; n < most; before = now) {
+        ++n;
+        c = half(a - b);
+        V mean = half(a + b);
+        b = analytic::sqrt(a * b);
+        a = std::move(mean);
+        square = c * c;
+        sum += shifted(square, n - 1);
+        size = upper_ball(square);
+        now = exponent_of(size);
+        if (now < -bits - 4 || now >= before) break; // no smaller than the balls are wide
+    }
+    const Ball delta = lower_ball(touchstone::at_most(real_part(a), real_part(b)));
+    if (!arb_is_positive(delta.get()) || !arb_le(size.get(), (Ball(4) * delta * delta).get()))
+        return {V::indeterminate(), V::indeterminate()};
+    widen(a, size / (Ball(2) * delta));
+    widen(sum, shifted(size * size / (delta * delta), n - 3));
+    const V k = V(pi<Ball>()) / shifted(a, 1);
+    return {k, k * (V(1) - sum)};
+}
+
+} // namespace
+
+Elliptic<Ball> elliptic_of_complement(const Ball& v) { return by_means(v); }
+Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v) { return by_means(v); }
+
+} // namespace touchstone::quadrature

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/product_rule.hpp"
+
+#include "touchstone/quadrature/ellipse_rule.hpp"
+#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/upper.hpp"
+#include "touchstone/quadrature/widen.hpp"
+
+#include <algorithm>
+
+namespace touchstone::quadrature::detail {
+namespace {
+
+constexpr double bits_per_digit = 3.3219281;
+
+/// A ball of z in the plane: u = (1 + z)/2, r = (1 - z)/2, their logarithms symbols.
+template <class V>
+class Segment : public Frame<V> {
+public:
+    explicit Segment(const V& z)
+        : u_(half(V(1) + z))
+        , r_(half(V(1) - z))
+    {
+    }
+    V distance(Side s) const override { return s == Side::left ? u_ : r_; }
+    V logarithm(Side) const override { return V::indeterminate(); }
+    bool keeps_logarithms() const override { return true; }
+
+private:
+    static V half(V x)
+    {
+        if constexpr (std::same_as<V, ComplexBall>)
+            acb_mul_2exp_si(x.get(), x.get(), -1);
+        else
+            arb_mul_2exp_si(x.get(), x.get(), -1);
+        return x;
+    }
+    /// A power that is not an integer must stand before the whole.
+    V power_by_log(Side, const Exponent&) const override { return V::indeterminate(); }
+    V u_, r_;
+};
+
+bool is_exactly_zero(const Ball& x) { return arb_is_zero(x.get()) != 0; }
+bool is_exactly_zero(const ComplexBall& z) { return acb_is_zero(z.get()) != 0; }
+
+/// The part of a power that is left to the weight: a multiple of the distance is analytic.
+Exponent singular_part(const Exponent& e)
+{
+    if (e < Exponent(0)) return e;
+    return e - Exponent(e.num() / e.den());
+}
+
+/// What stands beside which weight.
+class Decomposition {
+public:
+    /// As it is at one point; nothing if it is not integrable or not of the kind.
+    static std::optional<Decomposition> of(const PanelIntegrand& f)
+    {
+        const Segment<ComplexBall> somewhere(ComplexBall(Ball(-1) / Ball(4)));
+        const EndpointNumber<ComplexBall> g = f.on_strip(somewhere);
+        if (!g.left().logs.is_zero() || !g.right().logs.is_zero()) return std::nullopt;
+        SingularWeight w{singular_part(g.left().power), singular_part(g.right().power)};
+        if (!(Exponent(-1) < w.left) || !(Exponent(-1) < w.right)) return std::nullopt;
+        Decomposition d;
+        if (!g.factor_without_logarithm().is_finite()) return std::nullopt;
+        if (!is_exactly_zero(g.factor_without_logarithm())) d.weights_.push_back(w);
+        for (const auto& t : g.logarithms()) {
+            if (t.left + t.right > most_logarithms) return std::nullopt;
+            w.left_logarithms = t.left;
+            w.right_logarithms = t.right;
+            if (!is_exactly_zero(t.c)) d.weights_.push_back(w);
+        }
+        if (d.weights_.empty()) return std::nullopt;
+        return d;
+    }
+    const std::vector<SingularWeight>& weights() const { return weights_; }
+
+    /// The factors beside the weights; non-finite where there is anything else.
+    template <class V>
+    void take(const EndpointNumber<V>& g, const Frame<V>& frame, std::vector<V>& c) const
+    {
+        c.assign(weights_.size(), V(0));
+        if (is_exactly_zero(g.factor_without_logarithm()) && !g.has_logarithms()) return;
+        const V power = analytic_part(g, frame);
+        std::size_t found = 0;
+        const auto place = [&](int left, int right, const V& factor) {
+            const auto w = std::find_if(weights_.begin(), weights_.end(), [&](const SingularWeight& own) {
+                return own.left_logarithms == left && own.right_logarithms == right;
+            });
+            if (w != weights_.end()) {
+                c[static_cast<std::size_t>(w - weights_.begin())] = factor * power;
+                ++found;
+            }
+            else if (!is_exactly_zero(factor))
+                c.front() = V::indeterminate();
+        };
+        place(0, 0, g.factor_without_logarithm());
+        for (const auto& t : g.logarithms()) place(t.left, t.right, t.c);
+        if (found != weights_.size()) c.front() = V::indeterminate();
+    }
+
+private:
+    static constexpr int most_logarithms = 4;
+
+    /// u^p r^q over the weights' powers: an integer power of each.
+    template <class V>
+    V analytic_part(const EndpointNumber<V>& g, const Frame<V>& frame) const
+    {
+        V y(1);
+        for (const Side s : {Side::left, Side::right}) {
+            const Exponent own = s == Side::left ? weights_.front().left : weights_.front().right;
+            const Exponent rest = g.order(s).power - own;
+            if (!g.order(s).logs.is_zero() || !rest.is_integer() || rest < Exponent(0)) return V::indeterminate();
+            if (!rest.is_zero()) y *= frame.power(s, rest);
+        }
+        return y;
+    }
+    std::vector<SingularWeight> weights_;
+};
+
+/// Whether the integrand is of the kind about both ends.
+bool is_of_the_kind(const PanelIntegrand& f, const Decomposition& d)
+{
+    std::vector<ComplexBall> c;
+    for (const long end : {-1L, 1L}) {
+        ComplexBall z(end);
+        constexpr double beside = 1e-3;
+        widen(z, Ball::exactly(beside));
+        const Segment<ComplexBall> there(z);
+        d.take(f.on_strip(there), there, c);
+        if (!std::all_of(c.begin(), c.end(), [](const ComplexBall& x) { return x.is_finite(); })) return false;
+    }
+    return true;
+}
+
+/// A part of the range, and what it is there.
+struct WholePanel {
+    Rational from, to;
+    PanelIntegrand f;
+    Decomposition d;
+};
+
+/// The sum of some panels.
+struct Panels {
+    Ball value{0}; ///< over u
+    long evaluations = 0;
+    std::string proof;
+};
+
+class ProductRule {
+public:
+    ProductRule(const MakePanel& make, const Options& options, double bits)
+        : make_(make)
+        , options_(options)
+        , bits_(bits)
+    {
+    }
+    /// False if a part is not of the kind, or takes too many nodes, even when it is cut.
+    bool integrate(Panels& all) const;
+
+private:
+    bool cut_until_of_the_kind(const Rational& from, const Rational& to, int cuts, std::vector<WholePanel>& panels) const;
+    bool add(const WholePanel& panel, int cuts, Panels& all) const;
+
+    static constexpr int most_cuts = 2; // one after the other
+    const MakePanel& make_;
+    const Options& options_;
+    double bits_;
+};
+
+EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& d)
+{
+    EllipseFunction g;
+    g.weights = d.weights();
+    g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
+        const Segment<ComplexBall> there(box.z);
+        d.take(f.on_strip(there), there, c);
+    };
+    g.at_node = [&, values = std::vector<EndpointNumber<Ball>>(), prepared = slong(0)](const GaussNodes::Entry& e, bool mirrored,
+                                                                                       std::vector<Ball>& c) mutable {
+        if (prepared != WorkingPrecision::bits()) f.prepare();
+        prepared = WorkingPrecision::bits();
+        const Segment<Ball> there(mirrored ? -e.z : e.z);
+        f.at_node(there, values);
+        d.take(values.front(), there, c);
+    };
+    return g;
+}
+
+bool ProductRule::cut_until_of_the_kind(const Rational& from, const Rational& to, int cuts, std::vector<WholePanel>& panels) const
+{
+    PanelIntegrand f = make_(from, to);
+    {
+        const WorkingPrecision precision(strip_bits);
+        f.prepare();
+        const auto d = Decomposition::of(f);
+        if (!d) return false;
+        if (is_of_the_kind(f, *d)) {
+            panels.push_back({from, to, std::move(f), *d});
+            return true;
+        }
+    }
+    if (cuts == 0) return false;
+    const Rational middle = (from + to) / 2;
+    return cut_until_of_the_kind(from, middle, cuts - 1, panels) && cut_until_of_the_kind(middle, to, cuts - 1, panels);
+}
+
+bool ProductRule::add(const WholePanel& panel, int cuts, Panels& all) const
+{
+    constexpr long most_nodes = 250; // a table of more costs more than tanh-sinh
+    if (const auto found = by_ellipse(function_of_panel(panel.f, panel.d), bits_, options_.of_absolute, most_nodes)) {
+        const WorkingPrecision precision(static_cast<slong>(bits_) + 64);
+        const Ball half = Ball(1) / Ball(2);
+        all.value += found->value * half;
+        all.evaluations += found->nodes + found->pieces;
+        all.proof += (all.proof.empty() ? "" : "; ") + found->proof(half);
+        return true;
+    }
+    std::vector<WholePanel> halves;
+    const Rational middle = (panel.from + panel.to) / 2;
+    return cuts > 0 && cut_until_of_the_kind(panel.from, middle, 0, halves) && cut_until_of_the_kind(middle, panel.to, 0, halves) &&
+           std::all_of(halves.begin(), halves.end(), [&](const WholePanel& half) { return add(half, cuts - 1, all); });
+}
+
+bool ProductRule::integrate(Panels& all) const
+{
+    std::vector<WholePanel> panels;
+    return cut_until_of_the_kind(0, 1, most_cuts, panels) &&
+           std::all_of(panels.begin(), panels.end(), [&](const WholePanel& panel) { return add(panel, most_cuts, all); });
+}
+
+} // namespace
+
+std::optional<ProductIntegral> integrate_by_product_rule(const MakePanel& make, const Interval& interval, const Options& options)
+{
+    const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
+    Panels found;
+    if (!ProductRule(make, options, wanted).integrate(found)) return std::nullopt;
+    ProductIntegral e;
+    e.value = found.value;
+    e.proof = found.proof;
+    e.evaluations = found.evaluations;
+    const double have = static_cast<double>(e.value.relative_bits());
+    if (have < wanted - 1 && !options.of_absolute) return std::nullopt;
+    e.digits = std::min(options.digits, static_cast<long>(have / bits_per_digit));
+    e.status = e.digits == options.digits ? Status::certified : Status::undecided;
+    e.certificate.interval = interval.to_string();
+    e.certificate.digits = options.digits;
+    return e;
+}
+
+} // namespace touchstone::quadrature::detail

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Nodes of Gauss and Legendre, and the weights that integrate functions singular at the ends by values at them (internal to quadrature/).
+///
+/// With u = (1 + z)/2, r = (1 - z)/2 and w = u^p r^q (log u)^i (log r)^j, p, q > -1, the weights W_k with
+///
+///     sum of W_k F(z_k) = integral of w F over [-1, 1]        for every polynomial F of degree n - 1 at most
+///
+/// are W_k = lambda_k (sum over m < n of (2m + 1) M_m P_m(z_k)), where lambda_k are those of Gauss and M_m is the integral of w P_m du. For
+/// i = j = 0 the moments obey (m + 1)(m + p + q + 2) M_(m+1) = (p - q)(2m + 1) M_m - m(p + q + 1 - m) M_(m-1); their derivatives in p and q
+/// are those with logarithms (tanh_sinh.md, section 19).
+///
+/// Cost: n^2/2 steps of Legendre's recursion for a table; kept.
+#pragma once
+
+#include "touchstone/quadrature/endpoint_number.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace touchstone::quadrature {
+
+/// The n nodes of Gauss and Legendre and what belongs to the angle (pi/4)(1 + z) of each; from the cache if they are there.
+class GaussNodes {
+public:
+    static std::shared_ptr<const GaussNodes> get(long n, slong bits);
+
+    struct Entry {
+        Ball z;            ///< >= 0
+        Ball weight;       ///< of z and of -z
+        Ball sine, cosine; ///< of (pi/4)(1 + z); those of (pi/4)(1 - z) are exchanged
+    };
+    const std::vector<Entry>& entries() const { return entries_; }
+    long count() const { return n_; }
+
+private:
+    GaussNodes(long n, slong bits);
+    long n_;
+    slong bits_;
+    std::vector<Entry> entries_;
+};
+
+/// u^left r^right (log u)^left_logarithms (log r)^right_logarithms
+struct SingularWeight {
+    Exponent left, right; ///< above -1
+    int left_logarithms = 0, right_logarithms = 0;
+
+    bool is_one() const { return left.is_zero() && right.is_zero() && left_logarithms == 0 && right_logarithms == 0; }
+    friend bool operator==(const SingularWeight&, const SingularWeight&) = default;
+};
+
+/// Integrals of w P_m over u in (0, 1), P_m(2u - 1), for m < n.
+std::vector<Ball> moments(const SingularWeight&, long n);
+
+class WeightedNodes {
+public:
+    /// From the cache if they are there.
+    static std::shared_ptr<const WeightedNodes> get(const SingularWeight&, long n, slong bits);
+
+    /// Of the k-th entry of GaussNodes, or of its mirror image.
+    const Ball& at(std::size_t k, bool mirrored) const { return (mirrored ? at_mirrored_ : at_)[k]; }
+    /// Upper bound of the integral of |w| over [-1, 1] and the sum of the |W_k|.
+    const Ball& size() const { return size_; }
+
+private:
+    WeightedNodes(const SingularWeight&, long n, slong bits);
+    SingularWeight weight_;
+    long n_;
+    slong bits_;
+    std::vector<Ball> at_, at_mirrored_;
+    Ball size_;
+};
+
+} // namespace touchstone::quadrature

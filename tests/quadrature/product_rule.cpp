@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// Product integration: its weights against closed forms, the numbers with logarithms as symbols, which formulas it takes and which it must
+// not.
+#include "touchstone/quadrature/elliptic.hpp"
+#include "touchstone/quadrature/integrate.hpp"
+#include "touchstone/quadrature/product_rule.hpp"
+#include "touchstone/quadrature/singular_weights.hpp"
+
+#include <doctest/doctest.h>
+
+#if __has_include(<flint/acb_elliptic.h>)
+#include <flint/acb_elliptic.h>
+#else
+#include <acb_elliptic.h>
+#endif
+
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+Ball decimal(const char* text) { return Ball(*parse_rational(text)); }
+
+Ball beta(const Ball& x, const Ball& y)
+{
+    const auto gamma = [](const Ball& z) { return ScalarTraits<Ball>::gamma(z); };
+    return gamma(x) * gamma(y) / gamma(x + y);
+}
+
+/// sum of W_l u^k: the integral of w u^k over z.
+Ball by_rule(const SingularWeight& w, long k, long n, slong bits)
+{
+    const auto nodes = GaussNodes::get(n, bits);
+    const auto weights = WeightedNodes::get(w, n, bits);
+    Ball sum(0);
+    const auto& entries = nodes->entries();
+    for (std::size_t l = 0; l < entries.size(); ++l)
+        for (const bool mirrored : {false, true}) {
+            if (mirrored && n % 2 != 0 && l + 1 == entries.size()) continue;
+            const Ball u = (Ball(1) + (mirrored ? -entries[l].z : entries[l].z)) / Ball(2);
+            sum += weights->at(l, mirrored) * analytic::integer_power(u, k);
+        }
+    return sum;
+}
+
+void agree(const Ball& x, const Ball& y, slong bits)
+{
+    CHECK_MESSAGE(x.overlaps(y), x.to_string(30), " is not ", y.to_string(30));
+    CHECK(x.relative_bits() >= bits);
+}
+
+Integral integral(const std::string& formula, const char* from, const char* to, long digits = 30)
+{
+    IntegralOptions o;
+    o.digits = digits;
+    return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), o);
+}
+
+} // namespace
+
+TEST_CASE("the weights integrate powers of u exactly, up to degree n - 1 and no further")
+{
+    constexpr slong bits = 200, wanted = 150;
+    const WorkingPrecision precision(bits);
+    for (const long n : {1L, 2L, 7L, 40L})
+        for (const long k : {0L, n - 1}) {
+            // u^p r^q u^k: 2 B(p + k + 1, q + 1)
+            for (const auto& [p, q] : {std::pair(Exponent(-9, 10), Exponent(0)), std::pair(Exponent(0), Exponent(1, 3)),
+                                       std::pair(Exponent(-1, 2), Exponent(2, 5)), std::pair(Exponent(2, 5), Exponent(2, 5))})
+                agree(by_rule({p, q}, k, n, bits), Ball(2) * beta(p.ball() + Ball(k + 1), q.ball() + Ball(1)), wanted);
+            // u^p log(u)^i u^k: (-1)^i i!/(p + k + 1)^(i + 1), twice
+            const Ball s = Ball(k + 1) + Exponent(1, 2).ball();
+            agree(by_rule({Exponent(1, 2), 0, 1, 0}, k, n, bits), Ball(-2) / (s * s), wanted);
+            agree(by_rule({Exponent(1, 2), 0, 2, 0}, k, n, bits), Ball(4) / (s * s * s), wanted);
+            agree(by_rule({Exponent(1, 2), 0, 3, 0}, k, n, bits), Ball(-12) / (s * s * s * s), wanted);
+        }
+    // log(1 - u) u^k: -H_(k+1)/(k + 1)
+    agree(by_rule({0, 0, 0, 1}, 2, 7, bits), Ball(-2) * (Ball(11) / Ball(6)) / Ball(3), wanted);
+    // log(u) log(1 - u): 2 - pi^2/6
+    agree(by_rule({0, 0, 1, 1}, 0, 7, bits), Ball(2) * (Ball(2) - pi<Ball>() * pi<Ball>() / Ball(6)), wanted);
+    CHECK_FALSE(by_rule({0, 0, 1, 0}, 3, 3, bits).overlaps(Ball(-2) / Ball(16)));
+}
+
+TEST_CASE("what is taken, and by which rule")
+{
+    struct Case {
+        const char *formula, *from, *to, *value;
+    };
+    const std::vector<Case> taken = {{"log(x)/(1+x^2)", "0", "1", "-0.915965594177219015054603514932384110774"},
+                                     {"log(x)^2", "0", "1", "2"},
+                                     {"log(sin(x))", "0", "pi", "-2.177586090303602130500688898237613947"},
+                                     {"log(cos(x))", "0", "pi/2", "-1.088793045151801065250344449118806973"},
+                                     {"x^(-0.9)*log(1/x)", "0", "1", "100"},
+                                     {"(x*(1-x))^(-1/3)*log(x/(1-x))^2*exp(0*x)", "0", "1", ""},
+                                     {"log(x)*log(1-x)", "0", "1", "0.355065933151773563527584833353974810"},
+                                     {"ellipk(x^2)", "0", "1", "1.831931188354438030109207029864768221"},
+                                     {"ellipe(x^2)", "0", "1", "1.415965594177219015054603514932384110"},
+                                     {"log(x)^2/(1+x^2)", "0", "inf", "3.875784585037477521934539383387674"}};
+    for (const Case& c : taken) {
+        CAPTURE(std::string(c.formula));
+        const Integral i = integral(c.formula, c.from, c.to);
+        const bool proven = i.status == Status::certified || i.value.contains_zero();
+        REQUIRE(proven);
+        CHECK(i.parts.front().rule == "product integration");
+        if (*c.value) {
+            Ball v = decimal(c.value);
+            arb_add_error(v.get(), decimal("1e-28").get());
+            CHECK(i.value.overlaps(v));
+        }
+    }
+    // a function of a logarithm, a power inside a sum: what stands beside the weight would not be analytic
+    for (const char* formula : {"log(x)/(1+log(x)^2)", "1/(1+x^0.3)", "exp(x^0.7)", "log(1+x^0.3)", "x^x"}) {
+        CAPTURE(std::string(formula));
+        const Integral i = integral(formula, "0", "1", 15);
+        CHECK(i.status == Status::certified);
+        CHECK(i.parts.front().rule == "tanh-sinh");
+    }
+}
+
+TEST_CASE("both rules agree where both apply")
+{
+    for (const char* formula :
+         {"x^(-0.7)*exp(x)", "log(x)*cos(3*x)", "x^0.3*(1-x)^(-0.4)/(2+x)", "log(x)^2*sin(10*x)/x^0.2", "log(1-x)*log(x)*exp(x)",
+          "besselk(0,x)", "bessely(1,x)*x", "ellipk(x)", "ellipe(1-x)", "log(x)*(1-cos(x))/x^2"}) {
+        CAPTURE(std::string(formula));
+        IntegralOptions o;
+        const Integral a = integrate(parse_expression(formula), parse_limit("0"), parse_limit("1"), o);
+        o.gauss_legendre = false;
+        const Integral b = integrate(parse_expression(formula), parse_limit("0"), parse_limit("1"), o);
+        REQUIRE(a.status == Status::certified);
+        REQUIRE(b.status == Status::certified);
+        CHECK(a.parts.front().rule == "product integration");
+        CHECK(b.parts.front().rule == "tanh-sinh");
+        CHECK_MESSAGE(a.value.overlaps(b.value), a.value.to_string(32), " and ", b.value.to_string(32));
+    }
+}
+
+TEST_CASE("a number with logarithms has no value but in sums and products")
+{
+    class Symbols : public Frame<ComplexBall> {
+    public:
+        ComplexBall distance(Side) const override { return Ball(1) / Ball(2); }
+        ComplexBall logarithm(Side) const override { return ComplexBall::indeterminate(); }
+        bool keeps_logarithms() const override { return true; }
+    } frame;
+    using N = EndpointNumber<ComplexBall>;
+    const N u(&frame, {1, 0}, {}, ComplexBall(1)), l = log(u);
+    REQUIRE(l.has_logarithms());
+    CHECK((l * l + u).has_logarithms());
+    CHECK(((l + N(1)) * (l - N(1))).logarithms().size() == 2);
+    for (const N& x :
+         {sqrt(l), exp(l), sin(l), log(l), N(N(1) / l), pow(l, Ball(1) / Ball(3)), atan(l), asin(l), abs(l), to_power(l, Exponent(-1))}) {
+        CHECK_FALSE(x.factor_without_logarithm().is_finite());
+        CHECK_FALSE(x.value().is_finite());
+    }
+}
+
+TEST_CASE("K and E by means against Arb's")
+{
+    constexpr slong bits = 200;
+    const WorkingPrecision precision(bits);
+    std::mt19937 random(20261125);
+    std::uniform_real_distribution<double> part(-3, 3);
+    for (int k = 0; k < 200; ++k) {
+        const ComplexBall m(Ball::exactly(part(random)), Ball::exactly(k % 3 == 0 ? 0 : part(random)));
+        if (k % 3 == 0 && !arb_lt(acb_realref(m.get()), Ball(1).get())) continue;
+        const auto own = elliptic_of_complement(ComplexBall(1) - m);
+        ComplexBall K, E;
+        acb_elliptic_k(K.get(), m.get(), bits);
+        acb_elliptic_e(E.get(), m.get(), bits);
+        CHECK(own.k.overlaps(K));
+        CHECK(own.e.overlaps(E));
+        CHECK(acb_rel_accuracy_bits(own.k.get()) > bits - 30);
+        CHECK(acb_rel_accuracy_bits(own.e.get()) > bits - 30);
+        // a box holds what it holds at its middle
+        ComplexBall box = m;
+        mag_set_d(arb_radref(acb_realref(box.get())), 0.05);
+        mag_set_d(arb_radref(acb_imagref(box.get())), 0.05);
+        const auto wide = elliptic_of_complement(ComplexBall(1) - box);
+        CHECK((!wide.k.is_finite() || wide.k.overlaps(K)));
+        CHECK((!wide.e.is_finite() || wide.e.overlaps(E)));
+    }
+    CHECK_FALSE(elliptic_of_complement(Ball(-1)).k.is_finite());
+    CHECK_FALSE(elliptic_of_complement(Ball(0)).e.is_finite());
+}
