@@ -143,8 +143,8 @@ def always_full(n, load, G):
 
 
 def segments_max_half_width(n, load, G):
-    if n > 5:
-        return None
+    if n > 5 or n > 1 and load < 2.0 ** -100:
+        return None  # a nest of roots of a number of hundreds of digits is slow
     x = load
     for _ in range(int(n)):
         x = (1 + x if x > 1 else 2 * Fraction(math.sqrt(x)) if x > 2.0 ** -1000 else 0) / G  # only chooses a branch, which Coq then proves
