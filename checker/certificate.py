@@ -253,9 +253,9 @@ class Replay:
             need(value - error <= low * (h - off) and high * (h + off) <= value + error and off < h, "the claim is not proved", Refused)
         return "value", self.number
 
-    def claimed(self, quantity, below, claim):
+    def claimed(self, quantities, below, claim):
         """the grid, inputs, value and error of a claim that is proved here"""
-        need(self.certificate.quantity == quantity and claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
+        need(self.certificate.quantity in quantities.split() and claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
         *inputs, G, value, error = self.certificate.claims[claim]
         need(below and below[0][0] in ("grid", "mesh", "law") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
         self.proved.add(claim)
@@ -271,7 +271,7 @@ class Replay:
         return "polynomials", self.number, panel, (middle, half), aim, [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
 
     def share(self, below, claim):
-        mesh, (n, *pressure, load), value, error = self.claimed(self.certificate.quantity, below, claim)
+        mesh, (n, *pressure, load), value, error = self.claimed("contact.area contact.exceedance", below, claim)
         need(mesh[0] == "mesh", "a share rests on a mesh", Refused)
         (base, degree), p, scale, highest, bits, kept, accuracy, rise, edges = mesh[2]
         need((pressure or [0]) == [p] and (not p or scale == n), "does not rest on a mesh of its pressure", Refused)
@@ -318,12 +318,13 @@ class Replay:
         return "law", self.number, (G, load, bits)
 
     def laws(self, law):
-        if law[1] not in self.rules:
+        key = law[1],
+        if key not in self.rules:
             G, load, bits = law[2]
             Interval.bits = bits
-            self.rules = {law[1]: distributions.Laws(root_of(*G), load, bits)}  # of one law at a time
-        Interval.bits = self.rules[law[1]].bits
-        return self.rules[law[1]]
+            self.rules = {key: distributions.Laws(root_of(*G), load, bits)}  # of one law at a time
+        Interval.bits = self.rules[key].bits
+        return self.rules[key]
 
     def all_pieces(self, law, below, m):
         """of level m, from T = 0 to 1, and how far they are from phi_m"""
@@ -342,17 +343,19 @@ class Replay:
         if self.proving():
             pieces, before = self.all_pieces(below[0], below[1:], m - 1)
             need(before < error, "errors do not get less", Refused)
-            self.laws(below[0]).prove(m - 1, pieces, piece, (error - before) / (1 + before))
+            self.laws(below[0]).prove(m - 1, pieces, piece, (error - before) / (1 + before), self.progress)
         return "piece", self.number, below[0], m, error, piece
 
     def reading(self, below, claim):
-        law, (n, *place, load), value, error = self.claimed(self.certificate.quantity, below, claim)
-        need(law[0] == "law" and law[2][1] == load and len(place) == 1 and n > (self.certificate.quantity == "segments.density"), "a reading rests on the law of its load", Refused)
+        law, (n, place, load), value, error = self.claimed("contact.exceedance contact.density segments.density", below, claim)
+        segments = self.certificate.quantity == "segments.density"
+        need(law[0] == "law" and law[2][1] == load and n > segments, "a reading rests on the law of its load", Refused)
+        need(place > 0 and not (segments and 2 * place >= 1), "the claim is at an end of the law, or beyond", Refused)
         if self.proving():
             laws = self.laws(law)
-            pieces, off = self.all_pieces(law, below[1:], n - (self.certificate.quantity == "segments.density"))
+            pieces, off = self.all_pieces(law, below[1:], n - segments)
             Interval.bits = laws.bits
-            low, high = laws.claimed(self.certificate.quantity, n, place[0], pieces, value, error).ends()
+            low, high = laws.claimed(self.certificate.quantity, n, place, pieces, error).ends()
             need(value - error <= low * (1 - off) and high * (1 + off) <= value + error, "the claim is not proved", Refused)
         return "reading", self.number
 

@@ -19,7 +19,7 @@ REACH = Fraction(5, 4)         # half axis, in half widths, of the ellipse rho =
 BELOW = Fraction(1, 2)         # so many half widths below J the piece of J is continued: past that ellipse
 BREAK = Fraction(4, 5), Fraction(3, 5)  # v goes from 0 to 4/5; from there on s = sqrt(1 - v^2), from 3/5 to 0
 RULES = (16, 10), (4, 16)      # rho of ellipses of rules of Gauss, and the most points on one part
-MOST_POINTS, MOST_INTERVALS, MOST_PARTS = 60, 2000, 4000
+MOST_POINTS, MOST_INTERVALS, MOST_HALVINGS, MOST_PARTS = 60, 2000, 32, 4000
 
 
 def half_power(z, k):
@@ -69,6 +69,7 @@ def wave_bounds(square, rest, x, least, most):
 def wave_near(x, off, least, most):
     """the same for all x so far about a real one"""
     rest = 1 - x
+    need(below(off, 1 + x))
     return wave_bounds(rest.square() - off * (2 * rest + off), rest - off, x + off, least, most)
 
 
@@ -131,14 +132,20 @@ class Polynomial:
 
 def interpolated(values, size, rho):
     """(K): above |f| on an interval, from its values at Chebyshev points there and a bound of it on the ellipse rho"""
-    count = len(values)
-    return lebesgue(count) * max(max(map(abs, v.ends())) for v in values) + (1 + lebesgue(count)) * 2 * size * Fraction(rho) ** (1 - count) / (rho - 1)
+    count, (middle, spread) = len(values), spread_of(values)
+    return abs(middle) + spread + (1 + lebesgue(count)) * 2 * size * Fraction(rho) ** (1 - count) / (rho - 1)
+
+
+def spread_of(values):
+    """(K): the polynomial of these values at Chebyshev points is so near to a middle there"""
+    low, high = min(v.ends()[0] for v in values), max(v.ends()[1] for v in values)
+    return (low + high) / 2, lebesgue(len(values)) * (high - low) / 2
 
 
 def least(values):
     """(K): below a polynomial of fewer terms than values at Chebyshev points, there"""
-    low, high = min(v.ends()[0] for v in values), max(v.ends()[1] for v in values)
-    return (low + high) / 2 - lebesgue(len(values)) * (high - low) / 2
+    middle, spread = spread_of(values)
+    return middle - spread
 
 
 class Laws:
@@ -258,7 +265,7 @@ class Laws:
         factor = self.G.square() / iv.pi() * iv.sqrt(self.top(m) * T)
         return factor * self.integral(m, pieces, T, allowed / top(factor))
 
-    def claimed(self, quantity, n, place, pieces, value, error):
+    def claimed(self, quantity, n, place, pieces, error):
         """what V_n makes of a claim; its own error is of no account beside the claim's"""
         fine = error / 16
         if quantity == "segments.density":  # (9.3): x = sin^2(pi a)
@@ -332,7 +339,7 @@ class Laws:
         floor = V.value(Interval.of(at)).ends()[0]
         need(floor > 0 and changed < target)
         count = V.terms + 1
-        while (1 + lebesgue(count)) * 16 * size > target * floor * 2**(count - 1):
+        while count <= MOST_POINTS and (1 + lebesgue(count)) * 16 * size > target * floor * 2**(count - 1):
             count += 1
         need(count <= MOST_POINTS)
         points = [Interval.of(at + half * Fraction(t, 2**self.bits)) for t in self.cosines(count)]
@@ -346,21 +353,24 @@ class Laws:
         d = interpolated(off, size, 2) / floor
         return changed * (1 + d) / (1 - changed) + d
 
-    def prove(self, m, pieces, V, target):
+    def prove(self, m, pieces, V, target, progress):
         """|phi_(m+1) - V| <= target V on V's piece, where the pieces of level m are taken for phi_m"""
         cuts = [r.ends()[0] for _, r in of_ratios(pieces)]
         cuts = [V.low, *(r for r in cuts if V.low < r < V.high), V.high]
-        stack = list(zip(map(Fraction, cuts), map(Fraction, cuts[1:])))
+        stack = [(Fraction(a), Fraction(b), 0) for a, b in zip(cuts, cuts[1:])]
         for _ in range(MOST_INTERVALS):
             if not stack:
                 return
-            a, b = stack.pop()
+            a, b, halvings = stack.pop()
+            if halvings > MOST_HALVINGS:
+                break
+            progress(f"from T = {float(a):.6f} on")
             try:
                 if self.defect(m, pieces, V, a, b, target) <= target:
                     continue
             except Far:
                 pass
-            stack += [((a + b) / 2, b), (a, (a + b) / 2)]
+            stack += [((a + b) / 2, b, halvings + 1), (a, (a + b) / 2, halvings + 1)]
         raise Refused("a piece is no approximation")
 
 

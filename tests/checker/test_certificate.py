@@ -253,6 +253,23 @@ class Certificates(unittest.TestCase):
                 self.assertLessEqual(abs(here), bound * 1.000001, (low, share, T, u, off))
         self.assertGreater(tried, 200)
 
+    def test_each_line_proves_claims_of_its_own_kinds(self):
+        """Whatever kind of claim the header says it is, with that kind's names: only what is true is proved."""
+        names = {"contact.area": ("n", "load"), "contact.exceedance": ("n", "p", "load"), "contact.density": ("n", "p", "load"), "segments.density": ("n", "a", "load"), "limit.area_constant": ()}
+        for what, text in self.texts.items():
+            words = text.splitlines()[3].split(" ")
+            had = dict(w.split("=") for w in words[2:])
+            at = had.get("p", had.get("a", "1/3"))
+            for quantity, inputs in names.items():
+                if quantity == what[0]:
+                    continue
+                own = {"n": had.get("n", "1"), "p": at, "a": at, "load": had.get("load", "1/2")}
+                claim = " ".join([*words[:2], *(f"{name}={own[name]}" for name in inputs), *(f"{name}={had[name]}" for name in ("G", "value", "error"))])
+                self.path.write_text(signed(text.replace(text.splitlines()[3], claim, 1).replace(f"quantity {what[0]}", f"quantity {quantity}", 1)))
+                with self.subTest(what=what, quantity=quantity):
+                    said = check(self.path)
+                    self.assertIn(said.returncode, (1, 65), said.stdout)
+
     def test_a_mesh_serves_one_pressure(self):
         """What is true of one pressure or scale is not proved of another, nor of areas."""
         text = next(text for what, text in self.texts.items() if what[0] == "contact.exceedance")
@@ -424,6 +441,11 @@ class Certificates(unittest.TestCase):
                 ("of another piece", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"radius": "-1:0"}), "reading 1-2 3 claim=1"]),
                 ("at an end of the law", "contact.density", density.format(1).replace("p=1", "p=99"), [law.format(2), "reading 1 2 claim=1"]),
                 ("more is needed of a piece", "contact.density", density.format(1).replace("error=1:-1", "error=0:0"), [law.format(2), "reading 1 2 claim=1"]),
+                ("at an end of the law", "segments.density", density.format(2).replace("p=1", "a=11/10"), [law.format(2), "reading 1 2 claim=1"]),
+                ("at an end of the law", "contact.density", density.format(1).replace("p=1", "p=0"), [law.format(2), "reading 1 2 claim=1"]),
+                ("no claim that is still to be proved", "limit.area_constant", constant, [law.format(2), "reading 1 2 claim=1"]),
+                ("is no approximation", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"error": "1:-16384"}).replace("exponent=0", "exponent=-16384"), "reading 1-2 3 claim=1"]),
+                ("a panel is too far out", "contact.density", density.format(1).replace("1:0 error=1:-1", "1:-5 error=1:-6"), [law.format(2), "reading 1 2 claim=1", f"grid - 5 {grid}", panel.replace("1 3", "3 5").format("1:200").replace("1000001:-24", f"{2**300 + 1:x}:-300"), "level 3-4 5 m=0 error=1:10 exponent=0 1 0"]),
                 ("does not rest on levels", "limit.area_constant", constant, [f"grid - 3 {grid}", panel.format("1:0"), "limit 1-2 3 claim=1 m=0 exponent=0 1"]),
                 ("a share rests on a mesh", "contact.area", area, [f"grid - 2 {grid}", "share 1 2 claim=1"]),
                 ("polynomials are missing", "contact.area", area, [f"mesh - 2 {mesh.strip()}", "share 1 2 claim=1"]),
