@@ -176,7 +176,7 @@ struct ScalarTraits<double> {
     /// it is well conditioned; so too in the next two.
     static double asin_sqrt_over_pi(double s)
     {
-        const double r = std::asin(std::sqrt(std::min(std::max(1.0 - s, 0.0), s))) * std::numbers::inv_pi;
+        const double r = std::asin(std::sqrt(std::min(std::max(1.0 - s, 0.0), s))) / std::numbers::pi;
         return (s > 0.5 ? 0.5 : 0.0) + std::copysign(r, 0.5 - s); // s may lie on either side at random: no branch
     }
     /// arctan(sqrt(n/d))/pi, where a negative n or d counts as 0; not both.
@@ -184,7 +184,7 @@ struct ScalarTraits<double> {
     {
         n = std::max(n, 0.0);
         d = std::max(d, 0.0);
-        const double r = std::asin(std::sqrt(std::min(n, d) / (n + d))) * std::numbers::inv_pi;
+        const double r = std::asin(std::sqrt(std::min(n, d) / (n + d))) / std::numbers::pi;
         return (n > d ? 0.5 : 0.0) + std::copysign(r, d - n);
     }
     /// arctan(sqrt((a - b^2)/d))/pi for d >= 0, the difference with one rounding and safe from underflow.
