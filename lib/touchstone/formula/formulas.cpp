@@ -145,9 +145,9 @@ std::map<std::string, Helper> make_helpers()
     h["series_3_15"] = {{"x"}, doubled(once, doubled(twice, sum_of_powers(detail::gap_terms, twice)))};
     const Term root = 1 + sqrt(1 - x), tangent = x / (root * root), its_square = tangent * tangent;
     h["series_2_6"] = {{"x"}, (1 + tangent * (1 + (1 - its_square) * sum_of_powers(detail::gap_terms, its_square))) / 2};
-    const Term inverse_pi = constant(std::numbers::inv_pi), of_smaller = asin(sqrt(at_most(at_least(1 - x, Term(0)), x))) * inverse_pi;
+    const Term of_smaller = asin(sqrt(at_most(at_least(1 - x, Term(0)), x))) / pi_;
     h["asin_sqrt_over_pi"] = {{"x"}, select(half, x, half - of_smaller, of_smaller)};
-    const Term n = at_least(a, Term(0)), d = at_least(b, Term(0)), of_quotient = asin(sqrt(at_most(n, d) / (n + d))) * inverse_pi;
+    const Term n = at_least(a, Term(0)), d = at_least(b, Term(0)), of_quotient = asin(sqrt(at_most(n, d) / (n + d))) / pi_;
     h["atan_sqrt_over_pi"] = {{"a", "b"}, select(d, n, half - of_quotient, of_quotient)};
     h["atan_minus_square_over_pi"] = {{"a", "b", "c"}, select(a, constant(0x1p-800), atan2(ScalarTraits<Term>::sqrt_minus_square(a, b), sqrt(c)) / pi_,
                                                               ScalarTraits<Term>::atan_sqrt_over_pi(fma(-b, b, a), c))};
