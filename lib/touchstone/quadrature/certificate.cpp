@@ -65,7 +65,8 @@ long Certificate::points() const
 std::string Certificate::to_json() const
 {
     std::ostringstream out;
-    out << "{\"method\":\"tanh-sinh\",\"interval\":\"" << interval << "\",\"digits\":" << digits << ",\"precision_bits\":" << precision
+    const bool logistic = !panels.empty() && panels.front().transformation == Transformation::logistic;
+    out << "{\"method\":\"" << (logistic ? "logistic" : "tanh-sinh") << "\",\"interval\":\"" << interval << "\",\"digits\":" << digits << ",\"precision_bits\":" << precision
         << ",\"points\":" << points() << ",\"discretisation\":" << json_bound(discretisation())
         << ",\"truncation\":" << json_bound(truncation()) << ",\"rounding\":" << json_bound(rounding()) << ",\"panels\":[";
     for (std::size_t i = 0; i < panels.size(); ++i) {

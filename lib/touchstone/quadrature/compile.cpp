@@ -58,7 +58,10 @@ private:
     std::optional<long> zero_of_sine(const Polynomial& argument, Side s, const ExactSum& first) const;
     std::optional<ExpressionPtr> about_its_zero(const Expression& e) const;
     NodePtr logarithm(const ExpressionPtr& argument) const;
+    NodePtr logarithm_near_one(const ExpressionPtr& argument) const;
+    ExpressionPtr with_scaled_functions(const ExpressionPtr& e) const;
     int sign_of_linear(const Expression& e) const;
+    bool rises_far_out(const Expression& e) const;
     ExpressionPtr settled(const ExpressionPtr& e) const;
 
     Place place_;
@@ -176,6 +179,121 @@ NodePtr Compiler::logarithm(const ExpressionPtr& argument) const
     return n;
 }
 
+/// The summands of a sum, of its sums, of what a minus stands before.
+void add_summands(const ExpressionPtr& e, bool negated, std::vector<ExpressionPtr>& out)
+{
+    if (e->op == Op::add)
+        for (const ExpressionPtr& a : e->args) add_summands(a, negated, out);
+    else if (e->op == Op::negate)
+        add_summands(e->args[0], !negated, out);
+    else
+        out.push_back(negated ? of(Op::negate, e) : e);
+}
+
+/// p - q, without the powers whose coefficients cancel.
+ExpressionPtr formula_of_difference(const Polynomial& p, const Polynomial& q)
+{
+    ExpressionPtr all = number(0);
+    for (std::size_t i = 0; i < std::max(p.size(), q.size()); ++i) {
+        const ExactSum c = (i < p.size() ? p[i] : ExactSum(0)) - (i < q.size() ? q[i] : ExactSum(0));
+        if (!c.is_zero()) all = sum(all, product(formula_of(c), make(Op::power, {make_variable(), number(static_cast<long>(i))})));
+    }
+    return all;
+}
+
+/// v, if e is written 1 + v, a quotient of polynomials, or a hyperbolic tangent or cotangent: tanh y = 1 - 2/(exp(2y) + 1).
+ExpressionPtr less_one(const ExpressionPtr& e)
+{
+    if (e->op == Op::tanh || e->op == Op::coth) {
+        const ExpressionPtr fall = of(Op::exp, product(number(-2), e->args[0])), sign = number(e->op == Op::tanh ? 1 : -1);
+        const ExpressionPtr least = sum(number(1), product(sign, fall));
+        return quotient(product(number(e->op == Op::tanh ? -2 : 2), fall), least);
+    }
+    if (e->op == Op::divide)
+        if (const auto p = polynomial(*e->args[0]), q = polynomial(*e->args[1]); p && q) return quotient(formula_of_difference(*p, *q), e->args[1]);
+    std::vector<ExpressionPtr> summands;
+    add_summands(e, false, summands);
+    const auto one = std::find_if(summands.begin(), summands.end(), [](const ExpressionPtr& a) { return a->op == Op::number && a->number == 1; });
+    if (summands.size() < 2 || one == summands.end()) return nullptr;
+    summands.erase(one);
+    ExpressionPtr rest = summands.front();
+    for (std::size_t i = 1; i < summands.size(); ++i) rest = sum(rest, summands[i]);
+    return rest;
+}
+
+/// On a range without end, where no expansion finds the zero that log(1 + v) has with v.
+NodePtr Compiler::logarithm_near_one(const ExpressionPtr& argument) const
+{
+    const ExpressionPtr v = is_infinite() ? less_one(argument) : nullptr;
+    return v ? node(Kind::logarithm_near_one, {argument, v}) : nullptr;
+}
+
+namespace {
+
+/// What stands above and below the line of a product of products and quotients.
+struct Factors {
+    std::vector<ExpressionPtr> above, below;
+    void add(const ExpressionPtr& e, bool divides)
+    {
+        if (e->op == Op::multiply || e->op == Op::divide) {
+            add(e->args[0], divides);
+            add(e->args[1], e->op == Op::divide ? !divides : divides);
+        }
+        else (divides ? below : above).push_back(e);
+    }
+};
+
+ExpressionPtr product_of(const std::vector<ExpressionPtr>& all)
+{
+    ExpressionPtr r = number(1);
+    for (std::size_t i = 0; i < all.size(); ++i) r = i == 0 ? all[i] : product(r, all[i]);
+    return r;
+}
+
+/// The exponent if e is an exponential.
+ExpressionPtr exponent_of(const ExpressionPtr& e)
+{
+    if (e->op == Op::exp) return e->args[0];
+    return e->op == Op::power && e->args[0]->op == Op::e ? e->args[1] : nullptr;
+}
+
+/// The function that is f times the exponential of the exponent, where that takes the exponential out of it.
+ExpressionPtr scaled_function(const Expression& f, const ExpressionPtr& exponent)
+{
+    const auto opposite = [](const ExpressionPtr& a, const ExpressionPtr& b) {
+        const auto p = polynomial(*sum(a, b));
+        return p && std::all_of(p->begin(), p->end(), [](const ExactSum& c) { return c.is_zero(); });
+    };
+    const ExpressionPtr argument = f.args.empty() ? nullptr : f.args.back();
+    if (f.op == Op::bessel_i && opposite(exponent, argument)) return make(Op::bessel_i_scaled, f.args);
+    if (f.op == Op::bessel_k && opposite(exponent, of(Op::negate, argument))) return make(Op::bessel_k_scaled, f.args);
+    if (f.op == Op::erfc && opposite(exponent, of(Op::negate, product(argument, argument)))) return make(Op::erfc_scaled, f.args);
+    return nullptr;
+}
+
+} // namespace
+
+/// The product with exp(-y) besseli(n, y), exp(y) besselk(nu, y), exp(y^2) erfc(y) as one function each: apart one of the two grows without end where
+/// x does, and the other falls. Nothing if there is none.
+ExpressionPtr Compiler::with_scaled_functions(const ExpressionPtr& e) const
+{
+    if (!is_infinite() || (e->op != Op::multiply && e->op != Op::divide)) return nullptr;
+    Factors factors;
+    factors.add(e, false);
+    for (const bool divides : {false, true})
+        for (auto& exponential : divides ? factors.below : factors.above) {
+            const ExpressionPtr found = exponent_of(exponential), exponent = found && divides ? of(Op::negate, found) : found;
+            if (!exponent) continue;
+            for (auto& f : factors.above)
+                if (const ExpressionPtr scaled = scaled_function(*f, exponent)) {
+                    f = scaled;
+                    exponential = number(1);
+                    return quotient(product_of(factors.above), product_of(factors.below));
+                }
+        }
+    return nullptr;
+}
+
 /// By what the function is replaced so that its behaviour at the ends shows.
 std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
 {
@@ -188,6 +306,8 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
         const ExpressionPtr up = of(Op::exp, a), down = of(Op::exp, of(Op::negate, a));
         return minus ? difference(up, down) : sum(up, down);
     };
+    const bool rises = rises_far_out(*a); // else the argument falls, and tanh and sech are written with that sign
+    const auto falling = [&](const ExpressionPtr& rate) { return of(Op::exp, product(rate, rises ? of(Op::negate, a) : a)); };
     switch (e.op) {
     case Op::sin:
     case Op::cos: return about_its_zero(e);
@@ -199,8 +319,12 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     case Op::csch: return quotient(one, of(Op::sinh, a));
     case Op::sinh: return is_infinite() ? std::optional(quotient(both_exponentials(true), two)) : std::nullopt;
     case Op::cosh: return is_infinite() ? std::optional(quotient(both_exponentials(false), two)) : std::nullopt;
-    case Op::tanh: return is_infinite() ? std::optional(quotient(both_exponentials(true), both_exponentials(false))) : std::nullopt;
-    case Op::sech: return is_infinite() ? std::optional(quotient(two, both_exponentials(false))) : std::nullopt;
+    case Op::tanh: {
+        if (!is_infinite()) return std::nullopt;
+        const ExpressionPtr size = quotient(difference(one, falling(two)), sum(one, falling(two)));
+        return rises ? size : of(Op::negate, size);
+    }
+    case Op::sech: return is_infinite() ? std::optional(quotient(product(two, falling(one)), sum(one, falling(two)))) : std::nullopt;
     case Op::expm1: return difference(of(Op::exp, a), one);
     case Op::log1p: return of(Op::log, sum(one, a));
     case Op::acos: // cos t = a: tan(t/4) = sqrt(1 - a)/(sqrt 2 + sqrt(1 + a))
@@ -288,6 +412,16 @@ int Compiler::sign_of_linear(const Expression& e) const
     const int s = sign_of(value(*p, *place_.range->from.exact)), t = sign_of(value(*p, *place_.range->to.exact));
     const int sign = s == 0 ? t : t == 0 || t == s ? s : 0;
     return sign == 1 || sign == -1 ? sign : 0;
+}
+
+/// Whether a polynomial goes to +oo at the infinite end of the range, the right one if both are; yes of what is none.
+bool Compiler::rises_far_out(const Expression& e) const
+{
+    const auto p = polynomial(e);
+    if (!p || p->size() < 2) return true;
+    const bool left = has_range() && (place_.range->map == Map::left_algebraic || place_.range->map == Map::left_exponential);
+    const bool odd = p->size() % 2 == 0;
+    return (arb_is_negative(p->back().ball().get()) != 0) == (left && odd);
 }
 
 /// max and min of what is surely ordered on the range: the one that it is.
@@ -391,6 +525,7 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     case Op::exp: return exponential(e->args[0]);
     case Op::log:
         if (NodePtr n = logarithm(e->args[0])) return n;
+        if (NodePtr n = logarithm_near_one(e->args[0])) return n;
         return node(Kind::function, e->args, e->op);
     case Op::abs:
         if (!is_real(*e->args[0])) return part_of(e);
@@ -407,6 +542,8 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     case Op::bessel_y:
     case Op::bessel_i:
     case Op::bessel_k:
+    case Op::bessel_i_scaled:
+    case Op::bessel_k_scaled:
     case Op::polylog:
         if (depends_on_x(*e->args[0]))
             throw ExpressionError(e->column, "the order of a Bessel function or polylogarithm must not depend on x");
@@ -440,10 +577,11 @@ NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
                 if (NodePtr n = factored(*p)) return n;
     }
     if (const auto better = rewritten(*e)) return compile(*better);
+    if (const ExpressionPtr scaled = with_scaled_functions(e)) return compile(scaled);
     NodePtr n = by_operation(e);
     const bool is_another = n.use_count() > 1; // its zeros are known
     const bool may_vanish = n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||
-                            n->kind == Kind::real_part || n->kind == Kind::imaginary_part;
+                            n->kind == Kind::real_part || n->kind == Kind::imaginary_part || n->kind == Kind::logarithm_near_one;
     if (!is_another && may_vanish && has_range() && depends_on_x(*e)) find_zeros(*n, e);
     return n;
 }

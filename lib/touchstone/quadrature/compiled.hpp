@@ -24,6 +24,7 @@ enum class Kind {
     ordered_function,
     exponential,
     logarithm_of_fraction,
+    logarithm_near_one,
     ball,
     real_part,
     imaginary_part,

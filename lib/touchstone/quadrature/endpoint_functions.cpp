@@ -57,8 +57,63 @@ ComplexBall factor_at(const Complex& x, Side s)
     return Complex(x.frame(), s == Side::left ? Order{} : rest, s == Side::left ? rest : Order{}, x.factor()).value();
 }
 
+Complex unknown(const Complex& x) { return {x.frame(), {}, {}, ComplexBall::indeterminate()}; }
+
+/// distance^power times what is at most `bound` in size.
+Complex of_order(const Complex& x, Side s, const Exponent& power, const Ball& bound)
+{
+    const Order own{power, 0};
+    return {x.frame(), s == Side::left ? own : Order{}, s == Side::right ? own : Order{}, disc(bound)};
+}
+
+/// How x goes to infinity as a power of a distance, at an end that the strip does not wind around: x = t direction, t = |distance|^-power >= least.
+struct Departure {
+    Side side;
+    Exponent power;
+    ComplexBall direction;
+    Ball least;
+
+    /// A bound of Re(x)/t from below if it is positive.
+    std::optional<Ball> rightwards() const
+    {
+        Ball low;
+        arb_get_lbound_arf(arb_midref(low.get()), acb_realref(direction.get()), 53);
+        return arb_is_positive(low.get()) ? std::optional(low) : std::nullopt;
+    }
+};
+
+std::optional<Departure> departure(const Complex& x)
+{
+    for (const Side s : {Side::left, Side::right}) {
+        const Order own = x.order(s);
+        if (!x.frame() || !x.frame()->reaches(s) || !(own.power < Exponent(0)) || !own.logs.is_zero()) continue;
+        const auto turn = x.frame()->turn(s);
+        if (!turn) return std::nullopt;
+        const Exponent power = -own.power;
+        const Ball angle = power.ball() * *turn, half_pi = touchstone::pi<Ball>() / Ball(2);
+        if (!arb_lt(angle.get(), half_pi.get())) return std::nullopt;
+        const ComplexBall arc(hull(cos(angle), Ball(1)), hull(-sin(angle), sin(angle)));
+        const Ball A = least_rho(x, s); // |distance| <= exp(-A)/(1 - exp(-A))
+        return Departure{s, power, factor_at(x, s) * arc, exp(power.ball() * (A + log(Ball(1) - exp(-A))))};
+    }
+    return std::nullopt;
+}
+
+/// |exp(x)| <= exp(-kappa t) <= t^-N sup(t^N exp(-kappa t)) where Re x <= -kappa t: falls faster than any power. N is where the supremum is at the least t.
+Complex falling(const Complex& x, const Departure& d)
+{
+    Ball high;
+    arb_get_ubound_arf(arb_midref(high.get()), acb_realref(d.direction.get()), 53);
+    if (!arb_is_negative(high.get())) return unknown(x);
+    constexpr double most = 64;
+    const double n = std::clamp(std::floor(arf_get_d(arb_midref((-high * d.least).get()), ARF_RND_DOWN)), 1.0, most);
+    const Ball N(static_cast<long>(n)), at = at_least(N / -high, d.least);
+    return of_order(x, d.side, d.power * Exponent(static_cast<long>(n)), exp(N * log(at) + high * at));
+}
+
 Complex exponential(const Complex& x)
 {
+    if (const auto d = departure(x)) return falling(x, *d);
     const auto side = side_of_growth(x);
     if (!side) return x.map([](const ComplexBall& v) { return analytic::exp(v); });
     const Exponent logs = x.order(*side).logs;
@@ -132,9 +187,10 @@ Complex arc_tangent(const Complex& x)
 Complex error_function(Op op, const Complex& x)
 {
     const auto side = side_of_growth(x);
-    if (!side) return x.map([&](const ComplexBall& v) { return special_function(op, v); });
-    const Ball c = factor_at(x, *side).real();
-    if (!arb_is_nonzero(c.get())) return {x.frame(), {}, {}, ComplexBall::indeterminate()};
+    const auto d = departure(x);
+    if (!side && !d) return x.map([&](const ComplexBall& v) { return special_function(op, v); });
+    const Ball c = d ? d->direction.real() : factor_at(x, *side).real();
+    if (!arb_is_nonzero(c.get())) return unknown(x);
     const bool rightwards = arb_is_positive(c.get()) != 0;
     const Complex rest = exponential(-(x * x)) * Complex(disc(Ball(1))); // erfc(|x|)
     if (op == Op::erfc) return rightwards ? rest : Complex(2) - rest;
@@ -151,6 +207,39 @@ Complex bessel_k(const Ball& order, const Complex& x, Side side)
     arb_get_lbound_arf(arb_midref(low.get()), (c * least_rho(x, side)).get(), 53);
     const Ball at = touchstone::abs(special_function(Op::bessel_k, order, low)) * exp(low);
     return exponential(-x) * Complex(disc(at));
+}
+
+/// The same where x grows as a power.
+Complex bessel_k(const Ball& order, const Complex& x, const Departure& d)
+{
+    const auto rightwards = d.rightwards();
+    if (!rightwards) return unknown(x);
+    Ball low;
+    arb_get_lbound_arf(arb_midref(low.get()), (*rightwards * d.least).get(), 53);
+    return exponential(-x) * Complex(disc(touchstone::abs(special_function(Op::bessel_k, order, low)) * exp(low)));
+}
+
+/// exp(-z) I_n(z), exp(z) K_nu(z), exp(z^2) erfc(z) for Re z > 0: lemmas of the same names.
+Complex scaled(Op op, const Ball& order, const Complex& x, const Departure& d)
+{
+    const auto rightwards = d.rightwards();
+    if (!rightwards) return unknown(x);
+    const Exponent half(1, 2);
+    if (op == Op::erfc_scaled) return of_order(x, d.side, d.power, lemma::scaled_erfc(*rightwards));
+    if (op == Op::bessel_i_scaled) return arb_is_int(order.get()) ? of_order(x, d.side, d.power * half, lemma::scaled_bessel_i(*rightwards)) : unknown(x);
+    const Ball size = touchstone::abs(d.direction), front = sqrt(touchstone::pi<Ball>() / (Ball(2) * size));
+    return of_order(x, d.side, d.power * half, front * (Ball(1) + lemma::bessel_remainder(order, size * d.least, Ball(1))));
+}
+
+/// The same where x grows as a logarithm: bounds at the least Re z.
+Complex scaled(Op op, const Ball& order, const Complex& x, Side side)
+{
+    const Ball c = factor_at(x, side).real();
+    if (!(x.order(side).logs == Exponent(1)) || !arb_is_positive(c.get())) return unknown(x);
+    if (op == Op::erfc_scaled) return Complex(disc(Ball(1)));
+    if (op == Op::bessel_i_scaled) return arb_is_int(order.get()) ? Complex(disc(Ball(1))) : unknown(x);
+    const Ball least = c * least_rho(x, side);
+    return Complex(disc(sqrt(touchstone::pi<Ball>() / (Ball(2) * least)) * (Ball(1) + lemma::bessel_remainder(order, least, Ball(1)))));
 }
 
 /// |J_n(z)| <= exp(|Im z|), |I_n(z)| <= exp(|Re z|) for integer n, from J_n(z) = (1/pi) times the integral of cos(n t - z sin t) over (0, pi)
@@ -247,6 +336,17 @@ EndpointNumber<V> general(Op op, const EndpointNumber<V>& x)
     }
 }
 
+/// The scaled Bessel functions about 0, as products.
+template <class V>
+std::optional<EndpointNumber<V>> scaled_about_zero(Op op, const Ball& order, const EndpointNumber<V>& x)
+{
+    if (op != Op::bessel_i_scaled && op != Op::bessel_k_scaled) return std::nullopt;
+    const bool is_i = op == Op::bessel_i_scaled;
+    auto plain = bessel_about_zero(is_i ? Op::bessel_i : Op::bessel_k, order, x);
+    if (plain) *plain *= function_of(Op::exp, EndpointNumber<V>(is_i ? -x : x));
+    return plain;
+}
+
 } // namespace
 
 Real function_of(Op op, const Real& x)
@@ -269,6 +369,10 @@ Complex function_of(Op op, const Complex& x)
     case Op::asinh: return side_of_growth(x) ? inverse_hyperbolic_sine_of_large(x) : general(op, x);
     case Op::erf:
     case Op::erfc: return error_function(op, x);
+    case Op::erfc_scaled:
+        if (const auto d = departure(x)) return scaled(op, Ball(0), x, *d);
+        if (const auto side = side_of_growth(x)) return scaled(op, Ball(0), x, *side);
+        return general(op, x);
     default: return general(op, x);
     }
 }
@@ -276,16 +380,23 @@ Complex function_of(Op op, const Complex& x)
 Real function_of(Op op, const Ball& order, const Real& x)
 {
     if (auto about_zero = bessel_about_zero(op, order, x)) return *about_zero;
+    if (auto about_zero = scaled_about_zero(op, order, x)) return *about_zero;
     return x.map([&](const Ball& v) { return special_function(op, order, v); });
 }
 
 Complex function_of(Op op, const Ball& order, const Complex& x)
 {
+    if (const auto d = departure(x)) {
+        if (op == Op::bessel_k) return bessel_k(order, x, *d);
+        if (op == Op::bessel_i_scaled || op == Op::bessel_k_scaled) return scaled(op, order, x, *d);
+    }
     if (const auto side = side_of_growth(x)) {
         if (op == Op::bessel_k) return bessel_k(order, x, *side);
+        if (op == Op::bessel_i_scaled || op == Op::bessel_k_scaled) return scaled(op, order, x, *side);
         if ((op == Op::bessel_j || op == Op::bessel_i) && arb_is_int(order.get())) return bessel_of_integer_order(op, x, *side);
     }
     if (auto about_zero = bessel_about_zero(op, order, x)) return *about_zero;
+    if (auto about_zero = scaled_about_zero(op, order, x)) return *about_zero;
     return x.map([&](const ComplexBall& v) { return special_function(op, order, v); });
 }
 

@@ -32,6 +32,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -216,6 +217,8 @@ public:
     virtual V vanishing(Side, const Ball& /*e*/, const Exponent& /*k*/) const { return V::indeterminate(); }
     /// If it does: encloses log u / rho (log r / rho).
     virtual V logarithm_over_rho(Side) const { return V::indeterminate(); }
+    /// If it does: a bound of |arg u| (|arg r|) there; none where the strip winds around the end for ever.
+    virtual std::optional<Ball> turn(Side) const { return std::nullopt; }
     /// Whether log u and log r are kept as symbols (EndpointNumber::logarithms) and have no value here.
     virtual bool keeps_logarithms() const { return false; }
 

@@ -200,6 +200,30 @@ N<V> logarithm_of_fraction(const N<V>& x, const N<V>& y)
     }
 }
 
+/// log x for x = 1 + v, with the zero where v has one: log(1 + v)/v = 1 - v/2 + ..., off 1 by at most |v|/(2 (1 - |v|)). For |v| < 1/2 that is the
+/// principal logarithm; so is the continued one where its imaginary part is below pi in size, and on all of the strip where x shows no powers.
+template <class V>
+N<V> logarithm_near_one(const N<V>& x, const N<V>& v)
+{
+    const N<V> continued = function_of(Op::log, x);
+    if (x.frame() && x.frame()->keeps_logarithms()) return continued;
+    const V value = v.value();
+    const Ball size = upper_ball(value), twice = size + size;
+    if (!arb_lt(twice.get(), Ball(1).get())) return continued;
+    if constexpr (std::same_as<V, Ball>) {
+        Ball l;
+        arb_log1p(l.get(), value.get(), WorkingPrecision::bits());
+        return N<V>(l);
+    }
+    else {
+        const Ball turn = touchstone::abs(continued.value().imag()); // not finite is not below pi
+        if (v.is_plain() || (!x.is_plain() && !arb_lt(turn.get(), pi<Ball>().get()))) return continued;
+        V ratio(1);
+        widen(ratio, size / (Ball(2) * (Ball(1) - size)));
+        return v * N<V>(v.frame(), {}, {}, ratio);
+    }
+}
+
 template <class V>
 N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
 {
@@ -248,6 +272,7 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
         const Side own = node.order[0] != 0 ? Side::left : Side::right;
         return logarithm_of_fraction(N<V>(over * p.distance(own)), N<V>(over * p.distance(own == Side::left ? Side::right : Side::left)));
     }
+    case Kind::logarithm_near_one: return logarithm_near_one(arg(0), arg(1));
     case Kind::exponential:
         return p.exp_x ? to_power(*p.exp_x, node.exponent) : function_of(Op::exp, N<V>(N<V>(node.exponent.ball()) * p.x));
     }
@@ -331,7 +356,9 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
     // The orders that the sum shows at an end with a zero belong to the factor: T has none there. Where logarithms are kept the other end's
     // do too, as in T: what stands beside a logarithm must be one function, whichever way it was enclosed.
     const bool all = quotient.frame() && quotient.frame()->keeps_logarithms();
-    const bool in_left = node.zero[0] || all, in_right = node.zero[1] || all;
+    // u is the fraction to the finite end of a half-line, whichever side that is on
+    const bool mirrored = place.range && (place.range->map == Map::left_algebraic || place.range->map == Map::left_exponential);
+    const bool in_left = node.zero[mirrored ? 1 : 0] || all, in_right = node.zero[mirrored ? 0 : 1] || all;
     const Order left = in_left ? Order{} : quotient.left(), right = in_right ? Order{} : quotient.right();
     const N<V> hidden(quotient.frame(), in_left ? quotient.left() : Order{}, in_right ? quotient.right() : Order{}, V(1));
     return front * N<V>(quotient.frame(), left, right, quotient.factor() * hidden.value());

@@ -399,6 +399,14 @@ Series Expansion::by_operation(const Expression& e)
         if (!n || n->get_den() != 1 || !n->get_num().fits_slong_p()) return std::nullopt;
         return bessel(of(*e.args[1]), n->get_num().get_si(), e.op == Op::bessel_j ? -1 : 1);
     }
+    case Op::bessel_i_scaled: {
+        Expression exponential, plain;
+        exponential.op = Op::exp;
+        plain.op = Op::bessel_i;
+        plain.args = e.args;
+        return product(analytic(exponential, negative(of(*e.args[1]))), by_operation(plain));
+    }
+    case Op::erfc_scaled: return std::nullopt;
     default: return e.args.size() == 1 ? analytic(e, of(*e.args[0])) : std::nullopt;
     }
 }

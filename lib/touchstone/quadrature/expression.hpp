@@ -91,6 +91,9 @@ enum class Op {
     bessel_y,
     bessel_i,
     bessel_k,
+    bessel_i_scaled, ///< exp(-x) besseli(n, x), exp(x) besselk(nu, x), exp(x^2) erfc(x): what these products are replaced by on half-lines
+    bessel_k_scaled,
+    erfc_scaled,
     polylog,
     real_part, ///< (f + f*)/2, f* the formula with i replaced by -i: analytic where f and f* are, Re f for real arguments
     imaginary_part,

@@ -294,15 +294,16 @@ bool Integration::add_in_a_power(const Limit& from, const Limit& to, long digits
 
 bool Integration::add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
 {
-    Attempt a = attempt(from, to, digits);
-    if (a.value.is_finite()) {
-        a.part.from = from.text;
-        a.part.to = to.text;
-        a.part.value = a.value;
-        a.part.imaginary = a.imaginary;
-        out.parts.push_back(std::move(a.part));
+    const auto take = [&](Attempt& done) {
+        done.part.from = from.text;
+        done.part.to = to.text;
+        done.part.value = done.value;
+        done.part.imaginary = done.imaginary;
+        out.parts.push_back(std::move(done.part));
         return true;
-    }
+    };
+    Attempt a = attempt(from, to, digits);
+    if (a.value.is_finite()) return take(a);
     if (diverges(from, 1, out) || diverges(to, -1, out)) return false;
     if (options_.quick) {
         out.reason = a.reason;
@@ -333,6 +334,11 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
                 return true;
             }
         }
+    }
+    // what is analytic in a sector only, as exp(-x) besseli(0, x), or has poles beside the whole range, as tanh(x)/(1 + x^2)
+    if (from.infinite != to.infinite) {
+        const auto f = std::make_shared<const Integrand>(e_, Range{from, to, to.infinite ? Map::right_algebraic : Map::left_algebraic});
+        if (Attempt b = by_tanh_sinh(f, false, digits, options_, Transformation::logistic); b.value.is_finite()) return take(b);
     }
     const bool infinite = from.infinite || to.infinite; // on a finite range it is an oscillation, which bits do not help
     if (infinite && a.reason.find("huge next to") != std::string::npos && !options_.patient) {

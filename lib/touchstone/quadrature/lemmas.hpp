@@ -26,6 +26,18 @@ inline Ball truncation(const Ball& K, const Ball& alpha, const Ball& beta, const
     return K * exp(-alpha * pi_sinh) * far_factor(beta, A) / alpha;
 }
 
+/// Logistic truncation: h sum over k > n of K (1 - exp(-A))^-|beta| exp(-alpha kh), depth = nh.
+inline Ball logistic_truncation(const Ball& K, const Ball& alpha, const Ball& beta, const Ball& A, const Ball& depth)
+{
+    return K * exp(-alpha * depth) * far_factor(beta, A) / alpha;
+}
+
+/// Logistic strip's tail: integral over x > A of K |u|^alpha |r|^beta dx at any height of the strip.
+inline Ball logistic_strip_tail(const Ball& K, const Ball& alpha, const Ball& beta, const Ball& A)
+{
+    return K * exp(-alpha * A) * far_factor(touchstone::abs(alpha) + touchstone::abs(beta), A) / alpha;
+}
+
 /// Strip's tail: integral over x > T of K |u|^alpha |r|^beta pi cosh x dx at height d, A = pi sinh(T) cos d.
 inline Ball strip_tail(const Ball& K, const Ball& alpha, const Ball& beta, const Ball& A, const Ball& d)
 {
@@ -64,6 +76,12 @@ inline Ball bessel_remainder(const Ball& order, const Ball& least, const Ball& v
     const Ball v = spread * variation / least;
     return v * exp(v);
 }
+
+/// Scaled I: |exp(-z) I_n(z)| |z|^(1/2) for integer n and Re z >= c |z| > 0: 1 - cos t >= 2 (t/pi)^2 in its integral.
+inline Ball scaled_bessel_i(const Ball& c) { return sqrt(pi<Ball>() / (Ball(8) * c)); }
+
+/// Scaled erfc: |exp(z^2) erfc(z)| |z| for Re z >= c |z| > 0, attained by z -> oo; it is 2/sqrt(pi) times the integral of exp(-t^2 - 2zt).
+inline Ball scaled_erfc(const Ball& c) { return Ball(1) / (sqrt(pi<Ball>()) * c); }
 
 /// Gauss and Legendre: the n-point rule on [-1, 1], n >= 2, of F analytic with |F| <= M on the ellipse with rho = exp(sigma).
 inline Ball gauss_legendre(const Ball& M, const Ball& sigma, long n)

@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/nodes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <list>
 
 namespace touchstone::quadrature {
@@ -39,19 +40,39 @@ std::pair<long, Exponent> split(const Exponent& e)
 
 } // namespace
 
-NodeTable::NodeTable(long m, long count, slong bits, double decay) : m_(m), count_(count), bits_(bits), decay_(decay)
+NodeTable::NodeTable(long m, long count, slong bits, double decay, Transformation transformation)
+    : m_(m)
+    , count_(count)
+    , bits_(bits)
+    , decay_(decay)
+    , transformation_(transformation)
 {
-    const long octaves = count / m + 2;
+    // each octave of the tanh-sinh rule is a squaring, which doubles the relative error; powers of the root of 2 lose log2 m bits
+    constexpr long for_powers = 16;
+    const long octaves = transformation == Transformation::logistic ? for_powers : count / m + 2;
     const slong full = bits + 2 * octaves + 32;
     const WorkingPrecision precision(full);
-    const Ball half_pi = shifted(pi<Ball>(), -1);
     Ball log2;
     arb_const_log2(log2.get(), full + 10);
     root_.resize(static_cast<std::size_t>(m));
     root_[0] = Ball(1);
     if (m > 1) root_[1] = exp(log2 / Ball(m));
     for (long i = 2; i < m; ++i) root_[static_cast<std::size_t>(i)] = i % 2 == 0 ? root_[static_cast<std::size_t>(i / 2)] * root_[static_cast<std::size_t>(i / 2)] : root_[static_cast<std::size_t>(i - 1)] * root_[1];
+    entries_.resize(static_cast<std::size_t>(count + 1));
+    transformation == Transformation::logistic ? fill_logistic() : fill_tanh_sinh(full, octaves);
+}
 
+/// What of the bits a node with that weight keeps; `growth` are those that dw/dt adds.
+slong NodeTable::bits_of(double depth, long growth) const
+{
+    const slong lost = static_cast<slong>(decay_ * depth / M_LN2);
+    return std::max<slong>(64, std::min<slong>(bits_, bits_ - lost + growth + 16) + 8);
+}
+
+void NodeTable::fill_tanh_sinh(slong full, long octaves)
+{
+    const long m = m_, count = count_;
+    const Ball half_pi = shifted(pi<Ball>(), -1);
     // up[j] = exp((pi/2) 2^(j/m)) for -octaves*m <= j < m
     const long lowest = -octaves * m;
     std::vector<Ball> up(static_cast<std::size_t>((octaves + 1) * m));
@@ -61,11 +82,10 @@ NodeTable::NodeTable(long m, long count, slong bits, double decay) : m_(m), coun
 
     std::vector<Ball> down(static_cast<std::size_t>(std::max(m, count + 1))); // exp(-(pi/2) 2^(k/m)), k >= 0
     for (long k = 0; k < m; ++k) down[static_cast<std::size_t>(k)] = Ball(1) / up_at(k);
-    entries_.resize(static_cast<std::size_t>(count + 1));
     for (long k = 0; k <= count; ++k) {
         Entry& entry = entries_[static_cast<std::size_t>(k)];
         entry.depth = M_PI * std::sinh(static_cast<double>(k) * M_LN2 / static_cast<double>(m));
-        entry.bits = std::max<slong>(64, std::min<slong>(bits, bits - static_cast<slong>(decay * entry.depth / M_LN2) + k / m + 16) + 8);
+        entry.bits = bits_of(entry.depth, k / m);
         if (k >= m) arb_sqr(down[static_cast<std::size_t>(k)].get(), down[static_cast<std::size_t>(k - m)].get(), entry.bits + 2 * octaves + 8);
         const WorkingPrecision p(entry.bits + 8);
         entry.e = down[static_cast<std::size_t>(k)] * up_at(-k);
@@ -73,6 +93,21 @@ NodeTable::NodeTable(long m, long count, slong bits, double decay) : m_(m), coun
         entry.near = entry.e * entry.far;
         entry.cosh = shifted(power_of_two_at(k) + power_of_two_at(-k), -1);
         entry.weight = entry.cosh * (entry.near * entry.far);
+    }
+}
+
+void NodeTable::fill_logistic()
+{
+    for (long k = 0; k <= count_; ++k) {
+        Entry& entry = entries_[static_cast<std::size_t>(k)];
+        entry.depth = static_cast<double>(k) * M_LN2 / static_cast<double>(m_);
+        entry.bits = bits_of(entry.depth, 0);
+        const WorkingPrecision p(entry.bits + 8);
+        arb_set_round(entry.e.get(), power_of_two_at(-k).get(), entry.bits + 8);
+        entry.far = Ball(1) / (Ball(1) + entry.e);
+        entry.near = entry.e * entry.far;
+        entry.cosh = Ball(1);
+        entry.weight = entry.near * entry.far;
     }
 }
 
@@ -84,8 +119,14 @@ void NodeTable::logs(long k) const
     Ball l;
     arb_log1p(l.get(), entry.e.get(), entry.bits + 8);
     entry.log_far = -l;
-    const Ball up = power_of_two_at(k), low = power_of_two_at(-k);
-    entry.minus_w = shifted(pi<Ball>(), -1) * (low - up);
+    if (transformation_ == Transformation::logistic) {
+        arb_const_log2(entry.minus_w.get(), entry.bits + 8);
+        entry.minus_w = entry.minus_w * Ball(-k) / Ball(m_);
+    }
+    else {
+        const Ball up = power_of_two_at(k), low = power_of_two_at(-k);
+        entry.minus_w = shifted(pi<Ball>(), -1) * (low - up);
+    }
     entry.has_log = true;
 }
 
@@ -156,12 +197,12 @@ Ball Node::monomial(const Exponent& p, const Exponent& q) const
     return y;
 }
 
-std::shared_ptr<const NodeTable> NodeTable::get(long m, long count, slong bits, double decay)
+std::shared_ptr<const NodeTable> NodeTable::get(long m, long count, slong bits, double decay, Transformation transformation)
 {
     thread_local std::list<std::shared_ptr<const NodeTable>> cache;
     for (auto it = cache.begin(); it != cache.end(); ++it) {
         const NodeTable& t = **it;
-        if (t.m_ == m && t.count_ >= count && t.bits_ >= bits && t.decay_ <= decay && t.bits_ <= bits + bits / 4 + 64) {
+        if (t.transformation_ == transformation && t.m_ == m && t.count_ >= count && t.bits_ >= bits && t.decay_ <= decay && t.bits_ <= bits + bits / 4 + 64) {
             cache.splice(cache.begin(), cache, it);
             return cache.front();
         }
@@ -169,7 +210,7 @@ std::shared_ptr<const NodeTable> NodeTable::get(long m, long count, slong bits, 
     const slong rounded = (bits + 63) / 64 * 64;
     double quantum = 1;
     while (quantum > decay) quantum /= 2;
-    cache.push_front(std::shared_ptr<const NodeTable>(new NodeTable(m, count + count / 16, rounded, quantum)));
+    cache.push_front(std::shared_ptr<const NodeTable>(new NodeTable(m, count + count / 16, rounded, quantum, transformation)));
     if (cache.size() > 12) cache.pop_back();
     return cache.front();
 }

@@ -36,7 +36,8 @@ Attempt attempt_of(const Enclosure& e, const Range& range)
     Attempt a;
     a.value = e.value;
     a.reason = e.reason;
-    a.part.rule = "tanh-sinh";
+    const auto& panels = e.certificate.panels;
+    a.part.rule = !panels.empty() && panels.front().transformation == Transformation::logistic ? "trapezoidal in the logarithm" : "tanh-sinh";
     a.part.certificate = e.certificate;
     a.part.evaluations = e.certificate.points();
     if (e.status == Status::indeterminate && e.fraction) a.at = place_of(range, *e.fraction);
@@ -164,7 +165,7 @@ std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f
     return a;
 }
 
-Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, bool complex, long digits, const IntegralOptions& wanted)
+Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, bool complex, long digits, const IntegralOptions& wanted, Transformation transformation)
 {
     constexpr long quick_budget = 3000; // pieces, of an integrand that is itself an integral or stands inside one
     constexpr int quick_bisections = 2;
@@ -172,6 +173,7 @@ Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, bool complex, lo
     options.digits = digits;
     options.of_absolute = wanted.of_absolute || wanted.quick || complex; // with_enough_digits looks at the modulus
     options.patient = wanted.patient;
+    options.transformation = transformation;
     if (wanted.quick || f->has_inner_integral()) {
         options.proof_budget = quick_budget;
         options.bisections = quick_bisections;

@@ -60,6 +60,22 @@ ComplexBall exponential_integral(const ComplexBall& z)
     return arb_is_positive(acb_realref(z.get())) ? by(acb_hypgeom_ei, z) : ComplexBall::indeterminate();
 }
 
+/// The ball that knows more of its number.
+ComplexBall better(const ComplexBall& a, const ComplexBall& b) { return acb_rel_accuracy_bits(a.get()) > acb_rel_accuracy_bits(b.get()) ? a : b; }
+
+/// exp(z^2) erfc(z) = U(1/2, 1/2, z^2)/sqrt(pi) in the right half plane (DLMF 7.11.5), where erfc itself is too small; else the product.
+ComplexBall scaled_erfc(const ComplexBall& z)
+{
+    const ComplexBall square = z * z, half(Ball(1) / Ball(2));
+    ComplexBall w;
+    acb_hypgeom_erfc(w.get(), z.get(), bits());
+    const ComplexBall plain = w * analytic::exp(square);
+    if (!arb_is_positive(acb_realref(z.get()))) return plain;
+    acb_hypgeom_u(w.get(), half.get(), half.get(), square.get(), bits());
+    w = w / ComplexBall(sqrt(pi<Ball>()));
+    return better(w, plain);
+}
+
 ComplexBall airy(Op op, const ComplexBall& z)
 {
     ComplexBall w;
@@ -95,6 +111,16 @@ ComplexBall bessel_k(const Ball& order, const ComplexBall& z)
     const Ball slope = touchstone::abs(bessel_k_by_its_size(order - Ball(1), z)) + touchstone::abs(bessel_k_by_its_size(order + Ball(1), z));
     widen(k, touchstone::abs(z - middle) * slope / Ball(2));
     return acb_rel_accuracy_bits(k.get()) > acb_rel_accuracy_bits(plain.get()) ? k : plain;
+}
+
+/// exp(z) K_nu(z): far out the exponential loses the bits of z, near 0 Arb's own function those of K.
+ComplexBall scaled_bessel_k(const Ball& order, const ComplexBall& z)
+{
+    ComplexBall w;
+    acb_hypgeom_bessel_k_scaled(w.get(), ComplexBall(order).get(), z.get(), bits());
+    const slong known = std::min(bits(), acb_rel_accuracy_bits(z.get()));
+    constexpr slong spared = 8;
+    return acb_rel_accuracy_bits(w.get()) >= known - spared ? w : better(w, analytic::exp(z) * bessel_k(order, z));
 }
 
 } // namespace
@@ -143,6 +169,7 @@ ComplexBall special_function(Op op, const ComplexBall& z)
     case Op::erf: return by(acb_hypgeom_erf, z);
     case Op::erfc: return by(acb_hypgeom_erfc, z);
     case Op::erfi: return by(acb_hypgeom_erfi, z);
+    case Op::erfc_scaled: return scaled_erfc(z);
     case Op::ei: return exponential_integral(z);
     case Op::si: return by(acb_hypgeom_si, z);
     case Op::ci: return off(meets_up_to(z, Ball(0)), acb_hypgeom_ci);
@@ -205,13 +232,15 @@ ComplexBall special_function(Op op, const Ball& order, const ComplexBall& z)
 {
     ComplexBall w;
     const ComplexBall nu(order);
-    const bool cut = op == Op::bessel_y || op == Op::bessel_k || (op != Op::polylog && !is_integer(order));
+    const bool cut = op == Op::bessel_y || op == Op::bessel_k || op == Op::bessel_k_scaled || (op != Op::polylog && !is_integer(order));
     if (cut && meets_up_to(z, Ball(0))) return ComplexBall::indeterminate();
     switch (op) {
     case Op::bessel_j: acb_hypgeom_bessel_j(w.get(), nu.get(), z.get(), bits()); break;
     case Op::bessel_y: acb_hypgeom_bessel_y(w.get(), nu.get(), z.get(), bits()); break;
     case Op::bessel_i: acb_hypgeom_bessel_i(w.get(), nu.get(), z.get(), bits()); break;
     case Op::bessel_k: return bessel_k(order, z);
+    case Op::bessel_i_scaled: acb_hypgeom_bessel_i_scaled(w.get(), nu.get(), z.get(), bits()); break;
+    case Op::bessel_k_scaled: return scaled_bessel_k(order, z);
     case Op::polylog:
         if (meets_from(z, Ball(1))) return ComplexBall::indeterminate();
         acb_polylog(w.get(), nu.get(), z.get(), bits());

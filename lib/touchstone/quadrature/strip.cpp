@@ -192,12 +192,13 @@ FarAndNear far_and_near(const Ball& re1, const Ball& re2, const Ball& im1, const
 struct Key {
     std::array<double, 4> corner;
     Side side;
+    Transformation transformation;
     bool operator==(const Key&) const = default;
 };
 struct KeyHash {
     std::size_t operator()(const Key& k) const
     {
-        std::uint64_t h = k.side == Side::left ? 0x9e3779b97f4a7c15u : 0;
+        std::uint64_t h = (k.side == Side::left ? 0x9e3779b97f4a7c15u : 0) + (k.transformation == Transformation::logistic ? 0x7f4a7c15u : 0);
         for (const double c : k.corner) h = (h ^ std::bit_cast<std::uint64_t>(c)) * 0xff51afd7ed558ccdu + (h >> 29);
         return static_cast<std::size_t>(h ^ (h >> 32));
     }
@@ -205,19 +206,33 @@ struct KeyHash {
 
 } // namespace
 
-StripPiece StripPiece::finite(Side side, double x1, double x2, double y1, double y2)
+namespace {
+
+/// The box that w is in, and an upper bound of |dw/dt|.
+struct Image {
+    Ball re1, re2, im1, im2, stretch;
+};
+Image image(double x1, double x2, double y1, double y2, Transformation transformation)
 {
-    StripPiece piece;
-    piece.side_ = side;
-    piece.x1_ = x1;
-    piece.x2_ = x2;
+    if (transformation == Transformation::logistic) return {exactly(x1), exactly(x2), exactly(y1), exactly(y2), Ball(1)};
     const Ball pi = touchstone::pi<Ball>();
     const auto [s1, c1] = sin_cos(y1);
     const auto [s2, c2] = sin_cos(y2);
     const auto [sh1, ch1] = sinh_cosh(x1);
     const auto [sh2, ch2] = sinh_cosh(x2);
-    // every factor is monotone and non-negative on the piece
-    const Ball re1 = pi * sh1 * c2, re2 = pi * sh2 * c1, im1 = pi * ch1 * s1, im2 = pi * ch2 * s2;
+    // every factor is monotone and non-negative on the piece; |cosh(x + iy)|^2 = sinh^2 x + cos^2 y
+    return {pi * sh1 * c2, pi * sh2 * c1, pi * ch1 * s1, pi * ch2 * s2, pi * sqrt(sh2 * sh2 + c1 * c1)};
+}
+
+} // namespace
+
+StripPiece StripPiece::finite(Side side, double x1, double x2, double y1, double y2, Transformation transformation)
+{
+    StripPiece piece;
+    piece.side_ = side;
+    piece.x1_ = x1;
+    piece.x2_ = x2;
+    const auto [re1, re2, im1, im2, size_of_slope] = image(x1, x2, y1, y2, transformation);
     const ComplexBall w(hull(re1, re2), hull(im1, im2));
     const FarAndNear map = far_and_near(re1, re2, im1, im2);
     const ComplexBall &far = map.far, &near = map.near;
@@ -228,21 +243,27 @@ StripPiece StripPiece::finite(Side side, double x1, double x2, double y1, double
     piece.near_ = left ? conjugate(near) : near;
     piece.log_far_ = left ? conjugate(log_far) : log_far;
     piece.log_near_ = left ? conjugate(log_near) : log_near;
-    // |cosh(x + iy)|^2 = sinh^2 x + cos^2 y
-    piece.stretch_ = pi * sqrt(sh2 * sh2 + c1 * c1);
+    piece.stretch_ = size_of_slope;
     return piece;
 }
 
-StripPiece StripPiece::endless(Side side, double x1, double y2)
+StripPiece StripPiece::endless(Side side, double x1, double y2, Transformation transformation)
 {
     StripPiece piece;
     piece.side_ = side;
     piece.endless_ = true;
     piece.x1_ = x1;
     piece.x2_ = std::numeric_limits<double>::infinity();
-    const auto [s, c] = sin_cos(y2);
-    const auto [sinh, cosh] = sinh_cosh(x1);
-    piece.depth_ = touchstone::pi<Ball>() * sinh * c;
+    if (transformation == Transformation::logistic) {
+        piece.depth_ = exactly(x1);
+        piece.slope_ = exactly(y2) / piece.depth_; // |Im w| <= y2
+    }
+    else {
+        const auto [s, c] = sin_cos(y2);
+        const auto [sinh, cosh] = sinh_cosh(x1);
+        piece.depth_ = touchstone::pi<Ball>() * sinh * c;
+        piece.slope_ = s / c * cosh / sinh; // |Im w| = pi cosh x sin y <= rho tan d coth x1
+    }
     const Ball e = exp(-piece.depth_);            // |E| <= e < 1
     const Ball near = e / (Ball(1) - e);          // |E/(1 + E)|
     const Ball log_far = -log(Ball(1) - e);       // |log(1 + E)|
@@ -250,8 +271,7 @@ StripPiece StripPiece::endless(Side side, double x1, double y2)
     piece.far_ = ComplexBall(1) + disc(near);
     piece.log_near_ = ComplexBall::indeterminate();
     piece.log_far_ = disc(log_far);
-    // |Im w| = pi cosh x sin y <= rho tan d coth x1
-    piece.slope_ = s / c * cosh / sinh;
+    if (transformation == Transformation::logistic) piece.turn_ = exactly(y2); // arg(1 + E) is between 0 and arg E
     return piece;
 }
 
@@ -279,14 +299,19 @@ ComplexBall StripPiece::logarithm_over_rho(Side s) const
     return ComplexBall(Ball(-1), hull(-slope_, slope_)) + disc(log_far / depth_);
 }
 
-StripPiece StripPiece::at(Side side, double x1, double x2, double y1, double y2)
+std::optional<Ball> StripPiece::turn(Side s) const
+{
+    return reaches(s) ? turn_ : std::nullopt;
+}
+
+StripPiece StripPiece::at(Side side, double x1, double x2, double y1, double y2, Transformation transformation)
 {
     thread_local std::unordered_map<Key, StripPiece, KeyHash> cache;
-    const Key key{{x1, x2, y1, y2}, side};
+    const Key key{{x1, x2, y1, y2}, side, transformation};
     if (const auto found = cache.find(key); found != cache.end()) return found->second;
     if (cache.size() > 40000) cache.clear();
     const WorkingPrecision precision(strip_bits);
-    return cache.emplace(key, std::isinf(x2) ? endless(side, x1, y2) : finite(side, x1, x2, y1, y2)).first->second;
+    return cache.emplace(key, std::isinf(x2) ? endless(side, x1, y2, transformation) : finite(side, x1, x2, y1, y2, transformation)).first->second;
 }
 
 const StripPiece& StripPiece::everywhere()

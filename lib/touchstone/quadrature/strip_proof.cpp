@@ -20,8 +20,11 @@ Exponent share_for_logarithms(const Exponent& k)
     return k < Exponent(few) ? Exponent(1, 32) : k < Exponent(many) ? Exponent(1, 8) : Exponent(1, 2);
 }
 
-/// x with pi sinh(x) cos(d) >= depth, up to rounding (only efficiency depends on it).
-double edge(double depth, double d) { return std::ceil(std::asinh(depth / (M_PI * std::cos(d))) * 64) / 64; }
+/// x with pi sinh(x) cos(d) >= depth, or x >= depth, up to rounding (only efficiency depends on it).
+double edge(double depth, double d, Transformation transformation)
+{
+    return transformation == Transformation::logistic ? depth : std::ceil(std::asinh(depth / (M_PI * std::cos(d))) * 64) / 64;
+}
 
 } // namespace
 
@@ -38,8 +41,8 @@ End StripProof::end(Side side, double d)
     // a singular point beyond the end, at a distance of 10^-k of the interval, wants a depth of 2.3 k
     for (const double depth : {4.0, 10.0, 24.0, 60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0}) {
         e.proved = false;
-        e.edge = edge(depth, d);
-        const StripPiece piece = StripPiece::at(side, e.edge, std::numeric_limits<double>::infinity(), 0, d);
+        e.edge = edge(depth, d, transformation_);
+        const StripPiece piece = endless(side, e.edge, d);
         const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
         e.depth = piece.depth();
         const Order own = c.order(side);
@@ -61,7 +64,7 @@ End StripProof::end(Side side, double d)
 
 bool StripProof::layer(Side side, double x1, double x2, double y1, double y2, double smallest)
 {
-    const StripPiece piece = StripPiece::at(side, x1, x2, y1, y2);
+    const StripPiece piece = this->piece(side, x1, x2, y1, y2);
     if (pieces >= budget_) {
         fail(piece, "the integrand was not proved analytic within the proof budget");
         return false;
@@ -86,7 +89,7 @@ bool StripProof::layer(Side side, double x1, double x2, double y1, double y2, do
 /// Upper bound of the integral of |F| over the piece of the line Im t = d.
 Ball StripProof::piece_bound(Side side, double x1, double x2, double d)
 {
-    const StripPiece piece = StripPiece::at(side, x1, x2, d, d);
+    const StripPiece piece = this->piece(side, x1, x2, d, d);
     const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
     const Ball exponent = (c.left().power + Exponent(1)).ball() * piece.logarithm(Side::left).real() +
                           (c.right().power + Exponent(1)).ball() * piece.logarithm(Side::right).real();
@@ -132,10 +135,11 @@ Ball StripProof::line(Side side, double edge, double d)
 }
 
 /// The integral of |F| over |Re t| >= edge on the line Im t = d, for every d up to the end's own:
-/// c (1 - exp(-A))^-(|alpha|+|beta|) exp(-alpha A) / (alpha cos d).
+/// c (1 - exp(-A))^-(|alpha|+|beta|) exp(-alpha A) / (alpha cos d), without the cosine where dw/dt = 1.
 Ball StripProof::tail(const End& e, double d) const
 {
     const Ball alpha = e.here.ball();
+    if (transformation_ == Transformation::logistic) return upper_ball(lemma::logistic_strip_tail(e.bound, alpha, e.far.ball(), e.depth));
     return upper_ball(lemma::strip_tail(e.bound, alpha, e.far.ball(), e.depth, Ball::exactly(d)));
 }
 
@@ -143,11 +147,11 @@ Ball StripProof::strip_integral(double d, const End& left, const End& right)
 {
     if (!is_constant_) return strip_integral_by_pieces(d, left, right);
     // |c| times an integral that depends on the exponents alone: keep it for the next integrand of this kind
-    using Key = std::tuple<long, long, long, long, double, double, double, double>;
+    using Key = std::tuple<long, long, long, long, double, double, double, double, Transformation>;
     thread_local std::map<Key, Ball> known;
     const auto& p = constant_.left().power;
     const auto& q = constant_.right().power;
-    const Key key{p.num(), p.den(), q.num(), q.den(), d, left.edge, right.edge, pieces_per_bit_};
+    const Key key{p.num(), p.den(), q.num(), q.den(), d, left.edge, right.edge, pieces_per_bit_, transformation_};
     const Ball size = upper_ball(constant_.factor());
     if (const auto found = known.find(key); found != known.end()) return upper_ball(size * found->second);
     if (known.size() > 1000) known.clear();

@@ -19,9 +19,10 @@ struct End {
 
 class StripProof {
 public:
-    StripProof(const PanelFunction<ComplexBall>& f, long budget)
+    StripProof(const PanelFunction<ComplexBall>& f, long budget, Transformation transformation = Transformation::tanh_sinh)
         : f_(f)
         , budget_(budget)
+        , transformation_(transformation)
     {
     }
 
@@ -40,6 +41,8 @@ private:
         return f_(p);
     }
     bool constant(Panel& panel, double bits);
+    StripPiece piece(Side side, double x1, double x2, double y1, double y2) const { return StripPiece::at(side, x1, x2, y1, y2, transformation_); }
+    StripPiece endless(Side side, double x1, double d) const { return piece(side, x1, std::numeric_limits<double>::infinity(), 0, d); }
     End end(Side side, double d);
     bool layer(Side side, double x1, double x2, double y1, double y2, double smallest);
     Ball line(Side side, double edge, double d);
@@ -51,6 +54,7 @@ private:
 
     const PanelFunction<ComplexBall>& f_;
     long budget_;
+    Transformation transformation_;
     bool is_constant_ = false;
     Side failed_side_ = Side::left;
     double failed_from_ = 0, failed_to_ = 0; // Re t, where the last strip was not proved

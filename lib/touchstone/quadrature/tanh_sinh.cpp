@@ -16,13 +16,14 @@ namespace touchstone::quadrature::detail {
 namespace {
 
 /// Bound of h sum |F(kh)| over the nodes beyond the n-th, from the End's bounds on the real line:
-/// c (1 - exp(-A))^-|beta| exp(-alpha pi sinh(n h)) / alpha, if n h >= edge and alpha pi sinh(n h) >= 1.
-Ball truncation_bound(const End& e, long n, long m)
+/// c (1 - exp(-A))^-|beta| exp(-alpha pi sinh(n h)) / alpha, if n h >= edge and alpha pi sinh(n h) >= 1; of the logistic rule exp(-alpha n h) in it.
+Ball truncation_bound(const End& e, long n, long m, Transformation transformation)
 {
     Ball x, s;
     arb_const_log2(x.get(), strip_bits);
     x = x * Ball(n) / Ball(m);
     if (!arb_ge(x.get(), Ball::exactly(e.edge).get())) return Ball::indeterminate();
+    if (transformation == Transformation::logistic) return upper_ball(lemma::logistic_truncation(e.bound, e.here.ball(), e.far.ball(), e.depth, x));
     arb_sinh(s.get(), x.get(), strip_bits);
     const Ball alpha = e.here.ball();
     const Ball power = alpha * pi<Ball>() * s;
@@ -31,11 +32,12 @@ Ball truncation_bound(const End& e, long n, long m)
 }
 
 /// The least n whose truncation_bound is below 2^log2_tolerance (found in double, so: about).
-long nodes_needed(const End& e, long m, double log2_tolerance)
+long nodes_needed(const End& e, long m, double log2_tolerance, Transformation transformation)
 {
     const double alpha = e.here.to_double();
     const double log_ratio = std::max(1.0, (log2_upper(e.bound) - log2_tolerance) * M_LN2 - std::log(alpha) + 0.1);
-    const double x = std::max(std::asinh(log_ratio / (M_PI * alpha)), e.edge);
+    const double depth = log_ratio / alpha;
+    const double x = std::max(transformation == Transformation::logistic ? depth : std::asinh(depth / M_PI), e.edge);
     return static_cast<long>(std::ceil(x * static_cast<double>(m) / M_LN2)) + 1;
 }
 
@@ -74,8 +76,8 @@ void plan(ProvedPanel& proved, double log2_tolerance)
     const WorkingPrecision coarse(strip_bits);
     const double log_ratio = std::max(1.0, (log2_upper(p.strip_integral) - log2_tolerance + 2) * M_LN2);
     p.m = rounded_step(M_LN2 * log_ratio / (2 * M_PI * p.strip));
-    p.left_nodes = nodes_needed(proved.left, p.m, log2_tolerance - 3);
-    p.right_nodes = nodes_needed(proved.right, p.m, log2_tolerance - 3);
+    p.left_nodes = nodes_needed(proved.left, p.m, log2_tolerance - 3, p.transformation);
+    p.right_nodes = nodes_needed(proved.right, p.m, log2_tolerance - 3, p.transformation);
 }
 
 /// The sums over one panel as it was planned, to within 2^log2_tolerance.
@@ -85,14 +87,16 @@ Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slo
     {
         const WorkingPrecision coarse(strip_bits);
         p.discretisation = discretisation_bound(p);
-        p.truncation = upper_ball(truncation_bound(proved.left, p.left_nodes, p.m) + truncation_bound(proved.right, p.right_nodes, p.m));
+        p.truncation =
+            upper_ball(truncation_bound(proved.left, p.left_nodes, p.m, p.transformation) + truncation_bound(proved.right, p.right_nodes, p.m, p.transformation));
     }
     const double log2_largest = std::max({log2_upper(proved.left.bound), log2_upper(proved.right.bound), log2_upper(p.scale)});
-    const double octaves = static_cast<double>(std::max(p.left_nodes, p.right_nodes)) / static_cast<double>(p.m);
+    const bool logistic = p.transformation == Transformation::logistic;
+    const double octaves = logistic ? 0 : static_cast<double>(std::max(p.left_nodes, p.right_nodes)) / static_cast<double>(p.m); // cosh(kh) grows
     const slong bits = std::max<slong>(64, static_cast<slong>(std::ceil(log2_largest - log2_tolerance + octaves)) + 12);
     precision = std::max(precision, bits);
     const auto table =
-        NodeTable::get(p.m, std::max(p.left_nodes, p.right_nodes), bits, std::min({1.0, p.alpha.to_double(), p.beta.to_double()}));
+        NodeTable::get(p.m, std::max(p.left_nodes, p.right_nodes), bits, std::min({1.0, p.alpha.to_double(), p.beta.to_double()}), p.transformation);
 
     const WorkingPrecision full(bits);
     proved.f.prepare();
@@ -104,7 +108,7 @@ Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slo
         values.one_more();
         const Node node(*table, k, side);
         const slong lost = static_cast<slong>((side == Side::left ? alpha : beta) * node.depth() / M_LN2);
-        const WorkingPrecision here(std::max<slong>(40, std::min<slong>(bits, bits - lost + k / p.m + 4)));
+        const WorkingPrecision here(std::max<slong>(40, std::min<slong>(bits, bits - lost + (logistic ? 0 : k / p.m) + 4)));
         proved.f.at_node(node, g);
         Ball weight;
         for (std::size_t i = 0; i < count; ++i) {
@@ -122,7 +126,7 @@ Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slo
     arb_const_log2(log2.get(), bits);
     p.rounding = Ball(0);
     for (Ball& sum : sums) {
-        sum *= pi<Ball>() * log2 / Ball(p.m);
+        sum *= (logistic ? log2 : pi<Ball>() * log2) / Ball(p.m);
         const Ball rounding = radius_of(sum);
         if (!arb_le(rounding.get(), p.rounding.get())) p.rounding = rounding;
         widen(sum, p.discretisation);
@@ -143,7 +147,8 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
     }
     p.panel.from = from;
     p.panel.to = to;
-    StripProof proof(p.f.on_strip, options.proof_budget);
+    p.panel.transformation = options.transformation;
+    StripProof proof(p.f.on_strip, options.proof_budget, options.transformation);
     const bool proved = proof.run(p.panel, bits);
     p.panel.pieces = proof.pieces;
     p.left = proof.left;
@@ -271,10 +276,12 @@ std::string not_as_declared(const Options& options, const std::vector<ProvedPane
 /// goes by. Nothing is claimed of it; sizes below 2^-6 of the integral of |f| are not believed.
 double rough_log2_size(std::vector<ProvedPanel>& panels, std::size_t count, bool of_absolute)
 {
-    constexpr long m = 2, nodes = 8;
+    const Transformation transformation = panels.front().panel.transformation;
+    constexpr long m = 2;
+    const long nodes = transformation == Transformation::logistic ? 60 : 8; // up to some e^20, as far as these of the other rule reach
     constexpr double believed = 6;
     const WorkingPrecision coarse(strip_bits);
-    const auto table = NodeTable::get(m, nodes, strip_bits, 1);
+    const auto table = NodeTable::get(m, nodes, strip_bits, 1, transformation);
     std::vector<Ball> sums(count, Ball(0));
     Ball absolute(0);
     std::vector<EndpointNumber<Ball>> g;

@@ -32,6 +32,7 @@
 #pragma once
 
 #include "touchstone/quadrature/interval.hpp"
+#include "touchstone/quadrature/strip.hpp"
 
 #include <functional>
 #include <memory>
@@ -51,6 +52,8 @@ struct Options {
     bool of_absolute = false;
     /// Whether many bits may be spent where f is huge next to its integral (x^1000 exp(-x) takes 12000).
     bool patient = false;
+    /// tanh_sinh, or logistic: the trapezoidal rule in log(u/r), for what is analytic in a sector only. It takes some D^2 values of f for D digits.
+    Transformation transformation = Transformation::tanh_sinh;
     /// If given, the integrand is refused unless |f| <= K u^(alpha-1), resp. r^(beta-1), is proved for it.
     std::optional<Rational> left_exponent, right_exponent;
     /// How often the interval may be bisected near a singularity that is close to it.
@@ -64,6 +67,7 @@ struct Panel {
     Rational from, to;            ///< fractions of the interval (in u)
     Exponent alpha, beta;         ///< |F| <= K ... with these exponents
     double strip = 0;             ///< d
+    Transformation transformation = Transformation::tanh_sinh;
     Ball bound_left, bound_right; ///< K at either end: |f dx/du| <= K u^(alpha-1) r^(beta-1) there
     Ball strip_integral;          ///< N_d
     Ball scale;                   ///< bound of the integral of |F| over the real line
