@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The trapezoidal rule in log(u/r): its map, its lemmas, what functions do in a sector, and integrals that no rule which winds around infinity can take;
-// log(1 + v) where v vanishes.
+// The trapezoidal rule in log(u/r): its map, its lemmas, what functions do in a sector, and integrals that no rule which winds around
+// infinity can take; log(1 + v) where v vanishes.
 #include "touchstone/quadrature/endpoint_functions.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
@@ -64,7 +64,8 @@ void is_proved(const std::string& formula, const char* from, const char* to, con
         CHECK(i.digits == digits);
         CHECK(i.value.overlaps(exact));
         if (i.parts.empty()) continue;
-        const bool found = std::any_of(i.parts.begin(), i.parts.end(), [](const Part& p) { return p.rule == "trapezoidal in the logarithm"; });
+        const bool found =
+            std::any_of(i.parts.begin(), i.parts.end(), [](const Part& p) { return p.rule == "trapezoidal in the logarithm"; });
         CHECK(found == by_logarithm);
     }
 }
@@ -151,8 +152,8 @@ TEST_CASE("logistic: truncation and the strip's tail are what the lemmas sum")
     attains(tail * factor, lemma::logistic_strip_tail(Ball(1), alpha, Ball(0), A), Rational(99, 100));
     for (const char* beta : {"0.7", "-0.7"}) { // the other end's distance, (1 + E)^-1, at E = -exp(-A) or exp(-A)
         const Ball far = lemma::far_factor(decimal(beta), A);
-        CHECK(lemma::logistic_truncation(Ball(1), alpha, decimal(beta), A, h * Ball(n)).overlaps(
-            lemma::logistic_truncation(Ball(1), alpha, Ball(0), A, h * Ball(n)) * far));
+        CHECK(lemma::logistic_truncation(Ball(1), alpha, decimal(beta), A, h * Ball(n))
+                  .overlaps(lemma::logistic_truncation(Ball(1), alpha, Ball(0), A, h * Ball(n)) * far));
     }
 }
 
@@ -268,7 +269,9 @@ TEST_CASE("log(1 + v) on pieces encloses the logarithm, and falls as v does")
 {
     const WorkingPrecision precision(80);
     const Integrand f(parse_expression("log(1+1/x^2)"), Range{parse_limit("0"), parse_limit("inf"), Map::right_algebraic});
-    const auto on = [&](const StripPiece& piece) { return f.at(abscissa(piece), Complex(&piece, {1, 0}, {-1, 0}, ComplexBall(1)), Complex(&piece, {}, {1, 0}, ComplexBall(1))); };
+    const auto on = [&](const StripPiece& piece) {
+        return f.at(abscissa(piece), Complex(&piece, {1, 0}, {-1, 0}, ComplexBall(1)), Complex(&piece, {}, {1, 0}, ComplexBall(1)));
+    };
     int near = 0;
     for (const double re : {0.0, 0.2, 0.375, 0.5, 1.0, 2.0})
         for (const double im : {0.0, 0.25, 0.5, 1.0}) {
@@ -286,8 +289,8 @@ TEST_CASE("log(1 + v) on pieces encloses the logarithm, and falls as v does")
 
 TEST_CASE("what diverges or is not analytic stays refused")
 {
-    for (const char* formula : {"exp(-x)*besseli(0,x)", "tanh(x)/(1+x)", "exp(x)*besselk(0,x)/sqrt(1+x)", "log(1+1/x)", "exp(x^2)*erfc(-x)", "erf(x)",
-                                "tanh(x)/abs(x-pi)^(3/2)", "exp(-x)*besseli(0,x)/(x-1)^2"}) {
+    for (const char* formula : {"exp(-x)*besseli(0,x)", "tanh(x)/(1+x)", "exp(x)*besselk(0,x)/sqrt(1+x)", "log(1+1/x)", "exp(x^2)*erfc(-x)",
+                                "erf(x)", "tanh(x)/abs(x-pi)^(3/2)", "exp(-x)*besseli(0,x)/(x-1)^2"}) {
         const Integral i = integral(formula, "0", "inf", 12);
         INFO(formula);
         CHECK_FALSE(i.value.is_finite());

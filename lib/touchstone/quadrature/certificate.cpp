@@ -66,8 +66,8 @@ std::string Certificate::to_json() const
 {
     std::ostringstream out;
     const bool logistic = !panels.empty() && panels.front().transformation == Transformation::logistic;
-    out << "{\"method\":\"" << (logistic ? "logistic" : "tanh-sinh") << "\",\"interval\":\"" << interval << "\",\"digits\":" << digits << ",\"precision_bits\":" << precision
-        << ",\"points\":" << points() << ",\"discretisation\":" << json_bound(discretisation())
+    out << "{\"method\":\"" << (logistic ? "logistic" : "tanh-sinh") << "\",\"interval\":\"" << interval << "\",\"digits\":" << digits
+        << ",\"precision_bits\":" << precision << ",\"points\":" << points() << ",\"discretisation\":" << json_bound(discretisation())
         << ",\"truncation\":" << json_bound(truncation()) << ",\"rounding\":" << json_bound(rounding()) << ",\"panels\":[";
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const Panel& p = panels[i];

@@ -210,10 +210,12 @@ ExpressionPtr less_one(const ExpressionPtr& e)
         return quotient(product(number(e->op == Op::tanh ? -2 : 2), fall), least);
     }
     if (e->op == Op::divide)
-        if (const auto p = polynomial(*e->args[0]), q = polynomial(*e->args[1]); p && q) return quotient(formula_of_difference(*p, *q), e->args[1]);
+        if (const auto p = polynomial(*e->args[0]), q = polynomial(*e->args[1]); p && q)
+            return quotient(formula_of_difference(*p, *q), e->args[1]);
     std::vector<ExpressionPtr> summands;
     add_summands(e, false, summands);
-    const auto one = std::find_if(summands.begin(), summands.end(), [](const ExpressionPtr& a) { return a->op == Op::number && a->number == 1; });
+    const auto one =
+        std::find_if(summands.begin(), summands.end(), [](const ExpressionPtr& a) { return a->op == Op::number && a->number == 1; });
     if (summands.size() < 2 || one == summands.end()) return nullptr;
     summands.erase(one);
     ExpressionPtr rest = summands.front();
@@ -228,8 +230,6 @@ NodePtr Compiler::logarithm_near_one(const ExpressionPtr& argument) const
     return v ? node(Kind::logarithm_near_one, {argument, v}) : nullptr;
 }
 
-namespace {
-
 /// What stands above and below the line of a product of products and quotients.
 struct Factors {
     std::vector<ExpressionPtr> above, below;
@@ -239,7 +239,8 @@ struct Factors {
             add(e->args[0], divides);
             add(e->args[1], e->op == Op::divide ? !divides : divides);
         }
-        else (divides ? below : above).push_back(e);
+        else
+            (divides ? below : above).push_back(e);
     }
 };
 
@@ -271,10 +272,8 @@ ExpressionPtr scaled_function(const Expression& f, const ExpressionPtr& exponent
     return nullptr;
 }
 
-} // namespace
-
-/// The product with exp(-y) besseli(n, y), exp(y) besselk(nu, y), exp(y^2) erfc(y) as one function each: apart one of the two grows without end where
-/// x does, and the other falls. Nothing if there is none.
+/// The product with exp(-y) besseli(n, y), exp(y) besselk(nu, y), exp(y^2) erfc(y) as one function each: apart one of the two grows without
+/// end where x does, and the other falls. Nothing if there is none.
 ExpressionPtr Compiler::with_scaled_functions(const ExpressionPtr& e) const
 {
     if (!is_infinite() || (e->op != Op::multiply && e->op != Op::divide)) return nullptr;

@@ -66,7 +66,8 @@ Complex of_order(const Complex& x, Side s, const Exponent& power, const Ball& bo
     return {x.frame(), s == Side::left ? own : Order{}, s == Side::right ? own : Order{}, disc(bound)};
 }
 
-/// How x goes to infinity as a power of a distance, at an end that the strip does not wind around: x = t direction, t = |distance|^-power >= least.
+/// How x goes to infinity as a power of a distance, at an end that the strip does not wind around: x = t direction, t = |distance|^-power
+/// >= least.
 struct Departure {
     Side side;
     Exponent power;
@@ -99,7 +100,8 @@ std::optional<Departure> departure(const Complex& x)
     return std::nullopt;
 }
 
-/// |exp(x)| <= exp(-kappa t) <= t^-N sup(t^N exp(-kappa t)) where Re x <= -kappa t: falls faster than any power. N is where the supremum is at the least t.
+/// |exp(x)| <= exp(-kappa t) <= t^-N sup(t^N exp(-kappa t)) where Re x <= -kappa t: falls faster than any power. N is where the supremum is
+/// at the least t.
 Complex falling(const Complex& x, const Departure& d)
 {
     Ball high;
@@ -226,7 +228,8 @@ Complex scaled(Op op, const Ball& order, const Complex& x, const Departure& d)
     if (!rightwards) return unknown(x);
     const Exponent half(1, 2);
     if (op == Op::erfc_scaled) return of_order(x, d.side, d.power, lemma::scaled_erfc(*rightwards));
-    if (op == Op::bessel_i_scaled) return arb_is_int(order.get()) ? of_order(x, d.side, d.power * half, lemma::scaled_bessel_i(*rightwards)) : unknown(x);
+    if (op == Op::bessel_i_scaled)
+        return arb_is_int(order.get()) ? of_order(x, d.side, d.power * half, lemma::scaled_bessel_i(*rightwards)) : unknown(x);
     const Ball size = touchstone::abs(d.direction), front = sqrt(touchstone::pi<Ball>() / (Ball(2) * size));
     return of_order(x, d.side, d.power * half, front * (Ball(1) + lemma::bessel_remainder(order, size * d.least, Ball(1))));
 }

@@ -200,8 +200,9 @@ N<V> logarithm_of_fraction(const N<V>& x, const N<V>& y)
     }
 }
 
-/// log x for x = 1 + v, with the zero where v has one: log(1 + v)/v = 1 - v/2 + ..., off 1 by at most |v|/(2 (1 - |v|)). For |v| < 1/2 that is the
-/// principal logarithm; so is the continued one where its imaginary part is below pi in size, and on all of the strip where x shows no powers.
+/// log x for x = 1 + v, with the zero where v has one: log(1 + v)/v = 1 - v/2 + ..., off 1 by at most |v|/(2 (1 - |v|)). For |v| < 1/2 that
+/// is the principal logarithm; so is the continued one where its imaginary part is below pi in size, and on all of the strip where x shows
+/// no powers.
 template <class V>
 N<V> logarithm_near_one(const N<V>& x, const N<V>& v)
 {

@@ -97,11 +97,11 @@ enum class Op {
     polylog,
     real_part, ///< (f + f*)/2, f* the formula with i replaced by -i: analytic where f and f* are, Re f for real arguments
     imaginary_part,
-    conjugate,       ///< f*
-    real_value,      ///< of the value for a real x, whatever points of other variables stand in the formula
+    conjugate,  ///< f*
+    real_value, ///< of the value for a real x, whatever points of other variables stand in the formula
     imaginary_value,
     odd_difference, ///< h(x) - h(-x), h its argument: what a principal value is folded to
-    integral,  ///< of `integrand`; its ends are the arguments
+    integral,       ///< of `integrand`; its ends are the arguments
 };
 
 struct Expression;

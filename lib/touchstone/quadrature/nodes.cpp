@@ -202,7 +202,8 @@ std::shared_ptr<const NodeTable> NodeTable::get(long m, long count, slong bits, 
     thread_local std::list<std::shared_ptr<const NodeTable>> cache;
     for (auto it = cache.begin(); it != cache.end(); ++it) {
         const NodeTable& t = **it;
-        if (t.transformation_ == transformation && t.m_ == m && t.count_ >= count && t.bits_ >= bits && t.decay_ <= decay && t.bits_ <= bits + bits / 4 + 64) {
+        if (t.transformation_ == transformation && t.m_ == m && t.count_ >= count && t.bits_ >= bits && t.decay_ <= decay &&
+            t.bits_ <= bits + bits / 4 + 64) {
             cache.splice(cache.begin(), cache, it);
             return cache.front();
         }

@@ -2,7 +2,8 @@
 /// \file
 /// Nodes of the tanh-sinh rule and of the logistic one, cached.
 ///
-/// The step is h = (log 2)/m. Of the logistic rule E_k = exp(-kh) = 2^(-k/m). Of the tanh-sinh rule exp(kh) = 2^(k/m), and with e_k = exp((pi/2) 2^(k/m)),
+/// The step is h = (log 2)/m. Of the logistic rule E_k = exp(-kh) = 2^(-k/m). Of the tanh-sinh rule exp(kh) = 2^(k/m), and with e_k =
+/// exp((pi/2) 2^(k/m)),
 ///
 ///     e_(k+m) = e_k^2,      E_k = exp(-pi sinh kh) = e_(-k) / e_k,
 ///

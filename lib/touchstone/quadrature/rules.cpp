@@ -37,7 +37,8 @@ Attempt attempt_of(const Enclosure& e, const Range& range)
     a.value = e.value;
     a.reason = e.reason;
     const auto& panels = e.certificate.panels;
-    a.part.rule = !panels.empty() && panels.front().transformation == Transformation::logistic ? "trapezoidal in the logarithm" : "tanh-sinh";
+    a.part.rule =
+        !panels.empty() && panels.front().transformation == Transformation::logistic ? "trapezoidal in the logarithm" : "tanh-sinh";
     a.part.certificate = e.certificate;
     a.part.evaluations = e.certificate.points();
     if (e.status == Status::indeterminate && e.fraction) a.at = place_of(range, *e.fraction);
@@ -165,7 +166,8 @@ std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f
     return a;
 }
 
-Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, bool complex, long digits, const IntegralOptions& wanted, Transformation transformation)
+Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, bool complex, long digits, const IntegralOptions& wanted,
+                     Transformation transformation)
 {
     constexpr long quick_budget = 3000; // pieces, of an integrand that is itself an integral or stands inside one
     constexpr int quick_bisections = 2;

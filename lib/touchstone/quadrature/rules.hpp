@@ -33,7 +33,8 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>&, l
 std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, long digits, bool of_absolute);
 
 /// tanh_sinh.hpp; of a complex formula both parts, by one proof.
-Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>&, bool complex, long digits, const IntegralOptions&, Transformation = Transformation::tanh_sinh);
+Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>&, bool complex, long digits, const IntegralOptions&,
+                     Transformation = Transformation::tanh_sinh);
 
 /// Real formulas of one range by one proof and the same nodes; their values are non-finite if it fails.
 std::vector<Attempt> by_one_tanh_sinh(const std::vector<std::shared_ptr<const Integrand>>&, long digits);

@@ -61,7 +61,10 @@ ComplexBall exponential_integral(const ComplexBall& z)
 }
 
 /// The ball that knows more of its number.
-ComplexBall better(const ComplexBall& a, const ComplexBall& b) { return acb_rel_accuracy_bits(a.get()) > acb_rel_accuracy_bits(b.get()) ? a : b; }
+ComplexBall better(const ComplexBall& a, const ComplexBall& b)
+{
+    return acb_rel_accuracy_bits(a.get()) > acb_rel_accuracy_bits(b.get()) ? a : b;
+}
 
 /// exp(z^2) erfc(z) = U(1/2, 1/2, z^2)/sqrt(pi) in the right half plane (DLMF 7.11.5), where erfc itself is too small; else the product.
 ComplexBall scaled_erfc(const ComplexBall& z)

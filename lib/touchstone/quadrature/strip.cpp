@@ -198,15 +198,12 @@ struct Key {
 struct KeyHash {
     std::size_t operator()(const Key& k) const
     {
-        std::uint64_t h = (k.side == Side::left ? 0x9e3779b97f4a7c15u : 0) + (k.transformation == Transformation::logistic ? 0x7f4a7c15u : 0);
+        std::uint64_t h =
+            (k.side == Side::left ? 0x9e3779b97f4a7c15u : 0) + (k.transformation == Transformation::logistic ? 0x7f4a7c15u : 0);
         for (const double c : k.corner) h = (h ^ std::bit_cast<std::uint64_t>(c)) * 0xff51afd7ed558ccdu + (h >> 29);
         return static_cast<std::size_t>(h ^ (h >> 32));
     }
 };
-
-} // namespace
-
-namespace {
 
 /// The box that w is in, and an upper bound of |dw/dt|.
 struct Image {
@@ -299,10 +296,7 @@ ComplexBall StripPiece::logarithm_over_rho(Side s) const
     return ComplexBall(Ball(-1), hull(-slope_, slope_)) + disc(log_far / depth_);
 }
 
-std::optional<Ball> StripPiece::turn(Side s) const
-{
-    return reaches(s) ? turn_ : std::nullopt;
-}
+std::optional<Ball> StripPiece::turn(Side s) const { return reaches(s) ? turn_ : std::nullopt; }
 
 StripPiece StripPiece::at(Side side, double x1, double x2, double y1, double y2, Transformation transformation)
 {
@@ -311,7 +305,8 @@ StripPiece StripPiece::at(Side side, double x1, double x2, double y1, double y2,
     if (const auto found = cache.find(key); found != cache.end()) return found->second;
     if (cache.size() > 40000) cache.clear();
     const WorkingPrecision precision(strip_bits);
-    return cache.emplace(key, std::isinf(x2) ? endless(side, x1, y2, transformation) : finite(side, x1, x2, y1, y2, transformation)).first->second;
+    return cache.emplace(key, std::isinf(x2) ? endless(side, x1, y2, transformation) : finite(side, x1, x2, y1, y2, transformation))
+        .first->second;
 }
 
 const StripPiece& StripPiece::everywhere()

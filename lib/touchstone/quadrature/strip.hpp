@@ -11,8 +11,8 @@
 /// log u = -log(1 + E), log r = -w - log(1 + E). The left half follows from
 /// u(-t) = r(t), u(conj t) = conj u(t).
 ///
-/// The logistic map takes the strip to a domain that winds around neither end: |arg u|, |arg r| stay below d and a little. On a half-line, x = u/r = exp(t),
-/// it is the sector |arg x| < d.
+/// The logistic map takes the strip to a domain that winds around neither end: |arg u|, |arg r| stay below d and a little. On a half-line,
+/// x = u/r = exp(t), it is the sector |arg x| < d.
 #pragma once
 
 #include "touchstone/quadrature/endpoint_number.hpp"

@@ -41,7 +41,10 @@ private:
         return f_(p);
     }
     bool constant(Panel& panel, double bits);
-    StripPiece piece(Side side, double x1, double x2, double y1, double y2) const { return StripPiece::at(side, x1, x2, y1, y2, transformation_); }
+    StripPiece piece(Side side, double x1, double x2, double y1, double y2) const
+    {
+        return StripPiece::at(side, x1, x2, y1, y2, transformation_);
+    }
     StripPiece endless(Side side, double x1, double d) const { return piece(side, x1, std::numeric_limits<double>::infinity(), 0, d); }
     End end(Side side, double d);
     bool layer(Side side, double x1, double x2, double y1, double y2, double smallest);

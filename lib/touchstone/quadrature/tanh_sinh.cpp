@@ -16,14 +16,16 @@ namespace touchstone::quadrature::detail {
 namespace {
 
 /// Bound of h sum |F(kh)| over the nodes beyond the n-th, from the End's bounds on the real line:
-/// c (1 - exp(-A))^-|beta| exp(-alpha pi sinh(n h)) / alpha, if n h >= edge and alpha pi sinh(n h) >= 1; of the logistic rule exp(-alpha n h) in it.
+/// c (1 - exp(-A))^-|beta| exp(-alpha pi sinh(n h)) / alpha, if n h >= edge and alpha pi sinh(n h) >= 1; of the logistic rule exp(-alpha n
+/// h) in it.
 Ball truncation_bound(const End& e, long n, long m, Transformation transformation)
 {
     Ball x, s;
     arb_const_log2(x.get(), strip_bits);
     x = x * Ball(n) / Ball(m);
     if (!arb_ge(x.get(), Ball::exactly(e.edge).get())) return Ball::indeterminate();
-    if (transformation == Transformation::logistic) return upper_ball(lemma::logistic_truncation(e.bound, e.here.ball(), e.far.ball(), e.depth, x));
+    if (transformation == Transformation::logistic)
+        return upper_ball(lemma::logistic_truncation(e.bound, e.here.ball(), e.far.ball(), e.depth, x));
     arb_sinh(s.get(), x.get(), strip_bits);
     const Ball alpha = e.here.ball();
     const Ball power = alpha * pi<Ball>() * s;
@@ -87,16 +89,17 @@ Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slo
     {
         const WorkingPrecision coarse(strip_bits);
         p.discretisation = discretisation_bound(p);
-        p.truncation =
-            upper_ball(truncation_bound(proved.left, p.left_nodes, p.m, p.transformation) + truncation_bound(proved.right, p.right_nodes, p.m, p.transformation));
+        p.truncation = upper_ball(truncation_bound(proved.left, p.left_nodes, p.m, p.transformation) +
+                                  truncation_bound(proved.right, p.right_nodes, p.m, p.transformation));
     }
     const double log2_largest = std::max({log2_upper(proved.left.bound), log2_upper(proved.right.bound), log2_upper(p.scale)});
     const bool logistic = p.transformation == Transformation::logistic;
-    const double octaves = logistic ? 0 : static_cast<double>(std::max(p.left_nodes, p.right_nodes)) / static_cast<double>(p.m); // cosh(kh) grows
+    const double octaves =
+        logistic ? 0 : static_cast<double>(std::max(p.left_nodes, p.right_nodes)) / static_cast<double>(p.m); // cosh(kh) grows
     const slong bits = std::max<slong>(64, static_cast<slong>(std::ceil(log2_largest - log2_tolerance + octaves)) + 12);
     precision = std::max(precision, bits);
-    const auto table =
-        NodeTable::get(p.m, std::max(p.left_nodes, p.right_nodes), bits, std::min({1.0, p.alpha.to_double(), p.beta.to_double()}), p.transformation);
+    const auto table = NodeTable::get(p.m, std::max(p.left_nodes, p.right_nodes), bits,
+                                      std::min({1.0, p.alpha.to_double(), p.beta.to_double()}), p.transformation);
 
     const WorkingPrecision full(bits);
     proved.f.prepare();

@@ -52,7 +52,8 @@ struct Options {
     bool of_absolute = false;
     /// Whether many bits may be spent where f is huge next to its integral (x^1000 exp(-x) takes 12000).
     bool patient = false;
-    /// tanh_sinh, or logistic: the trapezoidal rule in log(u/r), for what is analytic in a sector only. It takes some D^2 values of f for D digits.
+    /// tanh_sinh, or logistic: the trapezoidal rule in log(u/r), for what is analytic in a sector only. It takes some D^2 values of f for D
+    /// digits.
     Transformation transformation = Transformation::tanh_sinh;
     /// If given, the integrand is refused unless |f| <= K u^(alpha-1), resp. r^(beta-1), is proved for it.
     std::optional<Rational> left_exponent, right_exponent;
