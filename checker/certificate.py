@@ -16,6 +16,7 @@ import distributions
 import full_contact
 import intervals as iv
 import memory
+import poisson
 import transfer
 from intervals import Interval
 from transfer import Refused
@@ -271,25 +272,44 @@ class Replay:
         return "polynomials", self.number, panel, (middle, half), aim, [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
 
     def share(self, below, claim):
-        mesh, (n, *pressure, load), value, error = self.claimed("contact.area contact.exceedance", below, claim)
+        mesh, (*inputs, load), value, error = self.claimed("contact.area contact.exceedance", below, claim) if self.certificate.quantity[:5] != "limit" else self.mean(below, claim)
         need(mesh[0] == "mesh", "a share rests on a mesh", Refused)
-        (base, degree), p, scale, highest, bits, kept, accuracy, rise, edges = mesh[2]
+        p, scale, highest = mesh[2][1:4]
+        n, *pressure = inputs or [1]
         need((pressure or [0]) == [p] and (not p or scale == n), "does not rest on a mesh of its pressure", Refused)
         below = below[1:]
         need(all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
-        need([b[2] for b in below] == list(range(len(edges) - 1)) and len({(len(b[5]), len(b[5][0])) for b in below}) == 1, "polynomials are missing", Refused)
+        need([b[2] for b in below] == list(range(len(mesh[2][-1]) - 1)) and len({(len(b[5]), len(b[5][0])) for b in below}) == 1, "polynomials are missing", Refused)
         need(n <= len(below[0][5]) and load <= highest, "the mesh does not reach so far", Refused)
         if self.proving():
-            key = mesh[1], tuple(b[1] for b in below)
-            if key not in self.rules:
-                Interval.bits = bits + 128
-                pressure = p / power_of(base, degree, scale)  # in p*_n, whatever the scale is
-                made = full_contact.Mesh(root_of(base, degree), pressure, highest, bits, edges, *zip(*(b[3:6] for b in below)), kept, accuracy, rise)
-                self.rules = {key: (made, made.errors(self.progress))}  # of one mesh at a time
-            made, errors = self.rules[key]
-            low, high = made.value(n, load, errors)
-            need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
+            if inputs:
+                low, high = self.share_of(mesh, below, n, load)
+                need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
+            else:
+                need(self.made(poisson.Poisson, mesh, below).off_by(value, self.progress) <= error, "the claim is not proved", Refused)
         return "share", self.number
+
+    def mean(self, below, claim):
+        """(W): C(G), where loads up to 1/(G - 1) count"""
+        mesh, _, value, error = self.claimed("limit.area_constant", below, claim)
+        base, degree = mesh[2][0]
+        highest = mesh[2][3] if mesh[0] == "mesh" else Fraction(1)
+        need((1 + 1 / highest) ** degree <= base, "the mesh does not reach so far", Refused)
+        return mesh, [highest], value, error
+
+    def share_of(self, mesh, below, n, load):
+        key = mesh[1], tuple(b[1] for b in below)
+        if key not in self.rules:
+            made = self.made(full_contact.Mesh, mesh, below)
+            self.rules = {key: (made, made.errors(self.progress))}  # of one mesh at a time
+        made, errors = self.rules[key]
+        return made.value(n, load, errors)
+
+    def made(self, kind, mesh, below):
+        (base, degree), p, scale, highest, bits, kept, accuracy, rise, edges = mesh[2]
+        Interval.bits = bits + 128
+        pressure = p / power_of(base, degree, scale)  # in p*_n, whatever the scale is
+        return kind(root_of(base, degree), pressure, highest, bits, edges, *zip(*(b[3:6] for b in below)), kept, accuracy, rise)
 
     def limit(self, below, claim, m, exponent, weights):
         """(F): C(G) is near the value because sum w_j h_(m+j) is, on each panel"""

@@ -22,6 +22,7 @@ import certificate
 import closed_forms
 import intervals as iv
 import memory
+import scale_one
 from intervals import Interval
 
 MOST_BITS = 16384
@@ -192,7 +193,7 @@ def main():
     worst, found = 0, []
     memory.bound()
     try:
-        forms = with_certificates(closed_forms.FORMS, arguments.certificate)
+        forms = with_certificates(scale_one.FORMS, arguments.certificate)
     except (certificate.Malformed, certificate.Refused, MemoryError) as why:
         print(f"check.py: a certificate says no: {str(why) or 'needs too much memory'}", file=sys.stderr)
         return 65

@@ -412,7 +412,7 @@ class Mesh:
         each, beyond = one, Fraction(0)
         for power, panels in shells:
             size = self.largest + 3  # 5 sup |V|
-            fewer = max(3, -(-(size + max(self.up) - wanted + 6) // power) + 1)
+            fewer = max(3, -(-(size + max(self.up, default=0) - wanted + 6) // power) + 1)
             levels = list(zip(*(self.row(x, low, high, -wanted, panels) for x in self.chebyshev_points(x1, x2, fewer))))
             for row, weights in zip(rows, self.weights(fewer, count)):
                 row[:] = [a + (sum(map(mul, weights, level)) >> self.bits) for a, level in zip(row, levels)]
@@ -423,7 +423,7 @@ class Mesh:
     def on_interval(self, p, x1, x2, wanted, levels):
         """(K): |V_m - T V_(m-1)| on J = [x1, x2] in the panel p, 0 < m < levels: fractions. wanted: log2"""
         low, high, log_size = self.disc(p, x1, x2)
-        count, beyond = self.interpolation(log_size + max(self.up), wanted)
+        count, beyond = self.interpolation(log_size + max(self.up, default=0), wanted)
         ups = self.up[:levels - 1]
         off = [o * 2**up for o, up in zip(self.mismatch(low, high, x1, x2), ups)]
         if max(off) > Fraction(2) ** wanted:

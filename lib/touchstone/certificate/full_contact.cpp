@@ -12,6 +12,17 @@
 #include <cmath>
 
 namespace touchstone::certificate {
+
+mpz_class units(const DoubleDouble<double>& x, long b)
+{
+    mpf_class f(x.high, 320);
+    f += mpf_class(x.low, 320);
+    mpf_mul_2exp(f.get_mpf_t(), f.get_mpf_t(), static_cast<mp_bitcnt_t>(b + 1));
+    mpz_class n(f);
+    n += 1;
+    return n >> 1;
+}
+
 namespace {
 
 constexpr double smallest = 1e-14; ///< shares
@@ -26,17 +37,6 @@ struct Choices {
     long kept() const { return accuracy + 26; }      ///< of the coefficients: jumps between panels stay as small where one is continued
     long lift(long m) const { return m * rise / 16; }
 };
-
-/// In units of 2^-b, rounded.
-mpz_class units(const transfer::levels::Real& x, long b)
-{
-    mpf_class f(x.high, 320);
-    f += mpf_class(x.low, 320);
-    mpf_mul_2exp(f.get_mpf_t(), f.get_mpf_t(), static_cast<mp_bitcnt_t>(b + 1));
-    mpz_class n(f);
-    n += 1;
-    return n >> 1;
-}
 
 double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }

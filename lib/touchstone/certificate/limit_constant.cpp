@@ -2,6 +2,7 @@
 #include "touchstone/certificate/limit_constant.hpp"
 
 #include "touchstone/certificate/contact.hpp"
+#include "touchstone/certificate/poisson.hpp"
 #include "touchstone/certificate/written_levels.hpp"
 #include "touchstone/scalar/refusal.hpp"
 
@@ -147,12 +148,13 @@ Limit find(const Root& root, long count, double digits)
 
 } // namespace
 
-std::string refusal_of_limit(const Root& G)
-{
-    const std::string why = refusal({1, Rational(1), G});
-    const bool near_2 = power(Rational(2009, 1000), static_cast<long>(G.degree)) > G.base;
-    return why.empty() && near_2 ? "G < 2.009: certificates of the limit are made where G >= 2.009" : why;
-}
+std::string refusal_of_limit(const Root& G) { return refusal({1, Rational(1), G}); }
+
+namespace {
+
+bool is_partial(const Root& G) { return power(Rational(2009, 1000), static_cast<long>(G.degree)) <= G.base; }
+
+} // namespace
 
 std::string limit_constants(const std::vector<Root>& all, Accuracy wanted)
 {
@@ -160,6 +162,10 @@ std::string limit_constants(const std::vector<Root>& all, Accuracy wanted)
     Lines lines;
     const double goal = std::pow(10.0, -static_cast<double>(wanted.digits)) / 2;
     for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!is_partial(all[i])) {
+            write_poisson(all[i], std::min(wanted.digits, most_digits_by_poisson), i + 1, i + 1, head, lines);
+            continue;
+        }
         auto digits = static_cast<double>(wanted.digits) + 1;
         auto count = static_cast<long>(std::ceil(std::sqrt(digits * 3.33))) + 1;
         Limit r = find(all[i], count, digits);

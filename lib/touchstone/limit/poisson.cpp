@@ -319,15 +319,42 @@ double highest_ratio(double G) { return G >= 2 ? margin * 4 / (G * G) : margin /
 
 } // namespace
 
-Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const SpoiledPhi& spoiled)
+namespace {
+
+/// How far the mesh goes.
+double end_of_mesh(const Ball& G)
 {
     require_binary64_arithmetic();
-    const WorkingPrecision precision(256);
     const Real nearest = to_real(G);
     const Ball off = abs(to_ball(nearest) / G - Ball(1));
     if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u)))) throw BeyondReach("G must be above 1 and known to 101 bits");
-    const double g = double(nearest), highest = 1.1 * highest_ratio(g);
+    const double highest = 1.1 * highest_ratio(double(nearest));
     if (!(highest <= 60)) throw BeyondReach("G too near 1 for the constant of the limit");
+    return highest;
+}
+
+} // namespace
+
+PoissonSearch search_poisson(const Ball& G, double tolerance)
+{
+    const WorkingPrecision precision(256);
+    const double highest = end_of_mesh(G);
+    const Rules rules(tolerance);
+    const Function function = function_of({}, G, tolerance);
+    const Found found = search(rules, *function.f, function.singular, G, function.lowest, highest, tolerance, {});
+    PoissonSearch result{{}, found.c};
+    for (std::size_t i = 0; i < found.steps->panels.size(); ++i) {
+        const Panel& p = found.steps->panels[i];
+        result.panels.push_back({p.y0, p.y1, p.centre, p.half, {}});
+        for (int k = 0; k < found.steps->orders.terms; ++k) result.panels.back().coefficients.push_back(Real(found.steps->coefficients[found.steps->row(i, k)]));
+    }
+    return result;
+}
+
+Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const SpoiledPhi& spoiled)
+{
+    const WorkingPrecision precision(256);
+    const double highest = end_of_mesh(G), g = double(to_real(G));
     const Rules rules(tolerance);
     const Function function = function_of(q, G, tolerance);
     const First& first = *function.f;

@@ -8,9 +8,11 @@
 
 #include "touchstone/scalar/accuracy.hpp"
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/scalar/double_double.hpp"
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace touchstone::limit {
 
@@ -36,6 +38,18 @@ Ball mean_by_poisson(const Question&, const std::function<Ball()>& G, Accuracy);
 
 /// What bounds its error.
 std::string mean_by_poisson_certificate(const Question&, const std::function<Ball()>& G, Accuracy);
+
+/// What the search finds for B_0, of which nothing is proven: G Phi on panels, and c. A certificate says it (docs/certificate.md).
+struct PoissonSearch {
+    using Real = DoubleDouble<double>;
+    struct Panel {
+        Real y0, y1, centre, half;
+        std::vector<Real> coefficients; ///< G Phi = sum c_k T_k((y^2 - centre)/half) for y0 <= y <= y1
+    };
+    std::vector<Panel> panels; ///< up to beyond the highest ratio of the limit law
+    Real c;
+};
+PoissonSearch search_poisson(const Ball& G, double tolerance);
 
 /// For tests: what Phi is made worse by on the panel y0 <= y <= y1. Phi may be anything; the proof has to see it.
 using SpoiledPhi = std::function<double(double y0, double y1)>;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "touchstone/certificate/poisson.hpp"
+
+#include "touchstone/certificate/full_contact.hpp"
+#include "touchstone/limit/poisson.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace touchstone::certificate {
+namespace {
+
+constexpr long spare_bits = 6;         ///< the checker adds up what some hundred narrow intervals leave
+constexpr double spare_tolerance = 6;  ///< polynomials leave that much less than what is claimed
+
+Rational rounded_above(double x)
+{
+    constexpr long unit = 1024;
+    return {static_cast<long>(std::ceil(x * unit)) + 1, unit};
+}
+
+} // namespace
+
+void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t section, std::string& head, Lines& lines)
+{
+    const WorkingPrecision precision(256);
+    const Ball G = root.degree == 1 ? Ball(root.base) : pow(Ball(root.base), 1 / Ball(static_cast<long>(root.degree)));
+    const double g = arf_get_d(arb_midref(G.get()), ARF_RND_NEAR), goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
+    constexpr double least_C = 0.2;                                                // at G = 1.02
+    const double residual = goal * least_C * std::sqrt(std::min(25.0, (g - 1) * 50)) / (g * g * g); // C grows like the root of G - 1
+    const limit::PoissonSearch found = limit::search_poisson(G, residual / spare_tolerance);
+    const long accuracy = static_cast<long>(std::ceil(-std::log2(residual))) + spare_bits, bits = 2 * accuracy + 64, kept = accuracy + 26;
+    Rational load = rounded_above(1 / (g - 1)); // no ratio of the limit is above
+    load.canonicalize();
+
+    std::string mesh = fmt::format("G={} p=0 scale=0 load={} bits={:x} kept={:x} accuracy={:x} rise=0", named(root), load.get_str(), bits, kept, accuracy);
+    for (const auto& panel : found.panels) mesh += ' ' + hex(units(panel.y0, bits));
+    mesh += ' ' + hex(units(found.panels.back().y1, bits));
+    std::vector<std::size_t> rests_on{lines.add("mesh", {}, mesh)};
+    for (std::size_t i = 0; i < found.panels.size(); ++i) {
+        const auto& panel = found.panels[i];
+        std::string data = fmt::format("panel={:x} middle={} half={} terms={:x} aim={:x}", i, hex(units(panel.centre, bits)), hex(units(panel.half, bits)),
+                                       panel.coefficients.size(), accuracy);
+        for (const auto& c : panel.coefficients) data += ' ' + hex(units(c, kept));
+        rests_on.push_back(lines.add("polynomials", {rests_on.front()}, data));
+    }
+    lines.add("share", rests_on, fmt::format("claim={}", claim));
+    const Ball c = Ball::exactly(found.c.high);
+    head += fmt::format("claim {} G={} value={} error={}\n", claim, named(root), dyadic_midpoint(c), dyadic(rounded_up(goal * found.c.high)));
+    head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares=1 laws=0 pieces=0 readings=0\n",
+                        section, rests_on.front(), lines.count(), found.panels.size());
+}
+
+} // namespace touchstone::certificate
