@@ -15,6 +15,7 @@ from fractions import Fraction
 import distributions
 import full_contact
 import intervals as iv
+import limits
 import memory
 import poisson
 import transfer
@@ -78,11 +79,14 @@ READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text),
            **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "aim", "panel", "middle", "half"), integer)}
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
          "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
-         "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim"}
-COUNTED = "grids panels levels values limits meshes polynomials shares laws pieces readings"
-WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece"), ("value", "limit", "share", "reading")
+         "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim",
+         "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim"}
+COUNTED = "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings"
+WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece", "part"), ("value", "limit", "share", "reading", "tending")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
-          "contact.density": "n p load G value error", "segments.density": "n a load G value error"}
+          "contact.density": "n p load G value error", "segments.density": "n a load G value error",
+          "limit.exceedance": "p G value error", "limit.force": "p G value error", "limit.density": "p G value error", "limit.segments": "a G value error",
+          "limit.distance": "n p load G value error"}
 
 
 def fields(words, names, what):
@@ -123,9 +127,8 @@ class Certificate:
             kind, which, *rest = line.split(" ") if line.count(" ") > 1 else ("", "", "")
             if kind == "claim":
                 *inputs, G, value, error = fields(rest, CLAIMS[self.quantity], "claim")
-                n, load = (inputs[0], inputs[-1]) if inputs else (1, 1)
                 self.claims[decimal(which)] = *inputs, G, value, error
-                need(list(self.claims)[-1] == len(self.claims) and n > 0 and value > error >= 0, f"claim {which[:9]}: is none")
+                need(list(self.claims)[-1] == len(self.claims) and (inputs or [1])[0] > 0 and (value if self.quantity != "limit.distance" else abs(value)) > error >= 0, f"claim {which[:9]}: is none")
                 continue
             (first, last), *counted = fields(rest, f"span {COUNTED}", "section")
             found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
@@ -258,7 +261,7 @@ class Replay:
         """the grid, inputs, value and error of a claim that is proved here"""
         need(self.certificate.quantity in quantities.split() and claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
         *inputs, G, value, error = self.certificate.claims[claim]
-        need(below and below[0][0] in ("grid", "mesh", "law") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
+        need(below and below[0][0] in ("grid", "mesh", "law", "steady") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
         self.proved.add(claim)
         return below[0], inputs, value, error
 
@@ -379,6 +382,58 @@ class Replay:
             need(value - error <= low * (1 - off) and high * (1 + off) <= value + error, "the claim is not proved", Refused)
         return "reading", self.number
 
+    def steady(self, below, G, bits):
+        need(not below and 96 <= bits <= 512 and 2 ** G[1] < G[0] < 2 ** (40 * G[1]), "not a law of the limit: G > 2", Refused)
+        return "steady", self.number, (G, bits)
+
+    def part(self, below, low, high, centre, radius, power, exponent, coefficients):
+        need([b[0] for b in below] == ["steady"] and 0 < low < high <= 1 and power >= 0 and 2 < len(coefficients) <= 64, "not a part of the law of the limit", Refused)
+        Interval.bits = below[0][2][1]
+        return "part", self.number, below[0], distributions.Polynomial(low, high, centre, radius, power, exponent, coefficients)
+
+    def limit_law(self, below):
+        """the law and its parts, which follow one another up to T = 1; V is 0 below the first"""
+        law, parts = below[0], below[1:]
+        need(law[0] == "steady" and 0 < len(parts) <= MOST_PANELS and all(b[0] == "part" and b[2] is law for b in parts), "does not rest on the parts of a law of the limit", Refused)
+        pieces = [b[3] for b in parts]
+        need(all(p.high == q.low for p, q in zip(pieces, pieces[1:])) and pieces[-1].high == 1, "parts do not follow one another up to 1", Refused)
+        key = law[1],
+        if self.proving() and key not in self.rules:
+            self.rules = {key: limits.Limit(root_of(*law[2][0]), law[2][1])}  # of one law at a time
+        Interval.bits = law[2][1]
+        return self.rules.get(key), pieces, tuple(b[1] for b in parts)
+
+    def balance(self, below, part, error):
+        need(below and 0 <= part < len(below) - 1 and 0 < error < 1, "not a balance", Refused)
+        law, pieces, places = self.limit_law(below)
+        if self.proving():
+            law.prove(0, pieces, pieces[part], error, self.progress)
+        return "balance", self.number, places, part, error
+
+    def tending(self, below, claim):
+        law, inputs, value, error = self.claimed("limit.exceedance limit.force limit.density limit.segments limit.distance", below, claim)
+        n, place, load = inputs if len(inputs) == 3 else (0, *inputs, 1)
+        need(law[0] == "steady", "the limit of a distribution rests on the law of the limit", Refused)
+        made, pieces, places = self.limit_law([law, *(b for b in below if b[0] == "part")])
+        balances = [b for b in below if b[0] == "balance"]
+        need(sorted(b[3] for b in balances) == list(range(len(pieces))) and all(b[2] == places for b in balances), "parts are not all balanced", Refused)
+        at_scale = [b for b in below if b[0] in ("law", "piece")]
+        need(1 + len(pieces) + len(balances) + len(at_scale) == len(below) and (n > 0) == bool(at_scale), "rests on more or less than it may", Refused)
+        need(place > 0 and (self.certificate.quantity != "limit.segments" or 2 * place < 1), "the claim is at an end of the law, or beyond", Refused)
+        if self.proving():
+            here = self.at_scale(at_scale, law[2][0], n, place, load, error) if n else 0
+            Interval.bits = made.bits
+            limit = made.claimed(self.certificate.quantity, place, pieces, max(b[4] for b in balances), error)
+            low, high = (here - limit if n else limit).ends()
+            need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
+        return "tending", self.number
+
+    def at_scale(self, below, G, n, place, load, error):
+        """the share of A_n above `place` p*_n"""
+        need(below[0][0] == "law" and below[0][2][:2] == (G, load), "does not rest on the law of its G and load", Refused)
+        pieces, off = self.all_pieces(below[0], below[1:], n)
+        return self.laws(below[0]).share_of_area(n, place, pieces, off, error / 64)
+
 
 def root_of(base, degree):
     return iv.power(base, Fraction(1, degree)) if degree > 1 else Interval.of(base)
@@ -390,10 +445,11 @@ def power_of(base, degree, n):
 
 def shown(quantity, claim):
     *inputs, (base, degree), value, error = claim
+    sign, value = "-" if value < 0 else "", abs(value)
     digits = len(str(int(value / error))) - 1  # error < value; no claim of an error of 0 is proved
     e = len(str(int(value))) - 1 if value >= 1 else -len(str(int(1 / value)))
     what = "".join(f"{name}={x} " for name, x in zip(CLAIMS[quantity].split(), inputs))
-    return f"{quantity} {what}G={base}{f'^1/{degree}' if degree > 1 else ''}: {int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"
+    return f"{quantity} {what}G={base}{f'^1/{degree}' if degree > 1 else ''}: {sign}{int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"
 
 
 def main():

@@ -3,7 +3,7 @@
 """check.py [--limit N] [--certificate FILE]... [--coverage FILE] TABLE...: recomputes every row of closed form in canonical tables and says how many it confirms.
 
 A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and
-an error of 0 only if the value is found to be exactly what is printed. Areas, counts of segments and C(G) are confirmed by certificates too, which are
+an error of 0 only if the value is found to be exactly what is printed. What the recursion gives is confirmed by certificates too, which are
 proved first (certificate.py). `digits` are confirmed in every row that is right or has a certificate. --coverage keeps, for `touchstone table`,
 what was found of each table, with the sha256 of its rows. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
 """
@@ -113,7 +113,8 @@ def with_certificates(forms, paths):
         return {quantity: lambda *inputs: proved(*inputs) if forms[quantity](*inputs) is None else forms[quantity](*inputs)}
     return {**forms, **both("segments.count", segments), **both("contact.area", certified("contact.area")),
             **both("contact.exceedance", certified("contact.exceedance")), **both("contact.density", certified("contact.density")),
-            **both("segments.density", certified("segments.density")), "limit.area_constant": constant, "limit.area_ratio": ratio}
+            **both("segments.density", certified("segments.density")), "limit.area_constant": constant, "limit.area_ratio": ratio,
+            **{f"limit.{name}": certified(f"limit.{name}") for name in ("exceedance", "force", "density", "segments", "distance")}}
 
 
 def with_patience(seconds):

@@ -152,7 +152,7 @@ class Laws:
     """Of one G and one load: the largest ratios Y_m, and what follows from V_m for phi_(m+1) and for shares"""
 
     def __init__(self, G, load, bits):
-        self.bits, self.G, self.trig = bits, G, Trigonometry(bits)
+        self.bits, self.G, self.trig, self.gain = bits, G, Trigonometry(bits), G.square()
         Interval.bits, self.tops = bits, [Interval.of(load)]
         self.first = FirstWave(G, self.tops[0])
 
@@ -161,9 +161,9 @@ class Laws:
             self.tops.append(2 * iv.sqrt(self.tops[-1]) / self.G)
         return self.tops[m]
 
-    # ---- the integrand, in u = v or, with `low`, in u = s
+    # ---- the integrand, in u = v or, with `low`, in u = s: of a density, a "share" above a pressure or, of the limit, the "force" at ratios above Y (1 - T)
 
-    def at(self, m, V, u, low, T, share):
+    def at(self, m, V, u, low, T, kind):
         """its value at u for one piece V"""
         Y, square = self.top(m), u.square()
         k, c2 = (square, 1 - square) if low else (1 - square, square)
@@ -171,13 +171,15 @@ class Laws:
         t, x = r * (2 - r), Y - Y * r
         R = iv.sqrt((1 - x).square() + self.beyond)
         here = half_power(t, V.power) * V.value(t) * x
-        if share:
+        if kind == "force":
+            return here * x * u
+        if kind:
             s = 2 * Y * T * c2 / (1 + x + R)
             return here * u * iv.angle(iv.sqrt(s), iv.sqrt(1 - s)) * 2 / iv.pi()
         under = (1 + x + R) / (1 - x + R)
         return here * u * iv.sqrt(under / c2) / R if low else here * iv.sqrt(under) / R
 
-    def bound(self, m, V, u, off, low, T, share):
+    def bound(self, m, V, u, off, low, T, kind):
         """above its modulus so far about u"""
         Y, u, off = self.top(m), Interval.of(u), Interval.of(off)
         moved = off * (2 * u + off)
@@ -190,7 +192,9 @@ class Laws:
         if low:
             size = size * half_power((u + off).square(), V.power + 1 if first else 1)
         need(not low or below(u + off, 1))
-        if share:
+        if kind == "force":
+            return size * Y * (1 - r + off_r) * (1 if low else u + off)
+        if kind:
             need(below(2 * Y * T * (1 - k + moved), 1 + Y * (1 - r - off_r) + real))  # |arcsin z| <= pi/2 for |z| <= 1
             return size * (1 if low else u + off)
         return size * root / (iv.sqrt(1 - (u + off).square()) if low else 1)
@@ -206,7 +210,7 @@ class Laws:
 
     # ---- integrals
 
-    def integral(self, m, pieces, T, allowed, share=False):
+    def integral(self, m, pieces, T, allowed, kind=""):
         """(P): over 0 <= v <= 1; pieces (V, r) from the first one up, each from its r on; `allowed`: what an error may be"""
         total, self.parts, self.beyond = Interval.of(0), 0, 4 * self.top(m) * (1 - T)  # G^2 y^2
         starts = [(Interval.of(r) / T, V) for V, r in pieces if not below(T, r)]
@@ -214,7 +218,7 @@ class Laws:
             for low, ends in ((False, (1 - upper, 1 - k)), (True, (k, upper))):
                 (a, near_a), (b, near_b) = map(self.root, ends)
                 if a - near_a < BREAK[low]:
-                    total = total + self.part(m, V, (min(a, BREAK[low]), near_a), (min(b, BREAK[low]), near_b), low, T, allowed, share)
+                    total = total + self.part(m, V, (min(a, BREAK[low]), near_a), (min(b, BREAK[low]), near_b), low, T, allowed, kind)
         return total
 
     def root(self, x):
@@ -224,7 +228,7 @@ class Laws:
         number = (low + high) / 2 * 2**self.bits // 1 * Fraction(1, 2**self.bits)
         return number, max(high - number, number - low)
 
-    def part(self, m, V, a, b, low, T, allowed, share):
+    def part(self, m, V, a, b, low, T, allowed, kind):
         """from a to b, (number, how near) each: by one rule of Gauss, by none where it is little, or by halves"""
         (a, near_a), (b, near_b) = a, b
         slivers, half, at = near_a + near_b, (b - a) / 2, (a + b) / 2
@@ -232,12 +236,12 @@ class Laws:
         if self.parts > MOST_PARTS:
             raise Refused("an integral has too many parts")
         if half <= 0:
-            return iv.error_term(self.bound(m, V, a, slivers - 2 * half, low, T, share) * (slivers - 2 * half)) if slivers - half else Interval.of(0)
+            return iv.error_term(self.bound(m, V, a, slivers - 2 * half, low, T, kind) * (slivers - 2 * half)) if slivers - half else Interval.of(0)
         need(half * 2**self.bits > 1)
         bits, found = self.bits, None
         for rho, most in RULES:
             try:
-                size = self.bound(m, V, at, half * (rho + Fraction(1, rho)) / 2 + slivers, low, T, share)
+                size = self.bound(m, V, at, half * (rho + Fraction(1, rho)) / 2 + slivers, low, T, kind)
             except Far:
                 continue
             M, K = top(size), 0 if 2 * half * top(size) < allowed * half else 2
@@ -248,22 +252,35 @@ class Laws:
                 break
         if not found:
             c = (at, Fraction(0))
-            return self.part(m, V, (a, near_a), c, low, T, allowed, share) + self.part(m, V, c, (b, near_b), low, T, allowed, share)
+            return self.part(m, V, (a, near_a), c, low, T, allowed, kind) + self.part(m, V, c, (b, near_b), low, T, allowed, kind)
         K, M, rho = found
         if not K:
             return Interval.of(2 * half * M + slivers * M) * Interval(0, 1)
         total, middle, wide = Interval.of(0), Interval.of(at), Interval.of(half)
         for t, w in self.trig.gauss(int(K)):
             t = wide * Interval(t, t, -bits)
-            total = total + (self.at(m, V, middle - t, low, T, share) + self.at(m, V, middle + t, low, T, share)) * w
+            total = total + (self.at(m, V, middle - t, low, T, kind) + self.at(m, V, middle + t, low, T, kind)) * w
         return total.scaled(-bits) * half + iv.error_term(Interval.of((6 * half * Fraction(rho) ** (-2 * K) + half * Fraction(1, 2 ** (bits - 15)) + slivers) * M))
 
     # ---- what follows from V_m
 
     def density(self, m, pieces, T, allowed):
         """phi_(m+1)(T) of V_m"""
-        factor = self.G.square() / iv.pi() * iv.sqrt(self.top(m) * T)
+        factor = self.gain / iv.pi() * iv.sqrt(self.top(m) * T)
         return factor * self.integral(m, pieces, T, allowed / top(factor))
+
+    def read(self, m, kind, T, pieces, allowed):
+        """the share of the next wave above a pressure that V_m makes, or its force"""
+        factor = 2 * self.top(m) * T
+        return factor * self.integral(m, of_ratios(pieces), T, allowed / top(factor), kind)
+
+    def share_of_area(self, n, P, pieces, off, allowed):
+        """of A_n above P p*_n, where V_n is within `off` of itself of phi_n"""
+        T, off = 1 - Interval.of(P).square() / (4 * self.top(n)), Interval.of(off)
+        need_inside(T)
+        allowed = allowed * (self.tops[0] / half_power(self.G, 2 * n)).ends()[0]  # A_n is some load/G^n
+        parts = [self.read(n, "share", T, pieces, allowed) for T in (T, Interval.of(1))]
+        return parts[0] / parts[1] * (1 + iv.error_term(2 * off / (1 - off)))
 
     def claimed(self, quantity, n, place, pieces, error):
         """what V_n makes of a claim; its own error is of no account beside the claim's"""
@@ -281,8 +298,7 @@ class Laws:
         if quantity == "contact.density":
             factor = P / power / self.G.square()
             return factor * self.density(n, of_ratios(pieces), T, fine / top(factor))
-        factor = 2 * self.top(n) * T
-        return factor * self.integral(n, of_ratios(pieces), T, fine / top(factor), True)
+        return self.read(n, "share", T, pieces, fine)
 
     # ---- defects
 
@@ -308,16 +324,16 @@ class Laws:
         if beyond > W.high:
             need(p + 1 < len(pieces) and beyond <= pieces[p + 1].high)
             changed += self.mismatch(pieces[p + 1], W, W.high, beyond)
-        factor = self.G.square() * iv.sqrt(Y) / (2 * iv.pi())
+        factor = self.gain * iv.sqrt(Y) / (2 * iv.pi())
         if start <= 0:
-            need(p == 0)
+            need(p == 0 and W.low == 0)
             off = Interval.of(max(at, reach))
             size = self.size(W, Interval.of(at), off, True) * Y * (1 - at + off) * wave_near(Y * (1 - at), Y * off, *z)[0] * (iv.pi() if W.power < 0 else 2)
             if V.power != W.power + 1:
                 size = size * power_bound(Interval.of(at), Interval.of(reach), W.power + 1) * power_bound(Interval.of(at), Interval.of(reach), -V.power)
             return changed, factor * size
         if start * (2 - start) < W.low:
-            need(start * (2 - start) >= pieces[p - 1].low)
+            need(p > 0 and start * (2 - start) >= pieces[p - 1].low)
             changed += self.mismatch(pieces[p - 1], W, start * (2 - start), W.low)
         total = self.size(W, Interval.of(at), Interval.of(at - start)) * Y * (1 - start + 2 * half) * iv.sqrt(Interval.of(at + reach - start))
         total = total * wave_near(Y * (1 - at), Y * (at - start), *z)[0]

@@ -3,8 +3,8 @@
 
 The share above p is int q_0(t) Q(t) dt and the density int q_0(t) d(t) dt, where Q and d are those of a wave of amplitude G and mean t: (2.14), (2.15) where
 t >= G, (2.17), (2.19) where t < G; q_0 is the density of a wave of amplitude 1 and mean `load`. Between the ends of both waves and t = G the integrand is
-analytic but for roots. Each such interval is cut in the middle, t = end +- v^2 takes the roots away, and rules of Gauss on parts of v do the rest: lemmas S
-and U of docs/certificate.md. The integrand is written once: of an interval it is the value, of a disc a bound. Nothing is rounded by hand.
+analytic but for roots. Each such interval is cut in the middle, t = end +- v^2 takes the roots away, and rules of Gauss on parts of v do the rest: lemmas U
+and V of docs/certificate.md. The integrand is written once: of an interval it is the value, of a disc a bound. Nothing is rounded by hand.
 """
 from fractions import Fraction
 from functools import lru_cache
@@ -26,7 +26,7 @@ class Outside(Exception):
 
 
 class Disc:
-    """(S): all complex numbers that are no further than `radius` from the real `centre`; both are intervals"""
+    """(U): all complex numbers that are no further than `radius` from the real `centre`; both are intervals"""
     __slots__ = ("centre", "radius")
 
     def __init__(self, centre, radius):
@@ -194,7 +194,7 @@ class TwoWaves:
 
 
 def best_rule(integrand, a, b, before, bits):
-    """(U): how many points from a to b are enough, and how far off these are at most; 0 where the interval is to be halved"""
+    """(V): how many points from a to b are enough, and how far off these are at most; 0 where the interval is to be halved"""
     at, half = (a + b) / 2, (b - a) / 2
     Interval.bits = COARSE
     try:
@@ -215,7 +215,7 @@ def best_rule(integrand, a, b, before, bits):
 
 
 def off_by(half, M, power, K, bits):
-    """(U)"""
+    """(V)"""
     return half * M * (Fraction(6, 2**(2 * K * power)) + Fraction(1, 2**(bits - 15)))
 
 

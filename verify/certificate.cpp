@@ -2,6 +2,7 @@
 /// `touchstone certificate`: why a value is what it is, for a checker that shares nothing with this program.
 #include "touchstone/certificate/contact.hpp"
 #include "touchstone/certificate/limit_constant.hpp"
+#include "touchstone/certificate/limit_distributions.hpp"
 #include "touchstone/scalar/rational.hpp"
 #include "touchstone/scalar/rational_text.hpp"
 #include "touchstone/table/table.hpp"
@@ -40,15 +41,39 @@ Root root_of(const Inputs& in)
     }
 }
 
+std::optional<certificate::LimitClaim::Of> limiting_kind(const std::string& quantity)
+{
+    using Of = certificate::LimitClaim::Of;
+    if (quantity == "limit.exceedance") return Of::exceedance;
+    if (quantity == "limit.force") return Of::force;
+    if (quantity == "limit.density") return Of::density;
+    if (quantity == "limit.segments") return Of::segments;
+    if (quantity == "limit.distance") return Of::distance;
+    return std::nullopt;
+}
+
 /// What is claimed and has a certificate, and why the first that has none has none.
 struct Claimed {
     std::vector<certificate::Claim> claims;
     std::vector<Root> limits;
+    std::vector<certificate::LimitClaim> limiting;
     std::string refused;
+
+    bool none() const { return claims.empty() && limits.empty() && limiting.empty(); }
 
     void add(const Quantity& q, const Inputs& in)
     {
         q.check(in);
+        if (const auto kind = limiting_kind(q.name)) {
+            certificate::LimitClaim c{root_of(in), *kind, in.real(q.name == "limit.segments" ? "a" : "p")};
+            if (q.name == "limit.distance") c.n = in.integer("n"), c.load = in.real("load");
+            const std::string why = certificate::refusal_of_limit_distribution(c);
+            if (why.empty())
+                limiting.push_back(c);
+            else
+                refused = refused.empty() ? why : refused;
+            return;
+        }
         const bool limit = q.name == "limit.area_constant" || q.name == "limit.area_ratio";
         certificate::Claim a{1, Rational(1), root_of(in)};
         if (!limit) a.load = in.real("load"), a.n = in.integer("n");
@@ -106,7 +131,8 @@ int write_certificate(const CertificateOptions& o)
 {
     const TableSpec* spec = find_table(o.subject);
     const Quantity& q = quantity_named(spec != nullptr ? spec->quantity : o.subject);
-    constexpr std::array served{"contact.area", "contact.exceedance", "contact.density", "segments.count", "segments.density", "limit.area_constant", "limit.area_ratio"};
+    constexpr std::array served{"contact.area", "contact.exceedance", "contact.density", "segments.count", "segments.density", "limit.area_constant",
+                                "limit.area_ratio", "limit.exceedance", "limit.force", "limit.density", "limit.segments", "limit.distance"};
     if (std::find(served.begin(), served.end(), q.name) == served.end())
         throw Failure(undecided, fmt::format("there are certificates of {}, not of '{}'; rows of closed form need none (checker/check.py)",
                                              fmt::join(served, ", "), q.name));
@@ -115,12 +141,13 @@ int write_certificate(const CertificateOptions& o)
         claimed = claims_of_table(*spec, key_values(q, o.assignments));
     else
         claimed.add(q, read_inputs(q, key_values(q, o.assignments)));
-    if (claimed.claims.empty() && claimed.limits.empty())
+    if (claimed.none())
         throw Failure(undecided, (spec == nullptr ? "" : fmt::format("no row of '{}' has a certificate: ", spec->name)) + claimed.refused);
     const long most = claimed.limits.empty() ? certificate::most_digits : certificate::most_digits_of_a_limit;
     const long digits = std::min(most, o.digits.value_or(spec != nullptr ? spec->digits + spare_digits : digits_of_a_value));
     const std::string text = [&] {
         const Progress progress("certificate");
+        if (!claimed.limiting.empty()) return certificate::limit_distributions(claimed.limiting, {digits});
         if (claimed.limits.empty()) return certificate::contact(claimed.claims, {digits});
         return certificate::limit_constants(claimed.limits, {digits});
     }();
@@ -140,7 +167,7 @@ void add_certificate(CLI::App& app, Run& run)
     auto o = std::make_shared<CertificateOptions>();
     command
         ->add_option("subject", o->subject,
-                     "A quantity with inputs: an area, a share above a pressure, a density, a count of segments or a limit of areas; or a table")
+                     "A quantity with inputs: an area, a share above a pressure, a density, a count of segments or a limit of these; or a table")
         ->required();
     command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval; of a table: rows with these inputs alone, as printed there");
     command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")

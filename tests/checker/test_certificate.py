@@ -30,6 +30,7 @@ import certificate  # noqa: E402
 import distributions  # noqa: E402
 import full_contact  # noqa: E402
 import intervals as iv  # noqa: E402
+import limits  # noqa: E402
 import poisson  # noqa: E402
 import transfer  # noqa: E402
 
@@ -79,10 +80,16 @@ def limit(G, digits=12):
     return Fraction(json.loads(program("eval", "limit.area_constant", f"G={G}", "--digits", digits, "--json").stdout)["value"])
 
 
+@functools.lru_cache(None)
+def limiting(quantity, at, G, digits=11):
+    """the limit of a share or density by the program, which has it from a function on a mesh"""
+    return Fraction(json.loads(program("eval", quantity, f"{'a' if quantity == 'limit.segments' else 'p'}={at}", f"G={G}", "--digits", digits, "--json").stdout)["value"])
+
+
 # What is changed in many ways, and how often: partial contact, full contact without and with a wave between, shares above a pressure, the limit.
 CHANGED = {("contact.area", "n=2", "load=1/10", "G=16", "--digits", 6): 9, ("contact.area", "n=1", "load=3/2", "G=3/2", "--digits", 2): 7,
            ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2", "--digits", 2): 3, ("limit.area_constant", "G=16", "--digits", 3): 3, ("limit.area_constant", "G=2", "--digits", 2): 2,
-           ("contact.density", "n=3", "p=2", "load=1/10", "G=3", "--digits", 4): 6}
+           ("contact.density", "n=3", "p=2", "load=1/10", "G=3", "--digits", 4): 6, ("limit.density", "p=1/2", "G=4", "--digits", 1): 4}
 
 
 def complaints(stderr):
@@ -275,6 +282,29 @@ class Certificates(unittest.TestCase):
         self.path.write_text(signed(text.replace(f"error={error}", "error=1:-20", 1)))
         self.assertEqual(check(self.path).returncode, 1)
 
+    def test_proves_limiting_distributions(self):
+        """Shares of the area, of the force and of segments, and densities, as n tends to infinity: at the smallest G, next to no pressure and to the largest."""
+        for quantity, at, G, digits in (("limit.exceedance", "1/2", "10^0.5", 10), ("limit.force", "19/10", "41/20", 2), ("limit.density", "1/100", "3", 3), ("limit.segments", "1/7", "5/2", 2),
+                                        ("limit.exceedance", "13/10", "3", 2), ("limit.force", "1/300", "1000", 1)):
+            self.make(quantity, f"{'a' if quantity == 'limit.segments' else 'p'}={at}", f"G={G}", "--digits", digits)
+            said = check(self.path)
+            with self.subTest(quantity=quantity, at=at):
+                self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+                ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
+                self.assertLessEqual(abs(value - limiting(quantity, at, G)), error)
+                self.assertLessEqual(error / value, Fraction(502, 1000 * 10**digits))
+        inputs = ("n=2", "p=1/10", "load=1/100", "G=10")
+        self.make("limit.distance", *inputs, "--digits", 4)
+        said = check(self.path)
+        self.assertEqual((said.returncode, "load=1/100 G=10: -" in said.stdout), (0, True), said.stdout + said.stderr)
+        ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
+        true = Fraction(json.loads(program("eval", "limit.distance", *inputs, "--digits", 6, "--json").stdout)["value"])
+        self.assertLessEqual(abs(value - true), error)
+        self.assertLess(error / abs(value), Fraction(1, 10**4))
+        for quantity, place, G, why in (("limit.density", "p=4/3", "3", "largest pressure"), ("limit.force", "p=1/3", "2", "G >= 2.05"), ("limit.segments", "a=1/2", "3", "largest pressure")):
+            said = program("certificate", quantity, place, f"G={G}")
+            self.assertEqual((said.returncode, why in said.stderr), (2, True), said.stderr)
+
     def law(self):
         """the certificate of a density at scale 3: its text, its lines by number and those of level 3"""
         text = next(text for what, text in self.texts.items() if what[0] == "contact.density")
@@ -310,6 +340,130 @@ class Certificates(unittest.TestCase):
             with self.subTest(new):
                 self.assertEqual(check(self.path).returncode, 1)
 
+    def limit_law(self):
+        """the certificate of a limiting density, G = 4: its text, its lines by number, and the law, parts and error of a balance in it"""
+        text = next(text for what, text in self.texts.items() if what[0] == "limit.density")
+        lines = {int(words[0]): words for words in (line.split(" ") for line in text.splitlines()) if words[0].isdigit()}
+        iv.Interval.bits = 128
+        parts = [distributions.Polynomial(*certificate.fields(words[4:10], certificate.FORMS["part"], ""), [certificate.integer(c) for c in words[10:]])
+                 for words in lines.values() if words[1] == "part"]
+        (error,) = {certificate.dyadic(words[5].partition("=")[2]) for words in lines.values() if words[1] == "balance"}
+        return text, lines, limits.Limit(iv.Interval.of(4), 128), parts, error
+
+    def test_a_limit_that_says_too_much_is_refused(self):
+        text, lines, *_ = self.limit_law()
+        parts, balances, claim = *([n for n, words in lines.items() if words[1] == kind] for kind in ("part", "balance")), text.splitlines()[3]
+
+        def with_(number, old, new):
+            words = [w if not w.startswith(old) else new for w in lines[number]]
+            return {number: words}
+        swapped = {balances[0]: [*lines[balances[0]][:4], "part=1", lines[balances[0]][5]]}
+        changed = {
+            "a smaller error": (with_(balances[3], "error=", "error=1:-60"), "is no approximation|further from the law"), "another coefficient": ({parts[-1]: [*lines[parts[-1]][:-2], f"{int(lines[parts[-1]][-2], 16) + (1 << 48):x}", lines[parts[-1]][-1]]}, "no: "),
+            "a gap": (with_(parts[2], "high=", "high=1:-9"), "not a part of"), "a gap between": (with_(parts[-1], "low=", "low=8001:-16"), "do not follow one another|of another piece"), "an end below 1": (with_(parts[-1], "high=", "high=ffff:-16"), "do not follow one another"),
+            "another power": (with_(parts[3], "power=", "power=0"), "no: "), "a part without balance": (swapped, "not all balanced"), "no such part": (with_(balances[0], "part=", f"part={len(parts)}"), "not a balance"),
+            "a part from 0 on": (with_(parts[0], "low=", "low=0:0"), "not a part of"), "G at its end": (with_(1, "G=", "G=2"), "G > 2"), "another G": (with_(1, "G=", "G=5"), "no: "), "no error": (with_(balances[1], "error=", "error=0:0"), "not a balance"),
+        }
+        for why, (by_number, said_why) in changed.items():
+            new = text
+            for number, words in by_number.items():
+                new = new.replace(" ".join(lines[number]) + "\n", " ".join(words) + "\n", 1)
+            self.assertNotEqual(new, text, why)
+            self.path.write_text(signed(new))
+            with self.subTest(why):
+                said = check(self.path)
+                self.assertEqual((said.returncode, said.stdout[:4]), (1, "no: "), said.stdout)
+                self.assertRegex(said.stdout, said_why)
+        for what, new in (("p=1/2 ", "p=1/3 "), ("p=1/2 ", "p=1 "), ("p=1/2 ", "p=3/2 "), ("G=4 value", "G=5 value")):  # 1 is the largest pressure
+            self.path.write_text(signed(text.replace(claim, claim.replace(what, new), 1)))
+            with self.subTest(new):
+                self.assertEqual(check(self.path).returncode, 1)
+        first = next(p for p in parts if lines[p][5] == "high=1:-1")  # a law that begins where much of the force is: nothing that leaks may be left out
+        kept = [" ".join(["steady - 0", *lines[1][4:]]), *(" ".join(["part 1 0", *lines[p][4:]]) for p in parts if p > first)]
+        last, count = str(2 * len(kept)), len(kept) - 1
+        kept = [line.replace(" 0 ", f" {last} ", 1) for line in [*kept, *(f"balance 1-{count + 1} 0 part={k} error=1:-1" for k in range(count)), f"tending 1-{2 * count + 1} 0 claim=1"]]
+        self.write("limit.exceedance", ["p=1/2 G=4 value=1:-1 error=7:-4"], kept)
+        said = check(self.path)
+        self.assertEqual((said.returncode, "more is needed of a piece" in said.stdout), (1, True), said.stdout)
+
+    def test_chains_come_together(self):
+        """(S), (T): what is said of one wave holds of it, by sums over its angles in doubles."""
+        chosen, n = random.Random(known.seed), 4000
+        angles = [math.pi / 2 * (k + 0.5) / n for k in range(n)]  # u = sin of it
+        units = [(math.sin(t), 4 / math.pi * math.cos(t) ** 2 * math.pi / 2 / n) for t in angles]
+
+        def wave(x, w):  # (S) p_x
+            R = math.sqrt((1 - x) ** 2 + 4 * w)
+            return 2 / math.pi * math.sqrt((1 + x + R) / (1 - x + R)) / R * math.sqrt(w / (x - w)) / x
+        self.assertAlmostEqual(sum(m for _, m in units), 1)
+        for G in (2.05, math.sqrt(5), math.sqrt(10), 6):
+            law = limits.Limit(iv.Interval.of(Fraction(G)), 128)
+            Y, forgets = 4 / G**2, float(law.contraction().middle())
+            majorant = sum(m * max(0.5, abs(1 - 2 * u * u) / (2 * (1 - u * u))) for u, m in units)
+            self.assertAlmostEqual(forgets, 0.5 if Y <= 2 / 3 else majorant, 4)
+            for _ in range(40):
+                x = Y * 10 ** chosen.uniform(-3, 0)
+                far = min(1, x * math.exp(10 ** chosen.uniform(-5, 0)) / Y) * Y
+                self.assertLessEqual(sum(m * abs(1 - 2 * x * u * u) / (2 * (1 - x * u * u)) for u, m in units), forgets)
+                places = [(x * (1 - u * u) * (1 - x * u * u), m) for u, m in units]
+                apart = sum(m * max(0, 1 - wave(far, w) / wave(x, w)) for w, m in places)
+                self.assertLessEqual(apart, 2 * math.sqrt(math.log(far / x)) + 1e-9, (G, x, far))
+                self.assertLessEqual(sum(m * G / (2 * math.sqrt(w)) for w, m in places), max(1 / x, G**2))
+                top, w = 2 * math.sqrt(x) / G, Y * 10 ** chosen.uniform(-2, 0)
+                if w < top:
+                    nodes = [(top + w) / 2 + (top - w) / 2 * math.cos(t * 2) for t in angles[::10]]
+                    twice = sum(wave(x, (G * y / 2) ** 2) * math.sqrt(top - y) * wave(y, w) * math.sqrt(y - w) * G**2 / 2 * y for y in nodes) / len(nodes) * math.pi
+                    self.assertLessEqual(twice, 8 / math.pi * math.sqrt(w) * top**-1.5 / (1 - Y) ** 3)
+
+    def test_what_is_said_of_the_limit_is_the_lemma(self):
+        """(T) in doubles, written again: errors of shares, forces and densities; and what leaks is less than is said."""
+        _, _, law, parts, error = self.limit_law()
+        G, Y, low, eta = 4, 1 / 4, float(parts[0].low), float(error)
+        wide = Fraction(1, 10**6)
+        leak = float(distributions.top(law.leak(parts)))
+        n, leaks = 40, 0
+        for k in range(n):  # T' = low t^2
+            t = (k + 0.5) / n
+            T = low * t * t
+            if T * (2 - T) > low:
+                dx = Y / (2 * math.sqrt(1 - T)) * 2 * low * t / n
+                leaks += Y**2 * (1 - T) * float(law.density(0, distributions.of_ratios(parts), iv.Interval.of(Fraction(T)), Fraction(1, 10**20)).middle()) * dx
+        self.assertGreater(leaks, leak / 300)
+        self.assertLess(leaks, leak)
+        largest = max(sum(map(abs, p.coefficients)) * 2.0**p.exponent * float(p.high) ** (p.power / 2) for p in parts if p.low < 2 * low)
+        self.assertAlmostEqual(leak / (8 * Y**3 * low**1.5 * largest / (3 * math.pi * (1 - Y) ** 1.5)), 1, 9)
+        area = float(law.read(0, "share", iv.Interval.of(1), parts, wide).middle())
+        w = (1 / 2) ** 2 / 4
+
+        def said(here, late, size, at_once, later, eta=eta, leak=leak, area=area):
+            far, root = 6 * math.sqrt(Y) * (eta * G * area / (1 - eta) + 2 * leak / Y) * size, math.sqrt(0.5)
+            offs, total = [], 0
+            for k in range(400):
+                if k >= late:
+                    offs.append(total + far * root ** (k - late) / (1 - root))
+                off = eta * here + leak * (later if k else at_once)
+                total, here = total + off, here + off
+            return min(offs)
+        for here, late, size, at_once, later, *more in ((1, 0, 1, 4, 4, 1e-3, 1e-2, 1), (1e-4, 2, 5, 30, 9, 1e-9, 1e-2, 2), (1e-4, 1, 5, 30, 9, 1e-2, 1e-9, 2), (1, 1, 1e9, 2, 3, 1e-6, 1e-6, 3)):
+            off = float(law.away(iv.Interval.of(Fraction(here)), iv.Interval.of(Fraction(more[0])), iv.Interval.of(Fraction(more[1])), iv.Interval.of(more[2]), int(size), late, at_once, later).ends()[1])
+            self.assertAlmostEqual(off / said(here, late, size, at_once, later, *more), 1, 9)
+        room, low_x = (1 - Y) ** 1.5, Y * (1 - low)
+        of_density = 2, 8 / (math.pi * w * room**2), 2 / math.pi / room * math.sqrt(w / (low_x - w)) / low_x, 8 / math.pi / room**2 * math.sqrt(w) * (2 / Y) ** 1.5
+        whole = area, said(area, 0, 1, G, G)
+        T = iv.Interval.of(1 - Fraction(1, 16) / Fraction(1, 4))
+        density = 2 * 0.5 / G**3 * float(law.density(0, distributions.of_ratios(parts), T, wide).middle())
+        force = iv.Interval.of(Fraction(1, 2))
+        for quantity, here, off, (below, off_below), twice in (
+                ("limit.exceedance", float(law.read(0, "share", T, parts, wide).middle()), (0, 1, G, G), whole, 1), ("limit.density", density, of_density, whole, 2),
+                ("limit.force", float(law.read(0, "force", force, parts, wide).middle()), (1, 1, 1, 1), (float(law.read(0, "force", iv.Interval.of(1), parts, wide).middle()), 0), 1)):
+            off = said(here, *off)
+            low_end, high_end = law.claimed(quantity, Fraction(1, 2), parts, error, Fraction(1, 10**8)).ends()
+            with self.subTest(quantity):
+                self.assertAlmostEqual(float(low_end) / ((here - off) / (below + off_below) / twice), 1, 5)
+                self.assertAlmostEqual(float(high_end) / ((here + off) / (below - off_below) / twice), 1, 5)
+                self.assertLessEqual(low_end, limiting(quantity, "1/2", "4"))
+                self.assertLessEqual(limiting(quantity, "1/2", "4"), high_end)
+
     def test_bounds_of_a_law_hold_at_complex_places(self):
         """(O), (P), (I): of S/R, of a polynomial and of the integrand, on discs about real places."""
         text, lines, third = self.law()
@@ -336,7 +490,7 @@ class Certificates(unittest.TestCase):
 
         for _ in range(900):
             V = chosen.choice([level, *steep])
-            low, share, T = chosen.random() < 0.5, chosen.random() < 0.3, chosen.uniform(0.02, 0.98)
+            low, share, T = chosen.random() < 0.5, chosen.choice(["", "", "share", "force"]), chosen.uniform(0.02, 0.98)
             u, off = chosen.uniform(0, 0.6 if low else 0.8), 10 ** chosen.uniform(-3, -0.3)
             laws.beyond = 4 * laws.top(3) * (1 - iv.Interval.of(Fraction(T)))
             try:
@@ -354,13 +508,14 @@ class Certificates(unittest.TestCase):
                 root = w * cmath.sqrt(T) if low else cmath.sqrt(r)  # r^(power/2), power 1
                 here = root * cmath.sqrt(2 - r) * polynomial(V, r * (2 - r)) * x * (w if low else 1)
                 c = cmath.sqrt(1 - k)
-                here *= 2 / cmath.pi * cmath.asin(c * cmath.sqrt(2 * Y * T / (1 + x + R))) * (1 if low else c) if share else wave(x, z) / (c if low else 1)
+                here *= ((x if share == "force" else 2 / cmath.pi * cmath.asin(c * cmath.sqrt(2 * Y * T / (1 + x + R)))) * (1 if low else c)) if share else wave(x, z) / (c if low else 1)
                 self.assertLessEqual(abs(here), bound * 1.000001, (low, share, T, u, off))
         self.assertGreater(tried, 200)
 
     def test_each_line_proves_claims_of_its_own_kinds(self):
         """Whatever kind of claim the header says it is, with that kind's names: only what is true is proved."""
-        names = {"contact.area": ("n", "load"), "contact.exceedance": ("n", "p", "load"), "contact.density": ("n", "p", "load"), "segments.density": ("n", "a", "load"), "limit.area_constant": ()}
+        names = {"contact.area": ("n", "load"), "contact.exceedance": ("n", "p", "load"), "contact.density": ("n", "p", "load"), "segments.density": ("n", "a", "load"), "limit.area_constant": (),
+                 "limit.exceedance": ("p",), "limit.force": ("p",), "limit.density": ("p",), "limit.segments": ("a",), "limit.distance": ("n", "p", "load")}
         for what, text in self.texts.items():
             words = text.splitlines()[3].split(" ")
             had = dict(w.split("=") for w in words[2:])
@@ -450,7 +605,7 @@ class Certificates(unittest.TestCase):
     def test_what_proves_certificates_is_short(self):
         """At most 1000 lines of code to read for any one kind of claim; those of docstrings, comments and blank ones are not counted."""
         code = {}  # file, class, function: lines
-        for name in ("certificate", "distributions", "full_contact", "poisson", "transfer", "intervals"):
+        for name in ("certificate", "distributions", "full_contact", "limits", "poisson", "transfer", "intervals"):
             lines, path = set(), known.checker / f"{name}.py"
             with open(path, "rb") as file:
                 before = tokenize.NEWLINE
@@ -465,7 +620,8 @@ class Certificates(unittest.TestCase):
             for k in lines:
                 code[name, owner.get(k, "")] = code.get((name, owner.get(k, "")), 0) + 1
         kinds = {"transfer": ("grid", "rule", "panel", "whole", "row", "level", "value", "limit"), "full_contact": ("mesh", "polynomials", "share", "share_of", "made"), "poisson": ("mesh", "polynomials", "share", "mean", "made"),
-                 "distributions": ("law", "laws", "all_pieces", "piece", "reading")}
+                 "distributions": ("law", "laws", "all_pieces", "piece", "reading"), "limits": ("steady", "part", "limit_law", "balance", "tending", "at_scale")}
+        needed = {kind: {kind} for kind in kinds} | {"limits": {"limits", "distributions"}}
         of_others = {part for parts in kinds.values() for part in parts}
         borrowed = {"transfer": {("transfer", "Refused"), ("transfer", "chebyshev"), ("transfer", "fixed"), ("transfer", "")}}
         borrowed["distributions"] = borrowed["transfer"] | {("full_contact", part) for part in ("Far", "Trigonometry", "lebesgue", "")}
@@ -473,9 +629,11 @@ class Certificates(unittest.TestCase):
         borrowed["poisson"] = borrowed["transfer"] | {part for part in code if part[0] == "full_contact" and part[1] not in by_levels}
         trigonometry = {"__init__", "small", "cos_sin", "angle", "of_cosine", "gauss"}
         total = {}
-        for kind, parts in kinds.items():
-            total[kind] = sum(count for (name, part), count in code.items() if name in ("intervals", kind) or (name == "certificate" and part not in of_others - {*parts})
-                              or (name, part) in borrowed["transfer"] or (kind == "poisson" and (name, part) in borrowed[kind]) or (kind == "distributions" and ((name, part) in borrowed[kind] or (name == "full_contact" and part in trigonometry))))
+        for kind, others in needed.items():
+            parts = {part for other in others for part in kinds[other]}
+            total[kind] = sum(count for (name, part), count in code.items() if name in others | {"intervals"} or (name == "certificate" and part not in of_others - parts)
+                              or (name, part) in borrowed["transfer"] or (kind == "poisson" and (name, part) in borrowed[kind])
+                              or ("distributions" in others and ((name, part) in borrowed["distributions"] or (name == "full_contact" and part in trigonometry))))
         self.assertLessEqual(max(total.values()), 1000, total)
         self.assertGreater(min(total.values()), 500, total)
 
@@ -530,6 +688,9 @@ class Certificates(unittest.TestCase):
         V = "terms=2 aim=a 8000000000000000 4000000000000000"
         law, density = "law - {} G=3 load=1/2 bits=80", "n={} p=1 load=1/2 G=3 value=1:0 error=1:-1"
         piece = "piece 1 {last} m={m} low=0:0 high=1:0 centre=1:-1 radius={radius} power={power} exponent=0 error={error} 1 0 0"
+        limit, part = "p=1/2 G=3 value=1:-1 error=1:-2", "low={low} high=1:0 centre=1:-1 radius=1:-1 power=2 exponent=0 1 0 0"
+        steady, parts, balance, tending = "steady - {} G=3 bits=80", "part 1 4 " + part.format(low="1:-4"), "balance 1-2 4 part=0 error=1:-1", "tending 1-3 4 claim=1"
+        distance, whole_law = "n=1 p=1/2 load=1/2 G=3 value=-1:-3 error=1:-4", [steady.format(5), parts.replace("1 4", "1 5"), balance.replace("1-2 4", "1-2 5"), "law - 5 G=3 load=1/2 bits=80", "tending 1-4 5 claim=1"]
         fair = {"last": 3, "m": 2, "radius": "1:-1", "power": 0, "error": "1:-1"}
         for why, quantity, claim, lines in (
                 ("not a law", "contact.density", density.format(1), [law.format(2).replace("G=3", "G=2"), "reading 1 2 claim=1"]),
@@ -552,6 +713,25 @@ class Certificates(unittest.TestCase):
                 ("at an end of the law", "contact.density", density.format(1).replace("p=1", "p=0"), [law.format(2), "reading 1 2 claim=1"]),
                 ("no claim that is still to be proved", "limit.area_constant", constant, [law.format(2), "reading 1 2 claim=1"]),
                 ("is no approximation", "contact.density", density.format(2), [law.format(3), piece.format(**fair | {"error": "1:-16384"}).replace("exponent=0", "exponent=-16384"), "reading 1-2 3 claim=1"]),
+                ("not a law of the limit", "limit.force", limit.replace("G=3", "G=2"), [steady.format(4).replace("G=3", "G=2"), parts, balance, tending]),
+                ("not a law of the limit", "limit.force", limit, [steady.format(4).replace("bits=80", "bits=20"), parts, balance, tending]),
+                ("not a part of the law", "limit.force", limit, [steady.format(4), parts.replace("1:-4", "0:0"), balance, tending]),
+                ("not a part of the law", "limit.force", limit, [law.format(4), parts, balance, tending]),
+                ("not a balance", "limit.force", limit, [steady.format(4), parts, balance.replace("part=0", "part=1"), tending]),
+                ("not a balance", "limit.force", limit, [steady.format(4), parts, balance.replace("error=1:-1", "error=1:0"), tending]),
+                ("not a balance", "limit.force", limit, [steady.format(4), parts, balance.replace("1-2", "1"), tending]),
+                ("up to 1", "limit.force", limit, [steady.format(4), parts.replace("high=1:0", "high=1:-1"), balance, tending]),
+                ("is no approximation", "limit.force", limit, [steady.format(4), parts, balance.replace("error=1:-1", "error=1:-16384"), tending]),
+                ("not all balanced", "limit.force", limit, [steady.format(3), parts.replace("1 4", "1 3"), "tending 1-2 3 claim=1"]),
+                ("no claim that is still to be proved", "limit.area_constant", constant, [steady.format(2), "tending 1 2 claim=1"]),
+                ("no claim that is still to be proved", "limit.force", limit, [law.format(2), "reading 1 2 claim=1"]),
+                ("no claim that is still to be proved", "contact.density", density.format(1), [steady.format(2), "tending 1 2 claim=1"]),
+                ("rests on the law of the limit", "limit.force", limit, [law.format(2), "tending 1 2 claim=1"]),
+                ("the law of its load", "contact.density", density.format(1), [steady.format(2), "reading 1 2 claim=1"]),
+                ("more or less than it may", "limit.force", limit, whole_law), ("the law of its G and load", "limit.distance", distance.replace("1/2 G", "1/3 G"), whole_law),
+                ("level 2 of its law", "limit.distance", distance.replace("n=1", "n=2"), whole_law), ("more or less than it may", "limit.distance", distance, [steady.format(4), parts, balance, tending]),
+                ("claim 1: is none", "limit.force", limit.replace("value=1", "value=-1"), [steady.format(4), parts, balance, tending]),
+                ("claim 1: is none", "limit.distance", distance.replace("error=1:-4", "error=1:-3"), whole_law),
                 ("a panel is too far out", "contact.density", density.format(1).replace("1:0 error=1:-1", "1:-5 error=1:-6"), [law.format(2), "reading 1 2 claim=1", f"grid - 5 {grid}", panel.replace("1 3", "3 5").format("1:200").replace("1000001:-24", f"{2**300 + 1:x}:-300"), "level 3-4 5 m=0 error=1:10 exponent=0 1 0"]),
                 ("does not rest on levels", "limit.area_constant", constant, [f"grid - 3 {grid}", panel.format("1:0"), "limit 1-2 3 claim=1 m=0 exponent=0 1"]),
                 ("a share rests on a mesh", "contact.area", area, [f"grid - 2 {grid}", "share 1 2 claim=1"]),
@@ -773,7 +953,7 @@ class Certificates(unittest.TestCase):
         """Whether all that an accepted mutant says is true, by the program: its claims, and its polynomials at some points."""
         for *inputs, (base, degree), value, error in read.claims.values():
             G = f"({base})^(1/{degree})"
-            true = limit(G) if not inputs else area(*inputs, G) if read.quantity == "contact.area" else distribution(read.quantity, *inputs, G)
+            true = limit(G) if not inputs else limiting(read.quantity, *inputs, G) if read.quantity.startswith("limit") else area(*inputs, G) if read.quantity == "contact.area" else distribution(read.quantity, *inputs, G)
             if abs(value - true) > error:
                 return False
         for words in read.lines:

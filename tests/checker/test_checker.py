@@ -29,7 +29,8 @@ SLOW = ["archard_K_inf", *ONE_INTEGRAL]  # all rows take a minute
 RECURSION = ["contact_area", "contact_area_full", "contact_area_heavy", "contact_density", "contact_exceedance", "segments_count", "segments_density"]
 CERTIFIED = {"contact_area": (12, ""), "segments_count": (12, ""), "limit_ratio": (8, ""), "limit_constant": (8, ""),
              "contact_area_heavy": (8, ""), "contact_area_full": (8, ""),
-             "contact_exceedance": (8, ""), "contact_density": (8, ""), "segments_density": (8, "")}  # to so many digits, by certificates of these rows
+             "contact_exceedance": (8, ""), "contact_density": (8, ""), "segments_density": (8, ""),
+             **dict.fromkeys(("limit_exceedance", "limit_force", "limit_density", "limit_segments"), (10, "")), "limit_distance": (7, "")}  # to so many digits, by certificates of these rows
 
 
 def run(*arguments, **more):

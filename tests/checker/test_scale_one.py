@@ -64,7 +64,7 @@ class ScaleOne(unittest.TestCase):
         return total * (cmath.asin(sine) if abs(sine) < 0.8 else math.pi / 2 - cmath.asin(high / math.sqrt(2 * G)))
 
     def test_discs_hold_the_integrand(self):
-        """(S): at complex places, and that they are not empty words: some are within a hundred times of what is there."""
+        """(U): at complex places, and that they are not empty words: some are within a hundred times of what is there."""
         chosen, tried, tight = random.Random(known.seed), 0, 0
         for p, load, G in rows():
             for half in scale_one.TwoWaves(p, load, G).halves:
@@ -105,7 +105,7 @@ class ScaleOne(unittest.TestCase):
                 self.assertLessEqual(abs(here - float(disc.centre.middle())), float(disc.radius.ends()[1]) * 1.0000001 + 1e-12)
 
     def test_rules_are_off_by_no_more(self):
-        """(U): rules of few points against one of many, on the widest interval next to an end that has a disc. The bound holds, and is no empty word."""
+        """(V): rules of few points against one of many, on the widest interval next to an end that has a disc. The bound holds, and is no empty word."""
         closest = 10**9
         for p, load, G in rows():
             for half in scale_one.TwoWaves(p, load, G).halves:

@@ -9,6 +9,9 @@
 #include "touchstone/certificate/contact.hpp"
 #include "touchstone/certificate/text.hpp"
 
+#include <utility>
+#include <vector>
+
 namespace touchstone::certificate {
 
 constexpr long most_digits_of_distributions = 10;
@@ -21,5 +24,12 @@ bool law_serves(const Claim&);
 /// Appends a section of these shares or densities, all of one G and one load, to the header and the lines.
 /// \throws BeyondReach where the pieces would be too many
 void write_distributions(const std::vector<Claim>&, long digits, std::size_t first_claim, std::size_t section, std::string& head, Lines&);
+
+/// The shares of A_n above pressures, n and P p*_n each.
+std::vector<double> level_shares(const Root& G, const Rational& load, const std::vector<std::pair<long, Rational>>&);
+/// Appends the law of one load with its levels, |phi_m - V_m| <= (m - 1) 2^-bits V_m. \returns by n - 1 what a share at scale n rests on
+std::vector<std::vector<std::size_t>> write_law_of_load(const Root& G, const Rational& load, long levels, int bits, Lines&);
+/// 1 - T of the law of scale n at the pressure P p*_n; not below 1: there is none above.
+Ball rest_at_level(const Root& G, const Rational& load, long n, const Rational& P);
 
 } // namespace touchstone::certificate

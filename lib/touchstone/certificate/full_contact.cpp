@@ -149,7 +149,8 @@ void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_
             head += fmt::format("claim {} n={:x}{} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, p,
                                 areas[i].load.get_str(), named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
         }
-        head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares={} laws=0 pieces=0 readings=0\n",
+        head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares={} laws=0 pieces=0 readings=0 "
+                       "steadies=0 parts=0 balances=0 tendings=0\n",
                             section, first, lines.count(), rests_on.size() - 1, areas.size());
         return;
     }
