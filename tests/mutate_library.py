@@ -290,8 +290,8 @@ class Program:
             print(f"# {len(all_units) - len(wrong)} of {len(all_units)} compiled, again without {len(out)} changes that cannot be switched", flush=True)
         return {**{u: self.o.build / u for u in self.tests()}, **{u: place(u) for u in all_units}}
 
-    def alone(self, objects, change):
-        """A change that is compiled: (verdict, by whom)."""
+    def alone(self, objects, change, compiles):
+        """A change that is compiled: (verdict, by whom). What compiles as a switch and is no constant is not asked again whether it does."""
         scratch = self.objects.parent / "alone"
         shutil.rmtree(scratch, ignore_errors=True)
         copy = scratch / "tree" / change.path
@@ -302,6 +302,8 @@ class Program:
                  if (str(self.o.source / change.path) in self.includes(u) if header else self.known[u][0] == self.o.source / change.path)]
         made = dict(objects)
         constant = CONSTANT.search(change.text)
+        if compiles and not constant:
+            return "survives", "no test reaches it"
         for u in users if constant else users[:1]:
             made[u] = scratch / u.replace("/", "_")
             code, _ = self.compiled(u, made[u], scratch / "tree")
@@ -334,7 +336,7 @@ class Program:
                     if not (line := running.stdout.readline()):
                         break
                     result = tuple(line.rstrip("\n").split(" ", 2)[1:])
-                yield n, self.alone(objects, everything[n]) if result[0] == "unreached" else result
+                yield n, self.alone(objects, everything[n], n in switched) if result[0] == "unreached" else result
             try:
                 running.stdin.close()
             except BrokenPipeError:
