@@ -15,7 +15,7 @@ each area, or all of it, and judged in the order drawn, which the seed decides: 
 --list the changes are only shown, with --listed those are judged whose lines FILE has.
 
 The operands of && and || stay those they are: a && b && c becomes (a && b) || c and (a || b) && c. What a change of the formulas in
-lib/touchstone/paper/*.hpp and of proofs/ does: proofs/mutate_sources.py.
+lib/touchstone/paper/*.hpp and wave/*.hpp and of proofs/ does: proofs/mutate_sources.py.
 """
 import argparse
 import bisect
@@ -54,7 +54,7 @@ AREAS = {
     "quadrature": Area(["quadrature/*"], ["quadrature", "typed_formulas", "public_integrals", "quadrature_second_routes"]),
     "first_steps": Area(["recursion/first_steps/*", "recursion/light_load.cpp"], ["first_steps", "methods"]),
     "from_the_edge": Area(["recursion/from_the_edge/*"], ["boxes", "transfer"]),
-    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "wave/*"], ["proven_levels", "three_waves"]),
+    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "wave/*.cpp"], ["proven_levels", "three_waves"]),
     "limit": Area(["limit/*"], ["limit", "rows"]),
     "disc": Area(["transfer/disc.hpp"], ["binary64"]),
 }

@@ -18,12 +18,12 @@ TEST_CASE("both routes of K_n enclose the plain recursion (7.13), tightly")
             if (n > 20 && bits > 1000) continue;
             Ball plain;
             {
-                const WorkingPrecision more(bits + 64);
+                const WorkingPrecision more(bits + 256);
                 plain = archard::K_by_recursion<Ball>(n);
             }
             const Ball a = archard::K_gamma_product(n), b = archard::K_eta_series(n);
-            CHECK(a.overlaps(plain));
-            CHECK(b.overlaps(plain));
+            CHECK(arb_contains(a.get(), plain.get()));
+            CHECK(arb_contains(b.get(), plain.get()));
             CHECK(a.relative_bits() > bits);
             CHECK(b.relative_bits() > bits);
         }
@@ -70,8 +70,8 @@ TEST_CASE("a product of Gamma functions is that of Arb's, tightly")
                     CAPTURE(weights.size());
                     const WorkingPrecision precision(bits);
                     const Ball ours = archard::gamma_product(halves, first, weights);
-                    const WorkingPrecision more(bits + 64);
-                    CHECK(ours.overlaps(by_arb(halves, first, weights)));
+                    const WorkingPrecision more(bits + 256);
+                    CHECK(arb_contains(ours.get(), by_arb(halves, first, weights).get()));
                     CHECK(ours.relative_bits() >= bits - 12);
                 }
     CHECK(archard::gamma_product(3, 2, {}).overlaps(Ball(1)));
