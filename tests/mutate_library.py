@@ -322,7 +322,7 @@ class Program:
         """(number, (verdict, by whom)) for one after the other, until --seconds have passed: by the judge, or alone where it cannot say."""
         judge = self.link([self.judge_object(), *objects.values()], self.objects.parent / "judge")
         environment = {**os.environ, "TOUCHSTONE_DEAREST": str(self.o.dearest)}
-        end = time.monotonic() + self.o.seconds
+        end = math.inf  # until the first answer: before it, who comes by what is asked
         with subprocess.Popen([str(judge)], cwd=self.o.build / "tests", env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
             for n in numbers:
                 if time.monotonic() > end:
@@ -336,6 +336,7 @@ class Program:
                     if not (line := running.stdout.readline()):
                         break
                     result = tuple(line.rstrip("\n").split(" ", 2)[1:])
+                end = min(end, time.monotonic() + self.o.seconds)
                 yield n, self.alone(objects, everything[n], n in switched) if result[0] == "unreached" else result
             try:
                 running.stdin.close()
