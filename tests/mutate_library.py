@@ -5,7 +5,7 @@
 usage: mutate_library.py SOURCE BUILD SCRATCH [--area NAME] [--count N] [--seed 1] [--only PATH-PART] [--listed FILE] [--dearest SECONDS]
        [--seconds S] [--jobs 1] [--list]
 
-BUILD is a build of SOURCE with its tests. All changes of an area (AREAS) are compiled at once into copies of its sources, and switched on at run
+BUILD is a build of SOURCE with its tests. All changes drawn of an area (AREAS) are compiled at once into copies of its sources, and switched on at run
 time (proofs/source_mutants/switch.hpp); these objects and the area's tests, which are compiled anew where they include a changed header, make one
 program. judge.cpp asks for each change the test cases that come by it, those of least time first and none that takes more than --dearest seconds,
 each with a limit of time (a change that makes a loop endless is found). A change that cannot be switched, or that nobody came by, is compiled alone:
@@ -362,7 +362,7 @@ def judge_area(o, area, excused, listed):
         return 0
     print(f"# {area}: {len(wanted)} changes, {len(some)} of them drawn, seed {o.seed}", flush=True)
     program = Program(o, area)
-    switched = {n: c for n, c in everything.items() if o.only in str(c.path)}
+    switched = {n: everything[n] for n in some}
     objects = program.build(switched)
     counts = dict.fromkeys(("found", "excused", "survives", "does not compile"), 0)
     for n, (verdict, who) in program.judged(objects, some, switched, everything):
