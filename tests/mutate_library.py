@@ -3,18 +3,19 @@
 """Change a sign, an operation, a comparison or a constant in a source of the library, one at a time, and see whether its tests find it.
 
 usage: mutate_library.py SOURCE BUILD SCRATCH [--area NAME] [--count N] [--seed 1] [--only PATH-PART] [--listed FILE] [--dearest SECONDS]
-       [--jobs 1] [--list]
+       [--seconds S] [--jobs 1] [--list]
 
-BUILD is a build of SOURCE with its tests. All changes of an area (AREAS) are compiled at once into copies of its sources, and switched on at run
+BUILD is a build of SOURCE with its tests. All changes drawn of an area (AREAS) are compiled at once into copies of its sources, and switched on at run
 time (proofs/source_mutants/switch.hpp); these objects and the area's tests, which are compiled anew where they include a changed header, make one
 program. judge.cpp asks for each change the test cases that come by it, those of least time first and none that takes more than --dearest seconds,
-each with a limit of time (a change that makes a loop endless is found). A change that cannot be switched, or that nobody came by, is compiled alone: where it compiles and stands in a constant
-expression all tests are run, otherwise no test reaches it and it survives. Survivors are listed, unless library_equivalent_changes.json says why
-the change changes nothing that is claimed; exit code 1 if there is any. A seeded sample of --count is drawn from each area, or all of it; with
+each with a limit of time (a change that makes a loop endless is found). A change that cannot be switched, or that nobody came by, is compiled alone:
+where it compiles and stands in a constant expression all tests are run, otherwise no test reaches it and it survives. Survivors are listed, unless
+library_equivalent_changes.json says why the change changes nothing that is claimed; exit code 1 if there is any. A sample of --count is drawn from
+each area, or all of it, and judged in the order drawn, which the seed decides: what is done when --seconds have passed is a fair sample too. With
 --list the changes are only shown, with --listed those are judged whose lines FILE has.
 
 The operands of && and || stay those they are: a && b && c becomes (a && b) || c and (a || b) && c. What a change of the formulas in
-lib/touchstone/paper/*.hpp and of proofs/ does: proofs/mutate_sources.py.
+lib/touchstone/paper/*.hpp and wave/*.hpp and of proofs/ does: proofs/mutate_sources.py.
 """
 import argparse
 import bisect
@@ -23,6 +24,7 @@ import concurrent.futures
 import functools
 import itertools
 import json
+import math
 import os
 import pathlib
 import random
@@ -31,6 +33,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "proofs"))
 import mutate_sources  # noqa: E402
@@ -51,7 +54,7 @@ AREAS = {
     "quadrature": Area(["quadrature/*"], ["quadrature", "typed_formulas", "public_integrals", "quadrature_second_routes"]),
     "first_steps": Area(["recursion/first_steps/*", "recursion/light_load.cpp"], ["first_steps", "methods"]),
     "from_the_edge": Area(["recursion/from_the_edge/*"], ["boxes", "transfer"]),
-    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "wave/*"], ["proven_levels", "three_waves"]),
+    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "wave/*.cpp"], ["proven_levels", "three_waves"]),
     "limit": Area(["limit/*"], ["limit", "rows"]),
     "disc": Area(["transfer/disc.hpp"], ["binary64"]),
 }
@@ -287,8 +290,8 @@ class Program:
             print(f"# {len(all_units) - len(wrong)} of {len(all_units)} compiled, again without {len(out)} changes that cannot be switched", flush=True)
         return {**{u: self.o.build / u for u in self.tests()}, **{u: place(u) for u in all_units}}
 
-    def alone(self, objects, change):
-        """A change that is compiled: (verdict, by whom)."""
+    def alone(self, objects, change, compiles):
+        """A change that is compiled: (verdict, by whom). What compiles as a switch and is no constant is not asked again whether it does."""
         scratch = self.objects.parent / "alone"
         shutil.rmtree(scratch, ignore_errors=True)
         copy = scratch / "tree" / change.path
@@ -299,6 +302,8 @@ class Program:
                  if (str(self.o.source / change.path) in self.includes(u) if header else self.known[u][0] == self.o.source / change.path)]
         made = dict(objects)
         constant = CONSTANT.search(change.text)
+        if compiles and not constant:
+            return "survives", "no test reaches it"
         for u in users if constant else users[:1]:
             made[u] = scratch / u.replace("/", "_")
             code, _ = self.compiled(u, made[u], scratch / "tree")
@@ -313,21 +318,32 @@ class Program:
             return "found", "a judge that does not end"
         return ("found", told.stderr.strip().splitlines()[-1] if told.stderr.strip() else "a crash") if told.returncode else ("survives", "-")
 
-    def judged(self, objects, numbers, everything, excused):
+    def judged(self, objects, numbers, switched, everything):
+        """(number, (verdict, by whom)) for one after the other, until --seconds have passed: by the judge, or alone where it cannot say."""
         judge = self.link([self.judge_object(), *objects.values()], self.objects.parent / "judge")
-        results = {}
         environment = {**os.environ, "TOUCHSTONE_DEAREST": str(self.o.dearest)}
+        end = math.inf  # until the first answer: before it, who comes by what is asked
         with subprocess.Popen([str(judge)], cwd=self.o.build / "tests", env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
-            running.stdin.write("\n".join(map(str, numbers)))
-            running.stdin.close()
-            for line in running.stdout:
-                number, verdict, who = line.rstrip("\n").split(" ", 2)
-                results[int(number)] = (verdict, who)
-                if verdict == "survives" and str(everything[int(number)]) not in excused:
-                    print(f"# {len(results)} of {len(numbers)}: {everything[int(number)]} survives", flush=True)
+            for n in numbers:
+                if time.monotonic() > end:
+                    break
+                result = ("unreached", "-")
+                if n in switched:
+                    try:
+                        print(n, file=running.stdin, flush=True)
+                    except BrokenPipeError:
+                        break
+                    if not (line := running.stdout.readline()):
+                        break
+                    result = tuple(line.rstrip("\n").split(" ", 2)[1:])
+                end = min(end, time.monotonic() + self.o.seconds)
+                yield n, self.alone(objects, everything[n], n in switched) if result[0] == "unreached" else result
+            try:
+                running.stdin.close()
+            except BrokenPipeError:
+                pass
         if running.returncode:
             sys.exit("without any change something is found already, or the judge failed")
-        return results
 
 
 def numbered(source, area):
@@ -338,31 +354,28 @@ def numbered(source, area):
 def judge_area(o, area, excused, listed):
     everything = numbered(o.source, area)
     wanted = [n for n, c in everything.items() if o.only in str(c.path) and (listed is None or str(c) in listed)]
-    some = sorted(random.Random(o.seed).sample(wanted, min(o.count or len(wanted), len(wanted))))
+    some = random.Random(o.seed).sample(wanted, min(o.count or len(wanted), len(wanted)))
     if o.list:
         print(*(str(everything[n]) for n in some), sep="\n")
         return 0
     if not some:
         return 0
-    print(f"# {area}: {len(wanted)} changes, {len(some)} of them tried, seed {o.seed}", flush=True)
+    print(f"# {area}: {len(wanted)} changes, {len(some)} of them drawn, seed {o.seed}", flush=True)
     program = Program(o, area)
-    switched = {n: c for n, c in everything.items() if o.only in str(c.path)}
+    switched = {n: everything[n] for n in some}
     objects = program.build(switched)
-    results = program.judged(objects, [n for n in some if n in switched], everything, excused)
-    left = [n for n in some if results.get(n, ("unreached", ""))[0] == "unreached"]
-    for k, n in enumerate(left):
-        results[n] = program.alone(objects, everything[n])
-        print(f"# alone, {k + 1} of {len(left)}: {everything[n]} {' '.join(results[n])}", flush=True)
     counts = dict.fromkeys(("found", "excused", "survives", "does not compile"), 0)
-    for n in some:
-        verdict, who = results[n]
+    for n, (verdict, who) in program.judged(objects, some, switched, everything):
         why = excused.get(str(everything[n])) if verdict == "survives" else None
         counts["excused" if why else verdict] += 1
-        print(f"{'excused' if why else 'SURVIVES' if verdict == 'survives' else verdict:8}  {everything[n]}  {why or who}")
+        print(f"{'excused' if why else 'SURVIVES' if verdict == 'survives' else verdict:8}  {everything[n]}  {why or who}", flush=True)
         if verdict == "survives" and not why:
-            print("    " + everything[n].text.strip())
-    print(f"{area}: {len(wanted)} changes, seed {o.seed}, {len(some)} tried: {counts['found']} found, {counts['excused']} excused, "
-          f"{counts['survives']} survive, {counts['does not compile']} do not compile", flush=True)
+            print("    " + everything[n].text.strip(), flush=True)
+    tried = sum(counts.values())
+    compiled = tried - counts["does not compile"]
+    print(f"{area}: {len(wanted)} changes, seed {o.seed}, {tried} tried of {len(some)} drawn: {counts['found']} found, {counts['excused']} excused, "
+          f"{counts['survives']} survive, {counts['does not compile']} do not compile; "
+          f"{100 * (compiled - counts['survives']) / max(compiled, 1):.1f} % found or excused", flush=True)
     return counts["survives"]
 
 
@@ -376,6 +389,7 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--listed", type=pathlib.Path)
     parser.add_argument("--dearest", type=float, default=600)
+    parser.add_argument("--seconds", type=float, default=math.inf)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--list", action="store_true")
     o = parser.parse_args()

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The checker on the committed tables, on mutants of their rows, and on files that are no tables."""
 import argparse
+import contextlib
 import hashlib
+import io
 import json
 import pathlib
 import random
@@ -9,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--checker", required=True, type=pathlib.Path)
@@ -159,6 +162,31 @@ class Checker(unittest.TestCase):
             path.unlink()
             path.symlink_to("/dev/zero")
             self.assertEqual(run(path, timeout=60).returncode, 65)
+
+    def test_a_row_that_takes_too_long_stays_open(self):
+        """The alarm ends the one row and no later one; those after it are judged as ever."""
+        half_width, asked = closed_forms.FORMS["hertz.half_width"], []
+
+        def endless_at_first(*inputs):
+            asked.append(inputs)
+            while len(asked) == 1:
+                pass
+            return half_width(*inputs)
+
+        def give_up(*_):
+            self.fail("the alarm did not go off")
+
+        out, table = io.StringIO(), str(known.tables / "hertz_half_width.txt")
+        with unittest.mock.patch.dict(closed_forms.FORMS, {"hertz.half_width": endless_at_first}), unittest.mock.patch.object(check, "PATIENCE", 1), \
+                unittest.mock.patch.object(check.memory, "bound"), unittest.mock.patch.object(sys, "argv", ["check.py", "--limit", "3", table]), \
+                contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
+            check.signal.signal(check.signal.SIGVTALRM, give_up)
+            check.signal.setitimer(check.signal.ITIMER_VIRTUAL, 20)
+            self.assertEqual(check.main(), 0)
+            check.signal.setitimer(check.signal.ITIMER_VIRTUAL, 0)
+        _, rows, right, still_open, wrong, _ = out.getvalue().splitlines()[1].split()
+        self.assertEqual((int(right), int(still_open), int(wrong)), (int(rows) - 1, 1, 0))
+        self.assertEqual(check.signal.alarm(0), 0)  # none is left behind
 
 
 if __name__ == "__main__":

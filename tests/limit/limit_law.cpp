@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -99,4 +100,20 @@ TEST_CASE("force above a pressure: its density is the pressure times that of con
         CHECK(certainly(less(Ball(0), contact)));
         CHECK(certainly(less(above_P1, Ball(1))));
     }
+}
+
+TEST_CASE("an interpolant has the values of the polynomial it is made of on every panel, and is constant beyond them")
+{
+    const limit::LimitLaw law(Ball(3), {1e-3, 4.0 / 9, 1e-3, {}}, 5);
+    const auto f = [](double x) { return 1 + x * (2 - x * (3 - x * (1 + x))); };
+    limit::Vector values;
+    for (const double x : law.nodes()) values.push_back(f(x));
+    const limit::LimitLaw::Interpolant interpolant(law, values);
+    const auto [first, last] = std::minmax_element(law.nodes().begin(), law.nodes().end());
+    for (int k = 0; k <= 200; ++k) {
+        const double x = *first * std::pow(*last / *first, k / 200.0);
+        CHECK(interpolant(x) == doctest::Approx(f(x)).epsilon(1e-12));
+    }
+    CHECK(interpolant(*first / 1000) == interpolant(*first / 2000));
+    CHECK(interpolant(*last * 1000) == interpolant(*last * 2000));
 }

@@ -123,6 +123,50 @@ TEST_CASE("section 3: the two routes of the profile, the bound, the scaling rela
     }
 }
 
+TEST_CASE("section 3: what is left out of the profile's sum is in its radius, also at x = 0, where all of it adds up")
+{
+    for (const auto& [D, gamma] : {std::pair{Rational(3, 2), Rational(5)}, {Rational(21, 20), Rational(10)}, {Rational(7, 5), Rational(5, 2)}}) {
+        const WorkingPrecision precision(64);
+        const Ball by_terms = weierstrass::profile_by_terms(0, D, gamma), by_scaling = weierstrass::profile_by_scaling(0, D, gamma);
+        const WorkingPrecision more(256);
+        const Ball zhat = weierstrass::bound(Ball(D), Ball(gamma));
+        CHECK(arb_contains(by_terms.get(), zhat.get()));
+        CHECK(arb_contains(by_scaling.get(), zhat.get()));
+    }
+}
+
+TEST_CASE("section 3: a profile is zero where that is proven, also by hundreds of bits, and not where it is 10^-83")
+{
+    // cos 36 degrees = r/(1 - r), r = gamma^(D-2) = 5^(-1/2)
+    CHECK(weierstrass::profile_exact(Rational(1, 10), Rational(3, 2), 5).is_zero());
+    CHECK(weierstrass::profile_exact(Rational(1, 10), Rational(19, 10), 3125).is_zero());
+    CHECK_THROWS_AS(weierstrass::profile_exact(Rational(1, 10), Rational(1599, 800), power(Rational(5), 400)), NotExact); // too dear
+    // cos 72 degrees + r cos 144 degrees = 0 at r = phi^-2, phi the golden ratio: phi^200 is next to the Lucas number of 200
+    Integer before = 2, lucas = 1;
+    for (int n = 1; n < 200; ++n) {
+        const Integer next = before + lucas;
+        before = lucas;
+        lucas = next;
+    }
+    CHECK_THROWS_AS(weierstrass::profile_exact(Rational(1, 5), Rational(199, 100), Rational(lucas)), NotExact);
+    const WorkingPrecision precision(400);
+    const Ball z = abs(weierstrass::profile_by_terms(Rational(1, 5), Rational(199, 100), Rational(lucas)));
+    CHECK(certainly(less(z, power_of_two<Ball>(-270))));
+    CHECK(certainly(less(power_of_two<Ball>(-300), z)));
+}
+
+TEST_CASE("section 3: the bound of conjugates exceeds the sum of the moduli of all terms, by no more than a factor of 3")
+{
+    const WorkingPrecision precision(64);
+    // x = 1/10, gamma = 5: the phase 1/10, then 1/2 for ever; N = 2 gamma^(2 e) [(1 - r) c_0 + r c_1]
+    for (const Rational& e : {Rational(1, 2), Rational(1, 20), Rational(19, 20)}) {
+        const Ball r = pow(Ball(5), Ball(Rational(-e))), sum = 2 * pow(Ball(5), Ball(Rational(2 * e))) * (1 + r + r);
+        const Ball most = weierstrass::conjugates_bound(2, e, 5);
+        CHECK(certainly(less(sum, most)));
+        CHECK(certainly(less(most, 3 * sum)));
+    }
+}
+
 TEST_CASE("section 5: the fixed point is fixed, attracts, and joins at G = 2")
 {
     const WorkingPrecision precision(bits);

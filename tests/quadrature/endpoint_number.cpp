@@ -243,6 +243,51 @@ TEST_CASE("cached nodes are the map at t = k h")
     }
 }
 
+TEST_CASE("powers at a node, whatever their size, are the exponential of the logarithm, and the table that is given serves what was asked for")
+{
+    for (const long m : {2L, 5L})
+        for (const auto& [count, bits, decay] : {std::tuple{4L, 100L, 1.0}, {12L, 100L, 1.0}, {12L, 900L, 0.25}, {4L, 300L, 0.5}, {12L, 300L, 1.0}}) {
+            const auto table = NodeTable::get(m, count, bits, decay);
+            CHECK(table->m() == m);
+            CHECK(table->count() >= count);
+            const WorkingPrecision precision(bits);
+            const Node node(*table, count, Side::left);
+            for (const auto& [p, q] : {std::pair(Exponent(64), Exponent(1, 2)), {Exponent(65), Exponent(0)}, {Exponent(131, 2), Exponent(1, 3)},
+                                       {Exponent(0), Exponent(-201, 4)}, {Exponent(3, 7), Exponent(-70)}, {Exponent(-1, 16), Exponent(3, 32)}}) {
+                const Ball power = node.monomial(p, q), other = exp(p.ball() * node.logarithm(Side::left) + q.ball() * node.logarithm(Side::right));
+                CHECK(power.overlaps(other));
+                CHECK(power.relative_bits() > 40);
+                CHECK(node.power(Side::left, p).overlaps(exp(p.ball() * node.logarithm(Side::left))));
+                CHECK(node.weighted(p, q).overlaps(power * node.cosh() * node.distance(Side::left) * node.distance(Side::right)));
+            }
+            const Node first(*table, 0, Side::left); // where the weight is largest, to the bits asked for
+            CHECK(first.cosh().relative_bits() >= bits);
+            CHECK(first.distance(Side::left).relative_bits() >= bits);
+        }
+}
+
+TEST_CASE("an odd function over its argument: a disc about 0 has what it has at its points, or nothing")
+{
+    const WorkingPrecision precision(100);
+    std::mt19937 random(20261125);
+    std::uniform_real_distribution<double> part(-1, 1);
+    for (const double radius : {1e-9, 0.02, 0.3, 0.49, 0.51, 0.9, 1.5, 4.0})
+        for (const double height : {radius, radius / 2}) { // where the function grows is up, on the imaginary axis
+            const double width = std::sqrt(radius * radius - height * height);
+            ComplexBall box(0);
+            arb_add_error(acb_realref(box.get()), Ball::exactly(width).get());
+            arb_add_error(acb_imagref(box.get()), Ball::exactly(height).get());
+            const ComplexBall w = analytic::odd_over_argument(box, [](const ComplexBall& z) { return analytic::atan(z); });
+            CHECK(w.is_finite() == (radius < 0.5));
+            if (!w.is_finite()) continue;
+            for (int k = 0; k < 40; ++k) {
+                const ComplexBall z = at(k == 0 ? 0 : part(random) * width, k % 4 == 0 ? height : part(random) * height);
+                CHECK(acb_contains(w.get(), (analytic::atan(z) / z).get()));
+            }
+            CHECK(w.real().radius_bound() < radius * radius / 2 + 1e-25);
+        }
+}
+
 TEST_CASE("a piece of the strip outlives the ones kept for later: a nested integral may ask for any number of others")
 {
     const WorkingPrecision precision(strip_bits);

@@ -475,3 +475,31 @@ TEST_CASE("shares of sectors, bounds far out, boxes met by a range")
         CHECK(std::isinf(levels.lookup(boxes, {1, end * (1 + 1e-6), 0, 1})));
     }
 }
+
+TEST_CASE("Chebyshev's polynomials at their points, by value and as powers")
+{
+    const WorkingPrecision precision(bits);
+    Levels levels(Law::density, Ball(3), Ball(Rational(1, 10)), 30);
+    for (const long n : {1L, 2L, 7L, 24L}) {
+        CAPTURE(n);
+        const auto& table = levels.chebyshev_table(n);
+        const auto& powers = levels.monomial_matrix(n);
+        const auto N = static_cast<std::size_t>(n);
+        for (std::size_t j = 0; j < N; ++j) {
+            const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(n);
+            for (std::size_t i = 0; i < N; ++i) CHECK(table[i * N + j] == doctest::Approx(std::cos(static_cast<double>(i) * angle)).epsilon(1e-9));
+        }
+        // the values of x^k for k < n are those of the polynomial that is 1 at k alone
+        for (std::size_t k = 0; k < N; ++k)
+            for (std::size_t p = 0; p < N; ++p) {
+                Ball sum(0);
+                for (std::size_t j = 0; j < N; ++j) {
+                    Ball x = Traits::cos_pi(Traits::quotient(static_cast<long>(2 * j + 1), 2 * n)), power;
+                    arb_pow_ui(power.get(), x.get(), k, bits);
+                    sum += powers[p * N + j] * power;
+                }
+                CHECK(sum.overlaps(Ball(p == k ? 1 : 0)));
+                CHECK(sum.radius_bound() < 1e-9);
+            }
+    }
+}

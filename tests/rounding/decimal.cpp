@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/rounding/decimal.hpp"
+#include "touchstone/rounding/shown.hpp"
 
 #include <doctest/doctest.h>
 
@@ -87,6 +88,27 @@ TEST_CASE("nearest double of a ball: decided or not given")
     CHECK(std::signbit(*nearest_double(Ball(-power(Rational(2), -1076)))));
     CHECK(*nearest_double(Ball(power(Rational(2), 1024))) == std::numeric_limits<double>::infinity());
     CHECK_FALSE(nearest_double(Ball::indeterminate()));
+    CHECK(nearest_double(Ball(0)) == 0.0);
+    CHECK_FALSE(nearest_double(around(0, power(Rational(2), -1100)))); // 0 or -0
+}
+
+TEST_CASE("the exact value of a ball: where it is one number, which is not so far out that its digits are none")
+{
+    const Rational small = 3 * power(Rational(2), -70), far = power(Rational(2), 4096);
+    for (const Rational& r : {Rational(0), Rational(5), Rational(-small), far, Rational(-1 / far)}) CHECK(exact_value(Ball(r)) == r);
+    CHECK_FALSE(exact_value(Ball(2 * far)));
+    CHECK_FALSE(exact_value(Ball(1 / (2 * far))));
+    CHECK_FALSE(exact_value(around(1, power(Rational(2), -100))));
+    CHECK_FALSE(exact_value(Ball::indeterminate()));
+}
+
+TEST_CASE("a decimal is shown as it was typed where it is short or none, and else to so many digits")
+{
+    CHECK(shown_decimal("1.50", 4) == "1.50");
+    CHECK(shown_decimal("1.504", 3) == "1.50");
+    CHECK(shown_decimal("12345e-100", 5) == "12345e-100");
+    CHECK(shown_decimal("0.123456789", 5) == "0.12346");
+    CHECK(shown_decimal("no number", 3) == "no number");
 }
 
 TEST_CASE("hexfloats are C99's, whatever the C library prints")

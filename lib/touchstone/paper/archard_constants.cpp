@@ -130,7 +130,7 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
         if (!to_fixed_point(u, x, F) || !to_fixed_point(v, x * (1 + x), F)) return zeta; // of which nothing is known then
         const auto square = static_cast<unsigned long>(k) * static_cast<unsigned long>(k);
         mpz_tdiv_q_ui(u.get_mpz_t(), u.get_mpz_t(), square * static_cast<unsigned long>(k));
-        for (long s = 0; s <= last && (u != 0 || v != 0); s += 4) {
+        for (long s = 0; s <= last && v != 0; s += 4) { // u <= v
             X[static_cast<std::size_t>(s + 3)] += u;
             mpz_addmul_ui(X[static_cast<std::size_t>(s + 1)].get_mpz_t(), u.get_mpz_t(), square);
             Y[static_cast<std::size_t>(s)] += v;

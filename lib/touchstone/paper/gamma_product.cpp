@@ -123,7 +123,6 @@ std::vector<Integer> sums_over_x(const Shifted& g, long L, slong F)
 }
 
 /// sum_t weight (sum_l B_2l/(2l (2l - 1)) y^(1-2l)), Stirling's series behind its elementary part.
-/// |B_2l|/(2l)! = 2 zeta(2l)/(2 pi)^2l < 4/(2 pi)^2l.
 Ball stirling_series(const Shifted& g)
 {
     const long L = stirling_terms(g);
@@ -144,9 +143,7 @@ Ball stirling_series(const Shifted& g)
         series += term;
     }
     const WorkingPrecision short_numbers(64);
-    Ball rest;
-    arb_fac_ui(rest.get(), static_cast<ulong>(2 * L), 64);
-    rest *= 4 * Ball(Rational(Integer(g.W))) / pow(2 * pi<Ball>(), Ball(2 * L + 2)) / pow(g.z() - Ball(1) / 2, Ball(2 * L + 1));
+    const Ball rest = Ball(Rational(Integer(g.W))) * stirling_remainder(L, g.z() - Ball(1) / 2);
     arb_add_error(series.get(), rest.get());
     return series;
 }
@@ -186,6 +183,13 @@ Ball factors(const Shifted& g, long t, long from, long to)
 }
 
 } // namespace
+
+Ball stirling_remainder(long L, const Ball& y)
+{
+    Ball factorial;
+    arb_fac_ui(factorial.get(), static_cast<ulong>(2 * L), WorkingPrecision::bits());
+    return 4 * factorial / pow(2 * pi<Ball>(), Ball(2 * L + 2)) / pow(y, Ball(2 * L + 1));
+}
 
 Ball gamma_product(long halves, long first, const std::vector<unsigned long>& weights)
 {

@@ -98,16 +98,9 @@ Ball profile_by_scaling(const Rational& x, const Rational& D, const Rational& ga
     const bool whole = gamma.get_den() == 1;
     Integer numerator = x.get_num(), denominator = x.get_den();
     const auto next_cosine = [&] {
-        // floor(2 phase 2^(bits + 8)) less whole turns, so the phase is known to 2^-(bits + 8)
-        Integer q;
-        mpz_fdiv_r(q.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
-        q *= 2;
-        mpz_mul_2exp(q.get_mpz_t(), q.get_mpz_t(), static_cast<mp_bitcnt_t>(bits + 8));
-        Integer remainder;
-        mpz_fdiv_qr(q.get_mpz_t(), remainder.get_mpz_t(), q.get_mpz_t(), denominator.get_mpz_t());
-        Ball phase(Rational(remainder == 0 ? q : Integer(2 * q + 1), remainder == 0 ? 1 : 2));
-        if (remainder != 0) arb_add_error(phase.get(), Ball(Rational(1, 2)).get());
-        arb_mul_2exp_si(phase.get(), phase.get(), -(bits + 8));
+        Integer turn;
+        mpz_fdiv_r(turn.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
+        const Ball phase = 2 * Ball(Rational(turn)) / Ball(Rational(denominator));
         numerator *= gamma.get_num();
         denominator *= gamma.get_den();
         if (whole) mpz_fdiv_r(numerator.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
@@ -172,47 +165,42 @@ Orbit orbit_of(const Rational& x, const Rational& gamma)
     return orbit;
 }
 
-/// Whether z(x) = 0, proven. With s = gamma^(1/q), D = p/q, r = s^-t, t = 2q - p, and L the period,
+/// Whether z(x) = 0 is proven. With s = gamma^(1/q), D = p/q, r = s^-t, t = 2q - p, and L the period,
 ///     N = 2 s^(t M) [ (1 - r^L) sum_{n<start} r^n c_n + sum_{n>=start} r^n c_n ],  M = number of phases,
 /// is z times a positive number. The 2 c_n are algebraic integers and no power of s in N is negative, so N
 /// is an algebraic integer, of degree at most d = q m, m the denominator of x. Every conjugate of s has the modulus
-/// of s and every conjugate of 2 c_n is at most 2 in modulus, so every conjugate of N is at most B, the sum with
-/// absolute values. The product of all conjugates of a nonzero N is an integer: |N| >= B^-(d-1).
+/// of s and every conjugate of 2 c_n is at most 2 in modulus, so every conjugate of N is at most B (conjugates_bound), as
+/// 2 s^(t M) is. The product of all conjugates of a nonzero N is an integer: |N| >= B^-(d-1), and the bracket is at least B^-d.
 bool vanishes(const Orbit& orbit, const Rational& x, const Rational& D, const Rational& gamma)
 {
     constexpr double bit_limit = 20'000;
-    if (x.get_den() > 1000 || D.get_den() > 1000) throw NotExact();
-    const double d = Rational(x.get_den() * D.get_den()).get_d();
-    const Rational e = 2 - D;
-    const auto size = static_cast<long>(orbit.phases.size());
-    const auto evaluate_N = [&](bool absolute) {
+    const Rational e = 2 - D, d = x.get_den() * D.get_den();
+    const auto bracket = [&] {
         const Ball r = pow(Ball(gamma), Ball(Rational(-e)));
         Ball before(0), cycle(0), amplitude(1);
         for (std::size_t n = 0; n < orbit.phases.size(); ++n) {
-            (n < orbit.start ? before : cycle) += amplitude * (absolute ? Ball(1) : cos_pi(Ball(Rational(2 * orbit.phases[n]))));
+            (n < orbit.start ? before : cycle) += amplitude * cos_pi(Ball(Rational(2 * orbit.phases[n])));
             amplitude *= r;
         }
         Ball rL(1);
         for (long k = 0; k < orbit.period(); ++k) rL *= r;
-        return 2 * pow(Ball(gamma), Ball(Rational(e * size))) * ((absolute ? 1 + rL : 1 - rL) * before + cycle);
+        return (1 - rL) * before + cycle;
     };
+    const auto smallest = [&] { return pow(conjugates_bound(static_cast<long>(orbit.phases.size()), e, gamma), Ball(Rational(-d))); };
     double bits_needed = 0;
     {
         const WorkingPrecision precision(64);
-        if (!evaluate_N(false).contains_zero()) return false; // the ordinary case
-        const Ball B = evaluate_N(true);
-        bits_needed = (d - 1) * std::max(1.0, static_cast<double>(mpz_sizeinbase(Integer(gamma.get_num()).get_mpz_t(), 2)) * Rational(e * size).get_d() + std::log2(2.0 * static_cast<double>(size) + 2));
-        if (!B.is_finite() || bits_needed > bit_limit) throw NotExact();
+        if (!bracket().contains_zero()) return false; // the ordinary case
+        bits_needed = -arf_get_d(arb_midref((log(smallest()) / log(Ball(2))).get()), ARF_RND_DOWN);
     }
+    if (!(bits_needed < bit_limit)) return false;
     const WorkingPrecision precision(static_cast<slong>(bits_needed) + 128);
-    const Ball N = abs(evaluate_N(false));
-    const Ball smallest = pow(evaluate_N(true), Ball(Rational(1) - Rational(x.get_den() * D.get_den())));
-    if (certainly(less(N, smallest))) return true;
-    if (N.contains_zero()) throw NotExact();
-    return false;
+    return certainly(less(abs(bracket()), smallest()));
 }
 
 } // namespace
+
+Ball conjugates_bound(long phases, const Rational& e, const Rational& gamma) { return 4 * phases * pow(Ball(gamma), Ball(Rational(e * phases))); }
 
 Exact profile_exact(const Rational& x, const Rational& D, const Rational& gamma)
 {

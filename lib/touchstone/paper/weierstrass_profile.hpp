@@ -26,6 +26,10 @@ Ball profile_by_scaling(const Rational& x, const Rational& D, const Rational& ga
 /// too long (terms_needed). Cost: that of the enclosure at about 70 bits, some 10 microseconds a term.
 double profile(double x, double D, double gamma);
 
+/// 4 M gamma^(e M), e = 2 - D, M the number of distinct phases gamma^n x mod 1: what no conjugate of the algebraic integer exceeds by which
+/// profile_exact proves zeros. It has M terms, those before the cycle twice, each at most 2 gamma^(e M).
+Ball conjugates_bound(long phases, const Rational& e, const Rational& gamma);
+
 /// The exact value at x = 0, and where gamma is an integer and the phases gamma^n x mod 1 run into a short cycle, and
 /// either every cosine met is rational (x = 0, 1/2, 1/3, 1/6, ... and all that fall onto them), or the sum
 /// vanishes: z is then an algebraic number in disguise, and one that is smaller than its conjugates allow

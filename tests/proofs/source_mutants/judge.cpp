@@ -136,8 +136,8 @@ int first_who_finds(const std::vector<Finder>& finders, const std::vector<std::s
     return 0;
 }
 
-/// What each comes by, and what it costs, with no change on.
-bool look_around(std::vector<Finder>& finders)
+/// What each comes by, and what it costs, with no change on; whoever takes more than so many seconds comes by nothing.
+bool look_around(std::vector<Finder>& finders, double dearest)
 {
     bool good = true;
     for (Finder& f : finders) {
@@ -145,10 +145,17 @@ bool look_around(std::vector<Finder>& finders)
         const int status = in_child(longest_usual, [&] {
             mutant::reached = shared()->reached;
             const double start = cpu_seconds();
+            const rlimit limit{static_cast<rlim_t>(start + dearest) + 1, RLIM_INFINITY};
+            setrlimit(RLIMIT_CPU, &limit);
             const bool found = asks(f);
             shared()->seconds = cpu_seconds() - start;
             return found ? 1 : 0;
         });
+        if (status == -SIGXCPU && dearest < longest_usual) {
+            f.seconds = dearest + 1;
+            f.reached.assign(mutant::most, 0);
+            continue;
+        }
         f.seconds = shared()->seconds;
         f.reached.assign(shared()->reached, shared()->reached + mutant::most);
         if (status != 0) std::cerr << "without any change, " << f.name << " finds something (" << status << ")\n";
@@ -204,7 +211,7 @@ int main(int argc, char** argv)
         return found;
     }
     const std::vector<unsigned char> before(mutant::at_start, mutant::at_start + mutant::most);
-    if (!look_around(finders)) return 70;
+    if (!look_around(finders, dearest)) return 70;
     double all = 0;
     for (const Finder& f : finders) all += f.seconds;
     const std::vector<std::size_t> order = cheapest_first(finders);

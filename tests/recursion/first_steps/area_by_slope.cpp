@@ -33,12 +33,13 @@ Ball at_scale_one(const Rational& load, const Rational& G)
 }
 bool sharp(const Ball& b) { return b.relative_bits() > goal - 8; }
 
-Ball slope(const Rational& y, const Rational& G)
+/// Its value, or with `analytic` what bounds it on neighbourhoods, on the least of them.
+Ball slope(const Rational& y, const Rational& G, bool analytic = false)
 {
     const AreaSlope s{Ball(G)};
     const Rational crossing = G * G / 4, turn = G - 1;
-    if (y < 1) return s.at(AreaSlope::Partial{Ball(y), Ball(Rational(1 - y)), Ball(Rational(abs(y - crossing))), y < crossing}, false).real();
-    return s.at(AreaSlope::Full{Ball(Rational(y - 1)), Ball(Rational(abs(y - turn))), Ball(Rational(G + 1 - y)), y < turn}, false).real();
+    if (y < 1) return s.at(AreaSlope::Partial{Ball(y), Ball(Rational(1 - y)), Ball(Rational(abs(y - crossing))), y < crossing}, analytic).real();
+    return s.at(AreaSlope::Full{Ball(Rational(y - 1)), Ball(Rational(abs(y - turn))), Ball(Rational(G + 1 - y)), y < turn}, analytic).real();
 }
 
 } // namespace
@@ -81,6 +82,17 @@ TEST_CASE("its bounds hold, also next to where it is infinite")
                 CAPTURE(Ball(y).to_string());
                 CHECK(certainly(less(slope(y, G) * sqrt(sqrt(Ball(Rational(y - 1)) * Ball(Rational(abs(y - G + 1))))), s.full_bound())));
             }
+    }
+}
+
+TEST_CASE("the bound on neighbourhoods is at least the slope and no more than three times it away from where it is infinite")
+{
+    const WorkingPrecision precision(bits);
+    for (const auto& [y, G] : {std::pair{"0.3", "1.5"}, {"0.7", "1.5"}, {"1.2", "1.5"}, {"1.8", "1.5"}, {"0.4", "3"}, {"0.9", "3"}, {"1.4", "3"}, {"3", "3"}, {"0.5", "50"}, {"20", "50"}, {"50", "50"}}) {
+        CAPTURE(y); CAPTURE(G);
+        const Ball value = slope(exactly(y), exactly(G)), bound = slope(exactly(y), exactly(G), true);
+        CHECK(arb_contains(bound.get(), value.get()));
+        CHECK(certainly(less(Ball::exactly(bound.radius_bound()), 3 * value)));
     }
 }
 

@@ -31,6 +31,7 @@ constexpr double most_accuracy = 660;
 
 inline double up(double bound) { return bound * (1 + slack); }
 inline double down(double bound) { return bound * (1 - slack); }
+inline double up_at_end(double bound) { return bound * (1 + at_panel_end); }
 
 double product_of_bounds(std::initializer_list<double> factors);
 

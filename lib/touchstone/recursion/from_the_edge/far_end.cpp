@@ -7,12 +7,12 @@ namespace touchstone::transfer::from_the_edge {
 
 double next_tail(long k, const Ball& edge_bound, double tail, double load)
 {
-    const double k2 = 4 / std::numbers::pi * std::pow(1 - above(edge_bound), -1.5) * (1 + slack);
+    const double k2 = up(4 / std::numbers::pi * std::pow(1 - above(edge_bound), -1.5));
     if (k == 1) {
-        const double a = std::min(std::pow(2 * std::sqrt(load), -1.5), std::pow(std::max(0.0, 1 - load), -1.5)) * (1 + slack);
+        const double a = up(std::min(std::pow(2 * std::sqrt(load), -1.5), std::pow(std::max(0.0, 1 - load), -1.5)));
         return 8 * a / std::numbers::pi * k2 * 1.43;
     }
-    return std::exp(-2.0) * k2 * (1.01 * std::exp(6.0) + 4.1 * std::exp(-4.0) * tail) * (1 + slack);
+    return up(std::exp(-2.0) * k2 * (1.01 * std::exp(6.0) + 4.1 * std::exp(-4.0) * tail));
 }
 
 double cut_for_small(double accuracy, long n, const Ball& G, const Ball& load)

@@ -72,19 +72,19 @@ double Levels::ellipse_bound(const Level& to, double a, double b, bool logarithm
 {
     const Boxes& boxes = to.boxes;
     const double lo = logarithmic ? std::log(a) : a, hi = logarithmic ? std::log(b) : b;
-    const double mid = (lo + hi) / 2, half = (hi - lo) / 2 * (1 + slack), A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+    const double mid = (lo + hi) / 2, half = up((hi - lo) / 2), A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
     constexpr int arcs = 40;
-    const double radius = half * A * std::numbers::pi / (2 * arcs) * (1 + slack);
+    const double radius = up(half * A * std::numbers::pi / (2 * arcs));
     double most = 0;
     for (int i = 0; i < arcs && std::isfinite(most); ++i) {
         const double phi = std::numbers::pi * (i + 0.5) / arcs, x = mid + half * A * std::cos(phi), y = half * B * std::sin(phi);
         if (logarithmic) {
             if (y + radius > 3.1) return infinity;
-            const double outer = std::exp(x + radius) * (1 + slack), least = std::max(0.0, y - radius);
+            const double outer = up(std::exp(x + radius)), least = std::max(0.0, y - radius);
             const double back = whole ? std::exp((std::max(0.0, outer * std::cos(least)) + static_cast<double>(to.k) * (x + radius)) / 2) * (1 + 1e-6) : 1;
-            most = std::max(most, back * lookup(boxes, {std::exp(x - radius) * (1 - slack), outer, least, y + radius}));
+            most = std::max(most, back * lookup(boxes, {down(std::exp(x - radius)), outer, least, y + radius}));
         }
-        else most = std::max(most, (whole ? std::exp((x + radius) / 2) * (1 + slack) : 1) * lookup(boxes, polar(x, y, radius)));
+        else most = std::max(most, (whole ? up(std::exp((x + radius) / 2)) : 1) * lookup(boxes, polar(x, y, radius)));
     }
     return most;
 }
@@ -170,9 +170,9 @@ std::unique_ptr<Level> Levels::next(const Level& from, double whole_until)
         panel->rho = best.rho;
         panel->bound = best.bound;
         const double n = static_cast<double>(best.points), r = best.rho, q = 1 / r;
-        panel->interpolation = product_of_bounds({4 * best.bound / (r - 1), std::pow(r, 1 - n)}) * (1 + at_panel_end);
+        panel->interpolation = up_at_end(product_of_bounds({4 * best.bound / (r - 1), std::pow(r, 1 - n)}));
         // sum_{k >= N} 2 U rho^-k (k^2 + N^2) <= 4 U sum k^2 rho^-k
-        panel->slope = product_of_bounds({4 * best.bound * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q), std::pow(q, n)}) * (1 + at_panel_end);
+        panel->slope = up_at_end(product_of_bounds({4 * best.bound * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q), std::pow(q, n)}));
         fill_panel(from, *to, *panel, whole);
         a = best.b;
         to->panels.push_back(std::move(panel));
@@ -273,7 +273,7 @@ void Levels::fill_panel(const Level& from, Level& to, Panel& panel, bool whole)
         const Ball decay = whole ? panel.logarithmic ? half_power(at[j], to.k) : Ball(1) : exp(-at[j] * Traits::quotient(law == Law::density ? 3 : 1, 2));
         const Ball u = r.value * decay;
         const double decay_d = above(decay), scale = epsilon * std::fabs(about(r.value));
-        panel.errors[j] = (product_of_bounds({r.error, decay_d}) + mag_get_d(arb_radref(u.get())) + smallest_bound) * (1 + slack);
+        panel.errors[j] = up(product_of_bounds({r.error, decay_d}) + mag_get_d(arb_radref(u.get())) + smallest_bound);
         panel.worst = std::max(panel.worst, panel.errors[j]);
         arb_get_mid_arb(values[j].get(), u.get());
         if (!u.is_finite() || !std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");

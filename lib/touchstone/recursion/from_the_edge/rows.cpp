@@ -28,7 +28,7 @@ double Levels::integrand_bound(const Level& from, Kind kind, const Disc& d, cons
     if (!std::isfinite(u)) return infinity;
     if (kind == Kind::share) u *= at_most_modulus(cosine) * at_most_modulus(exp(-0.5 * delta));
     const double k = kernel_bound(disc(from.edge_bound), d, s, c, infinity, kind);
-    return product_of_bounds({2 / q_least, std::pow(at_most_modulus(sine), static_cast<double>(power(from.k))), k, u}) * (1 + slack);
+    return up(product_of_bounds({2 / q_least, std::pow(at_most_modulus(sine), static_cast<double>(power(from.k))), k, u}));
 }
 
 RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high, double around, double tolerance)
@@ -41,7 +41,7 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
         t_end = std::frexp(std::tan(std::asin(std::sqrt(s)) / 2), &exponent);
         t_end = std::ldexp(std::floor(std::ldexp(t_end, 20)), exponent - 20);
         const double sine = 2 * t_end / (1 + t_end * t_end);
-        rule.reach = 2 * low * sine * sine * (1 - slack);
+        rule.reach = down(2 * low * sine * sine);
     }
     const Settings& set = settings(law);
     const long m = power(from.k);
@@ -52,12 +52,12 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
     }
     const double norm_d = about(norm);
     if (!(tolerance > 8 * smallest_bound)) throw BeyondReach("so many digits of a distribution would cost too much");
-    const Disc d = disc_over(low * (1 - slack) - around, high * (1 + slack) + around);
+    const Disc d = disc_over(down(low) - around, up(high) + around);
     std::function<void(double, double, int)> pieces = [&](double a, double b, int depth) {
         const double l = (b - a) / 2, mid = (a + b) / 2, goal = tolerance / 8;
         if (std::pow(2 * b, static_cast<double>(m)) < 1e-6) { // perhaps negligible
-            const double most = integrand_bound(from, kind, d, disc(mid, 0, l * (1 + slack)));
-            const double whole = product_of_bounds({2 * l / norm_d, most}) * (1 + slack);
+            const double most = integrand_bound(from, kind, d, disc(mid, 0, up(l)));
+            const double whole = up(product_of_bounds({2 * l / norm_d, most}));
             if (whole < goal) {
                 rule.error += whole;
                 return;
@@ -73,15 +73,15 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
             double most = 0;
             for (int i = 0; i < arcs && std::isfinite(most); ++i) {
                 const double phi = std::numbers::pi * (i + 0.5) / arcs;
-                const Disc t = disc(mid + l * A * std::cos(phi), l * B * std::sin(phi), l * A * std::numbers::pi / (2 * arcs) * (1 + slack));
+                const Disc t = disc(mid + l * A * std::cos(phi), l * B * std::sin(phi), up(l * A * std::numbers::pi / (2 * arcs)));
                 most = std::max(most, integrand_bound(from, kind, d, t));
             }
             if (!std::isfinite(most)) continue;
-            const double front = product_of_bounds({16.0 / 3 * l / (norm_d * (1 - 1 / r)), most}) * (1 + slack);
+            const double front = up(product_of_bounds({16.0 / 3 * l / (norm_d * (1 - 1 / r)), most}));
             const long n = std::max(4L, static_cast<long>(std::ceil((std::log(front) - std::log(goal)) / (2 * std::log(r)))));
             if (n < best) {
                 best = n;
-                best_error = product_of_bounds({front, std::pow(r, -2.0 * static_cast<double>(n))}) * (1 + slack);
+                best_error = up(product_of_bounds({front, std::pow(r, -2.0 * static_cast<double>(n))}));
             }
             if (++finite == 3) break;
         }
@@ -224,8 +224,8 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
     out.value = sum;
     out.slope = sum_d;
     out.rule_error = rule.error + dropped(from, kind, d_d, rule.reach);
-    out.interpolation = (out.interpolation + interpolation) * (1 + slack);
-    out.error = (out.rule_error + out.interpolation + out.carried + smallest_bound) * (1 + slack); // what underflowed in the sums above is less
+    out.interpolation = up(out.interpolation + interpolation);
+    out.error = up(out.rule_error + out.interpolation + out.carried + smallest_bound); // what underflowed in the sums above is less
     return out;
 }
 

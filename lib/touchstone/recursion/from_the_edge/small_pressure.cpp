@@ -68,7 +68,7 @@ Levels::Value Levels::small_density(long n, const Ball& d)
     const WorkingPrecision scope(wide);
     SmallKernel kernel{level.edge, 4 * level.edge * exp(-2 * d), exp(-2 * d)};
     const double e = above(level.edge_bound);
-    const auto most = [e](double delta) { return 1.26 * std::pow(1 - e * std::exp(-delta) * (1 + slack), -1.5); }; // of h
+    const auto most = [e](double delta) { return 1.26 * std::pow(1 - up(e * std::exp(-delta)), -1.5); }; // of h
     Ball sum(0);
     double error = 0, interpolation = 0, carried = 0;
     mag_t tolerance;
@@ -96,7 +96,7 @@ Levels::Value Levels::small_density(long n, const Ball& d)
         carried += weight * (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst * (1 + 1e-6);
     }
     mag_clear(tolerance);
-    error = (interpolation + carried + smallest_bound) * (1 + at_panel_end);
+    error = up_at_end(interpolation + carried + smallest_bound);
     Row r;
     r.value = sum * level.C;
     const double C_d = above(level.C);
@@ -106,7 +106,7 @@ Levels::Value Levels::small_density(long n, const Ball& d)
     r.interpolation = interpolation * C_d;
     r.carried = carried * C_d;
     r.rule_error = above(beyond);
-    widen(r.value, error * C_d * (1 + slack));
+    widen(r.value, up(error * C_d));
     arb_add_error(r.value.get(), beyond.get());
     return {exp(-d) / (Traits::pi() * unit) * r.value, r, level.nodes, end};
 }

@@ -40,7 +40,7 @@ Levels::Value Levels::density(long n, const Ball& p, const Ball& d)
     Row r = row(from, Kind::slope, d, rule);
     // the rule's error is analytic in d: Cauchy's bound of its derivative
     Ball v_d = r.slope;
-    widen(v_d, rule.error / (around * about(d)) * (1 + slack) + r.interpolation + r.carried);
+    widen(v_d, up(rule.error / (around * about(d))) + r.interpolation + r.carried);
     const Row plain = row(from, Kind::step, d, rule);
     Ball v = plain.value;
     widen(v, plain.error);
@@ -68,7 +68,7 @@ Levels::Value Levels::exceedance(long n, const Ball& d)
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), precision);
     const Ball front = load / (unit * from.edge);
     Ball value = front * half_power(2 * d, n) * 2 * wallis(power(n)) * from.C * 2 / Traits::pi() * r.value;
-    if (std::isfinite(rule.reach)) widen(value, product_of_bounds({above(front), from.tail, std::exp(-1.5 * rule.reach) / 1.5}) * (1 + slack));
+    if (std::isfinite(rule.reach)) widen(value, up(product_of_bounds({above(front), from.tail, std::exp(-1.5 * rule.reach) / 1.5})));
     return {value, r, rule.nodes.size()};
 }
 

@@ -68,9 +68,9 @@ std::pair<Ball, double> Levels::over_level(const Level& level, long twice, const
         // where d^(twice/2) e^(-c d) is largest
         const double c_d = about(c), half = static_cast<double>(twice) / 2, peak = std::clamp(half / c_d, panel->a, panel->b);
         const double largest = std::exp((half > 0 ? half * std::log(peak) : 0) - c_d * peak) * (1 + 1e-6);
-        const double off = (panel->interpolation + (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst) * (1 + at_panel_end);
+        const double off = up_at_end(panel->interpolation + (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst);
         Ball real = part.real();
-        widen(real, off * largest * (panel->b - panel->a) * (1 + slack));
+        widen(real, up(off * largest * (panel->b - panel->a)));
         sum += real;
     }
     return {sum, level.panels.back()->b};
@@ -90,12 +90,12 @@ Ball Levels::force(long n)
     if (law == Law::density) { // load int f_k dd
         auto [sum, end] = over_level(level, level.k - 2, Ball(3) / 2);
         sum *= level.C;
-        widen(sum, level.tail * std::exp(-2.5 * end) / 2.5 * (1 + slack));
+        widen(sum, up(level.tail * std::exp(-2.5 * end) / 2.5));
         return load * sum;
     }
     auto [sum, end] = over_level(level, level.k, Ball(1) / 2); // int Q_n dp = p_max int e^-d E_k dd
     sum *= level.C;
-    widen(sum, std::exp(-end) * (1 + slack));
+    widen(sum, up(std::exp(-end)));
     return highest(level) * sum;
 }
 
@@ -106,7 +106,7 @@ Ball Levels::mass(long n)
     const Level& level = *levels[static_cast<std::size_t>(n) + 1];
     auto [sum, end] = over_level(level, level.k - 2, Ball(1) / 2); // load int f_k/p dd
     sum *= level.C;
-    widen(sum, level.tail * std::exp(-1.5 * end) / 1.5 * (1 + slack));
+    widen(sum, up(level.tail * std::exp(-1.5 * end) / 1.5));
     return load * sum / highest(level);
 }
 
