@@ -200,9 +200,20 @@ N<V> logarithm_of_fraction(const N<V>& x, const N<V>& y)
     }
 }
 
-/// log x for x = 1 + v, with the zero where v has one: log(1 + v)/v = 1 - v/2 + ..., off 1 by at most |v|/(2 (1 - |v|)). For |v| < 1/2 that
-/// is the principal logarithm; so is the continued one where its imaginary part is below pi in size, and on all of the strip where x shows
-/// no powers.
+/// log(1 + v)/v = 1 - v/2 + ... for the principal logarithm, off 1 by at most |v|/(2 (1 - |v|)) for |v| <= size < 1; by its own values where
+/// those know more, as at a node.
+ComplexBall logarithm_over_argument(const ComplexBall& v, const Ball& size)
+{
+    ComplexBall ratio(1), l;
+    widen(ratio, size / (Ball(2) * (Ball(1) - size)));
+    acb_log1p(l.get(), v.get(), WorkingPrecision::bits());
+    l = l / v;
+    return l.is_finite() && acb_rel_accuracy_bits(l.get()) > acb_rel_accuracy_bits(ratio.get()) ? l : ratio;
+}
+
+/// log x for x = 1 + v, with the zero where v has one. For |v| < 1/2 that is the principal logarithm; so is the continued one where its
+/// imaginary part is below pi in size, and on all of the strip where x shows no powers. Elsewhere too the powers with which v vanishes stand
+/// beside the factor: which root of it is taken must not depend on the piece.
 template <class V>
 N<V> logarithm_near_one(const N<V>& x, const N<V>& v)
 {
@@ -210,18 +221,26 @@ N<V> logarithm_near_one(const N<V>& x, const N<V>& v)
     if (x.frame() && x.frame()->keeps_logarithms()) return continued;
     const V value = v.value();
     const Ball size = upper_ball(value), twice = size + size;
-    if (!arb_lt(twice.get(), Ball(1).get())) return continued;
+    const bool near = arb_lt(twice.get(), Ball(1).get()) != 0;
     if constexpr (std::same_as<V, Ball>) {
+        if (!near) return continued;
         Ball l;
         arb_log1p(l.get(), value.get(), WorkingPrecision::bits());
         return N<V>(l);
     }
     else {
+        if (v.is_plain()) return continued;
+        const auto vanishing = [](const Order& o) { return o.power < Exponent(0) ? Order{} : o; };
+        const Order left = vanishing(v.left()), right = vanishing(v.right());
         const Ball turn = touchstone::abs(continued.value().imag()); // not finite is not below pi
-        if (v.is_plain() || (!x.is_plain() && !arb_lt(turn.get(), pi<Ball>().get()))) return continued;
-        V ratio(1);
-        widen(ratio, size / (Ball(2) * (Ball(1) - size)));
-        return v * N<V>(v.frame(), {}, {}, ratio);
+        if (near && (x.is_plain() || arb_lt(turn.get(), pi<Ball>().get()))) {
+            const N<V> rest(v.frame(), v.left() - left, v.right() - right, v.factor());
+            return N<V>(v.frame(), left, right, rest.value() * logarithm_over_argument(value, size));
+        }
+        const N<V> quotient = continued / N<V>(v.frame(), left, right, V(1));
+        const bool in_left = !left.is_zero(), in_right = !right.is_zero();
+        const N<V> hidden(v.frame(), in_left ? quotient.left() : Order{}, in_right ? quotient.right() : Order{}, quotient.factor());
+        return N<V>(v.frame(), in_left ? left : continued.left(), in_right ? right : continued.right(), hidden.value());
     }
 }
 
