@@ -107,7 +107,7 @@ def hang(*_):
 
 
 def few(read):
-    """Whether its lines are proved in a second or two: sizes as they are in what was written, or less."""
+    """Whether its lines are proved in some seconds: sizes as they are in what was written, or less."""
     size = 0
     for words in read.lines:
         if words[1] == "grid":
@@ -117,7 +117,7 @@ def few(read):
             _, _, scale, _, bits, kept, accuracy, _ = certificate.fields(words[4:12], certificate.FORMS["mesh"], "")
             size += 40 * len(words) * (1 + (max(bits, kept) // 128) ** 2 + accuracy // 16 + scale // 4)
         elif words[1] in ("piece", "balance"):
-            size += 8000
+            size += 8000 if words[1] == "piece" else 3500
     return size < 40000
 
 

@@ -165,7 +165,7 @@ class Checker(unittest.TestCase):
 
     def test_a_row_that_takes_too_long_stays_open(self):
         """The alarm ends the one row and no later one; those after it are judged as ever."""
-        half_width, asked = closed_forms.FORMS["hertz.half_width"], []
+        half_width, asked = scale_one.FORMS["hertz.half_width"], []
 
         def endless_at_first(*inputs):
             asked.append(inputs)
@@ -177,7 +177,7 @@ class Checker(unittest.TestCase):
             self.fail("the alarm did not go off")
 
         out, table = io.StringIO(), str(known.tables / "hertz_half_width.txt")
-        with unittest.mock.patch.dict(closed_forms.FORMS, {"hertz.half_width": endless_at_first}), unittest.mock.patch.object(check, "PATIENCE", 1), \
+        with unittest.mock.patch.dict(scale_one.FORMS, {"hertz.half_width": endless_at_first}), unittest.mock.patch.object(check, "PATIENCE", 1), \
                 unittest.mock.patch.object(check.memory, "bound"), unittest.mock.patch.object(sys, "argv", ["check.py", "--limit", "3", table]), \
                 contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
             check.signal.signal(check.signal.SIGVTALRM, give_up)

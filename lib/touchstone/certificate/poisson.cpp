@@ -48,7 +48,8 @@ void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t
     lines.add("share", rests_on, fmt::format("claim={}", claim));
     const Ball c = Ball::exactly(found.c.high);
     head += fmt::format("claim {} G={} value={} error={}\n", claim, named(root), dyadic_midpoint(c), dyadic(rounded_up(goal * found.c.high)));
-    head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares=1 laws=0 pieces=0 readings=0\n",
+    head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares=1 laws=0 pieces=0 readings=0 "
+                        "steadies=0 parts=0 balances=0 tendings=0\n",
                         section, rests_on.front(), lines.count(), found.panels.size());
 }
 
