@@ -130,7 +130,7 @@ std::vector<std::size_t> joined(std::size_t first, const std::vector<std::size_t
 /// |G W V - V| <= error V: what a claim is off is some hundred times that.
 Rational balance_error(long digits)
 {
-    constexpr int more_bits = 10;
+    constexpr int more_bits = 8;
     return exactly(std::ldexp(1, -static_cast<int>(std::ceil(static_cast<double>(digits) * std::log2(10.0))) - more_bits));
 }
 
