@@ -187,9 +187,7 @@ void write_distributions(const std::vector<Claim>& claims, long digits, std::siz
         head += fmt::format("claim {} n={:x} {}={} load={} G={} value={} error={}\n", first_claim + i, c.n, c.of == Claim::Of::segments ? "a" : "p", c.at.get_str(),
                             c.load.get_str(), named(c.G), dyadic(exactly(v)), dyadic(rounded_up(goal * v)));
     }
-    head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=0 polynomials=0 shares=0 laws=1 pieces={} readings={} "
-                        "steadies=0 parts=0 balances=0 tendings=0\n",
-                        section, first, lines.count(), pieces, claims.size());
+    head += section_line(section, first, lines.count(), {{"laws", 1}, {"pieces", pieces}, {"readings", claims.size()}});
 }
 
 Ball rest_at_level(const Root& G, const Rational& load, long n, const Rational& P)

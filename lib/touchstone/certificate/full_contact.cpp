@@ -38,8 +38,6 @@ struct Choices {
     long lift(long m) const { return m * rise / 16; }
 };
 
-double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
-Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }
 
 /// How many panels so many scales below this load meet, (2.10), (2.13), from the end of a panel to the end of another; one more for rounding.
 std::size_t panels_below(double load, double G, long levels, const transfer::levels::Layer& V)
@@ -149,9 +147,7 @@ void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_
             head += fmt::format("claim {} n={:x}{} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, p,
                                 areas[i].load.get_str(), named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
         }
-        head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares={} laws=0 pieces=0 readings=0 "
-                       "steadies=0 parts=0 balances=0 tendings=0\n",
-                            section, first, lines.count(), rests_on.size() - 1, areas.size());
+        head += section_line(section, first, lines.count(), {{"meshes", 1}, {"polynomials", rests_on.size() - 1}, {"shares", areas.size()}});
         return;
     }
 }

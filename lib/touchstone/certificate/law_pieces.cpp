@@ -106,8 +106,6 @@ Rational exactly(double x)
     return r;
 }
 
-Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }
-double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
 std::string shape(const Piece& p)
 {

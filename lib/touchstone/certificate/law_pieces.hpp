@@ -47,8 +47,6 @@ int power_between(double low, double high, const std::function<double(double T)>
 double ratio_cut(double T);
 
 Rational exactly(double);
-Ball number(const Root&);
-double nearest(const Ball&);
 /// low= high= centre= radius= power= exponent=, and the coefficients in units of 2^exponent.
 std::string shape(const Piece&);
 std::string coefficients(const Piece&);

@@ -224,10 +224,13 @@ std::size_t write_section(const std::vector<LimitClaim>& claims, long digits, st
         head += fmt::format("claim {} {} G={} value={} error={}\n", number++, named_inputs(c), named(c.G), dyadic(exactly(found.value)),
                             dyadic(rounded_up(found.error)));
     }
-    head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=0 polynomials=0 shares=0 laws={} "
-                        "pieces={} readings=0 steadies=1 parts={} "
-                        "balances={} tendings={}\n",
-                        section, first, lines.count(), distances ? 1 : 0, pieces, w.parts.size(), w.balances.size(), number - first_claim);
+    head += section_line(section, first, lines.count(),
+                         {{"laws", distances ? 1 : 0},
+                          {"pieces", pieces},
+                          {"steadies", 1},
+                          {"parts", w.parts.size()},
+                          {"balances", w.balances.size()},
+                          {"tendings", number - first_claim}});
     return number - first_claim;
 }
 

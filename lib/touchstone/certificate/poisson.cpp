@@ -25,8 +25,8 @@ Rational rounded_above(double x)
 void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t section, std::string& head, Lines& lines)
 {
     const WorkingPrecision precision(256);
-    const Ball G = root.degree == 1 ? Ball(root.base) : pow(Ball(root.base), 1 / Ball(static_cast<long>(root.degree)));
-    const double g = arf_get_d(arb_midref(G.get()), ARF_RND_NEAR), goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
+    const Ball G = number(root);
+    const double g = nearest(G), goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double least_C = 0.2;                                                // at G = 1.02
     const double residual = goal * least_C * std::sqrt(std::min(25.0, (g - 1) * 50)) / (g * g * g); // C grows like the root of G - 1
     const limit::PoissonSearch found = limit::search_poisson(G, residual / spare_tolerance);
@@ -48,9 +48,7 @@ void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t
     lines.add("share", rests_on, fmt::format("claim={}", claim));
     const Ball c = Ball::exactly(found.c.high);
     head += fmt::format("claim {} G={} value={} error={}\n", claim, named(root), dyadic_midpoint(c), dyadic(rounded_up(goal * found.c.high)));
-    head += fmt::format("section {} span={}-{} grids=0 panels=0 levels=0 values=0 limits=0 meshes=1 polynomials={} shares=1 laws=0 pieces=0 readings=0 "
-                        "steadies=0 parts=0 balances=0 tendings=0\n",
-                        section, rests_on.front(), lines.count(), found.panels.size());
+    head += section_line(section, rests_on.front(), lines.count(), {{"meshes", 1}, {"polynomials", found.panels.size()}, {"shares", 1}});
 }
 
 } // namespace touchstone::certificate

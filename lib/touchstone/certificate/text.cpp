@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace touchstone::certificate {
@@ -84,6 +86,21 @@ std::string Lines::text() const
         all += fmt::format("{} {} {} {} {}\n", i + 1, l.reason, in_short(l.rests_on), l.last == 0 ? i + 1 : l.last, l.data);
     }
     return all;
+}
+
+Ball number(const Root& G) { return G.degree == 1 ? Ball(G.base) : pow(Ball(G.base), 1 / Ball(static_cast<long>(G.degree))); }
+double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+std::string section_line(std::size_t section, std::size_t first, std::size_t last, const Counts& counts)
+{
+    constexpr std::array<std::string_view, 15> reasons{"grids", "panels", "levels", "values", "limits", "meshes", "polynomials", "shares",
+                                                       "laws", "pieces", "readings", "steadies", "parts", "balances", "tendings"};
+    std::string line = fmt::format("section {} span={}-{}", section, first, last);
+    for (const std::string_view reason : reasons) {
+        const auto found = std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == reason; });
+        line += fmt::format(" {}={}", reason, found == counts.end() ? 0 : found->second);
+    }
+    return line + '\n';
 }
 
 std::string certificate_text(const std::string& quantity, std::size_t claims, std::size_t sections, const std::string& head,

@@ -9,6 +9,8 @@
 #include <gmpxx.h>
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace touchstone::certificate {
@@ -41,6 +43,14 @@ private:
     };
     std::vector<Line> lines_;
 };
+
+/// The number that is written so, at the working precision.
+Ball number(const Root&);
+double nearest(const Ball&);
+
+/// The line of the header for the section whose lines are first to last: how many there are of each reason, as its plural; none of what is not named.
+using Counts = std::vector<std::pair<std::string_view, std::size_t>>;
+std::string section_line(std::size_t section, std::size_t first, std::size_t last, const Counts&);
 
 /// The whole text: header, claims and sections, lines, sha256.
 std::string certificate_text(const std::string& quantity, std::size_t claims, std::size_t sections, const std::string& head, const Lines&);

@@ -7,9 +7,8 @@ namespace touchstone::certificate {
 
 std::string WrittenSection::header(std::size_t number, std::size_t values, std::size_t limits, const Lines& lines) const
 {
-    return fmt::format("section {} span={}-{} grids=1 panels={} levels={} values={} limits={} meshes=0 polynomials=0 shares=0 laws=0 pieces=0 readings=0 "
-                       "steadies=0 parts=0 balances=0 tendings=0\n", number,
-                       grid, lines.count(), panels.size(), panels.size() * levels.size(), values, limits);
+    return section_line(number, grid, lines.count(),
+                        {{"grids", 1}, {"panels", panels.size()}, {"levels", panels.size() * levels.size()}, {"values", values}, {"limits", limits}});
 }
 
 WrittenSection write_levels(const Grid& g, const std::vector<Level>& levels, Lines& lines)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/compiled.hpp"
 #include "touchstone/quadrature/expression_tree.hpp"
+#include "touchstone/quadrature/far_out.hpp"
 #include "touchstone/quadrature/inner_integral.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/substitution.hpp"
@@ -11,14 +12,9 @@
 #include <unordered_map>
 
 namespace touchstone::quadrature::compiled {
-namespace {
+using namespace tree;
 
-ExpressionPtr number(long n) { return make_number(Rational(n)); }
-ExpressionPtr sum(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::add, {a, b}); }
-ExpressionPtr difference(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::add, {a, make(Op::negate, {b})}); }
-ExpressionPtr product(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::multiply, {a, b}); }
-ExpressionPtr quotient(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::divide, {a, b}); }
-ExpressionPtr of(Op op, const ExpressionPtr& a) { return make(op, {a}); }
+namespace {
 
 double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
@@ -59,7 +55,6 @@ private:
     std::optional<ExpressionPtr> about_its_zero(const Expression& e) const;
     NodePtr logarithm(const ExpressionPtr& argument) const;
     NodePtr logarithm_near_one(const ExpressionPtr& argument) const;
-    ExpressionPtr with_scaled_functions(const ExpressionPtr& e) const;
     int sign_of_linear(const Expression& e) const;
     bool rises_far_out(const Expression& e) const;
     ExpressionPtr settled(const ExpressionPtr& e) const;
@@ -179,118 +174,11 @@ NodePtr Compiler::logarithm(const ExpressionPtr& argument) const
     return n;
 }
 
-/// The summands of a sum, of its sums, of what a minus stands before.
-void add_summands(const ExpressionPtr& e, bool negated, std::vector<ExpressionPtr>& out)
-{
-    if (e->op == Op::add)
-        for (const ExpressionPtr& a : e->args) add_summands(a, negated, out);
-    else if (e->op == Op::negate)
-        add_summands(e->args[0], !negated, out);
-    else
-        out.push_back(negated ? of(Op::negate, e) : e);
-}
-
-/// p - q, without the powers whose coefficients cancel.
-ExpressionPtr formula_of_difference(const Polynomial& p, const Polynomial& q)
-{
-    ExpressionPtr all = number(0);
-    for (std::size_t i = 0; i < std::max(p.size(), q.size()); ++i) {
-        const ExactSum c = (i < p.size() ? p[i] : ExactSum(0)) - (i < q.size() ? q[i] : ExactSum(0));
-        if (!c.is_zero()) all = sum(all, product(formula_of(c), make(Op::power, {make_variable(), number(static_cast<long>(i))})));
-    }
-    return all;
-}
-
-/// v, if e is written 1 + v, a quotient of polynomials, or a hyperbolic tangent or cotangent: tanh y = 1 - 2/(exp(2y) + 1).
-ExpressionPtr less_one(const ExpressionPtr& e)
-{
-    if (e->op == Op::tanh || e->op == Op::coth) {
-        const ExpressionPtr fall = of(Op::exp, product(number(-2), e->args[0])), sign = number(e->op == Op::tanh ? 1 : -1);
-        const ExpressionPtr least = sum(number(1), product(sign, fall));
-        return quotient(product(number(e->op == Op::tanh ? -2 : 2), fall), least);
-    }
-    if (e->op == Op::divide)
-        if (const auto p = polynomial(*e->args[0]), q = polynomial(*e->args[1]); p && q)
-            return quotient(formula_of_difference(*p, *q), e->args[1]);
-    std::vector<ExpressionPtr> summands;
-    add_summands(e, false, summands);
-    const auto one =
-        std::find_if(summands.begin(), summands.end(), [](const ExpressionPtr& a) { return a->op == Op::number && a->number == 1; });
-    if (summands.size() < 2 || one == summands.end()) return nullptr;
-    summands.erase(one);
-    ExpressionPtr rest = summands.front();
-    for (std::size_t i = 1; i < summands.size(); ++i) rest = sum(rest, summands[i]);
-    return rest;
-}
-
 /// On a range without end, where no expansion finds the zero that log(1 + v) has with v.
 NodePtr Compiler::logarithm_near_one(const ExpressionPtr& argument) const
 {
     const ExpressionPtr v = is_infinite() ? less_one(argument) : nullptr;
     return v ? node(Kind::logarithm_near_one, {argument, v}) : nullptr;
-}
-
-/// What stands above and below the line of a product of products and quotients.
-struct Factors {
-    std::vector<ExpressionPtr> above, below;
-    void add(const ExpressionPtr& e, bool divides)
-    {
-        if (e->op == Op::multiply || e->op == Op::divide) {
-            add(e->args[0], divides);
-            add(e->args[1], e->op == Op::divide ? !divides : divides);
-        }
-        else
-            (divides ? below : above).push_back(e);
-    }
-};
-
-ExpressionPtr product_of(const std::vector<ExpressionPtr>& all)
-{
-    ExpressionPtr r = number(1);
-    for (std::size_t i = 0; i < all.size(); ++i) r = i == 0 ? all[i] : product(r, all[i]);
-    return r;
-}
-
-/// The exponent if e is an exponential.
-ExpressionPtr exponent_of(const ExpressionPtr& e)
-{
-    if (e->op == Op::exp) return e->args[0];
-    return e->op == Op::power && e->args[0]->op == Op::e ? e->args[1] : nullptr;
-}
-
-/// The function that is f times the exponential of the exponent, where that takes the exponential out of it.
-ExpressionPtr scaled_function(const Expression& f, const ExpressionPtr& exponent)
-{
-    const auto opposite = [](const ExpressionPtr& a, const ExpressionPtr& b) {
-        const auto p = polynomial(*sum(a, b));
-        return p && std::all_of(p->begin(), p->end(), [](const ExactSum& c) { return c.is_zero(); });
-    };
-    const ExpressionPtr argument = f.args.empty() ? nullptr : f.args.back();
-    if (f.op == Op::bessel_i && opposite(exponent, argument)) return make(Op::bessel_i_scaled, f.args);
-    if (f.op == Op::bessel_k && opposite(exponent, of(Op::negate, argument))) return make(Op::bessel_k_scaled, f.args);
-    if (f.op == Op::erfc && opposite(exponent, of(Op::negate, product(argument, argument)))) return make(Op::erfc_scaled, f.args);
-    return nullptr;
-}
-
-/// The product with exp(-y) besseli(n, y), exp(y) besselk(nu, y), exp(y^2) erfc(y) as one function each: apart one of the two grows without
-/// end where x does, and the other falls. Nothing if there is none.
-ExpressionPtr Compiler::with_scaled_functions(const ExpressionPtr& e) const
-{
-    if (!is_infinite() || (e->op != Op::multiply && e->op != Op::divide)) return nullptr;
-    Factors factors;
-    factors.add(e, false);
-    for (const bool divides : {false, true})
-        for (auto& exponential : divides ? factors.below : factors.above) {
-            const ExpressionPtr found = exponent_of(exponential), exponent = found && divides ? of(Op::negate, found) : found;
-            if (!exponent) continue;
-            for (auto& f : factors.above)
-                if (const ExpressionPtr scaled = scaled_function(*f, exponent)) {
-                    f = scaled;
-                    exponential = number(1);
-                    return quotient(product_of(factors.above), product_of(factors.below));
-                }
-        }
-    return nullptr;
 }
 
 /// By what the function is replaced so that its behaviour at the ends shows.
@@ -576,7 +464,7 @@ NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
                 if (NodePtr n = factored(*p)) return n;
     }
     if (const auto better = rewritten(*e)) return compile(*better);
-    if (const ExpressionPtr scaled = with_scaled_functions(e)) return compile(scaled);
+    if (const ExpressionPtr scaled = is_infinite() ? with_scaled_functions(e) : nullptr) return compile(scaled);
     NodePtr n = by_operation(e);
     const bool is_another = n.use_count() > 1; // its zeros are known
     const bool may_vanish = n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What is done to the tree of a formula after it was read. Internal to quadrature/.
+/// What is done to the tree of a formula after it was read, and how one is made of others. Internal to quadrature/.
 #pragma once
 
 #include "touchstone/quadrature/expression.hpp"
@@ -15,5 +15,15 @@ ExpressionPtr with_shared_parts(const ExpressionPtr&);
 
 /// The tree with every node replaced for which `leaf` gives another, inside inner integrals too.
 ExpressionPtr rebuilt(const ExpressionPtr&, const std::function<ExpressionPtr(const ExpressionPtr&)>& leaf);
+
+/// Formulas of formulas, as they stand.
+namespace tree {
+inline ExpressionPtr number(long n) { return make_number(Rational(n)); }
+inline ExpressionPtr sum(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::add, {a, b}); }
+inline ExpressionPtr difference(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::add, {a, make(Op::negate, {b})}); }
+inline ExpressionPtr product(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::multiply, {a, b}); }
+inline ExpressionPtr quotient(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::divide, {a, b}); }
+inline ExpressionPtr of(Op op, const ExpressionPtr& a) { return make(op, {a}); }
+} // namespace tree
 
 } // namespace touchstone::quadrature
