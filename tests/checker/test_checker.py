@@ -33,7 +33,7 @@ RECURSION = ["contact_area", "contact_area_full", "contact_area_heavy", "contact
 CERTIFIED = {"contact_area": (12, ""), "segments_count": (12, ""), "limit_ratio": (8, ""), "limit_constant": (8, ""),
              "contact_area_heavy": (8, ""), "contact_area_full": (8, ""),
              "contact_exceedance": (8, ""), "contact_density": (8, ""), "segments_density": (8, ""),
-             **dict.fromkeys(("limit_exceedance", "limit_force", "limit_density", "limit_segments"), (10, "")), "limit_distance": (7, "")}  # to so many digits, by certificates of these rows
+             **dict.fromkeys(("limit_exceedance", "limit_force", "limit_density", "limit_segments"), (10, ""))}  # to so many digits, by certificates of these rows
 
 
 def run(*arguments, **more):
