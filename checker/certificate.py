@@ -75,18 +75,18 @@ def span(text):
     return decimal(first), decimal(last) if mark else decimal(first)
 
 
-READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error", "centre", "radius"), dyadic), "a": rational,
+READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "tolerance": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error", "centre", "radius"), dyadic), "a": rational,
            **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "aim", "panel", "middle", "half"), integer)}
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
          "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
          "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim",
-         "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim"}
-COUNTED = "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings"
-WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece", "part"), ("value", "limit", "share", "reading", "tending")
+         "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim", "settling": "claim m"}
+COUNTED = dict(zip(FORMS, "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings settlings".split()))
+WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece", "part"), ("value", "limit", "share", "reading", "tending", "settling")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
           "contact.density": "n p load G value error", "segments.density": "n a load G value error",
           "limit.exceedance": "p G value error", "limit.force": "p G value error", "limit.density": "p G value error", "limit.segments": "a G value error",
-          "limit.distance": "n p load G value error"}
+          "limit.distance": "n p load G value error", "limit.scale": "load tolerance G value error"}
 
 
 def fields(words, names, what):
@@ -130,11 +130,11 @@ class Certificate:
                 self.claims[decimal(which)] = *inputs, G, value, error
                 need(list(self.claims)[-1] == len(self.claims) and (inputs or [1])[0] > 0 and (value if self.quantity != "limit.distance" else abs(value)) > error >= 0, f"claim {which[:9]}: is none")
                 continue
-            (first, last), *counted = fields(rest, f"span {COUNTED}", "section")
+            (first, last), = fields(rest[:1], "span", "section")
             found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
             number += 1
             need(kind == "section" and decimal(which) == number and first == next_line <= last, "sections: do not follow one another")
-            need(counted == [found.count(r) for r in FORMS] and sum(counted) == last - first + 1, f"section {which}: counts are not those of its lines")
+            need(rest[1:] == [f"{many}={found.count(reason)}" for reason, many in COUNTED.items() if reason in found] and {*found} <= {*FORMS}, f"section {which}: counts are not those of its lines")
             next_line = last + 1
         need(len(self.claims) == claims and number == sections and next_line == self.count + 1, "sections or claims are missing")
 
@@ -246,16 +246,20 @@ class Replay:
         need(grid[0] == "grid" and load <= 1, "a value rests on a grid, load <= 1", Refused)
         panels, levels, places = self.whole(grid, below[1:], n - 1)
         if self.proving():
-            (base, degree), bits, step, points = grid[2]
-            if 1 - load <= Fraction(1, 2**16):
-                bits += -(-3 * step * points // 1)
-            rule = self.rule(grid, bits)
-            s = -iv.log(load) if load < 1 else Interval.of(0)
-            row = self.row(grid, (load, places), rule, transfer.fixed(s, bits), load * 2**bits // 1, panels)
-            h, off = rule.apply(row, s.ends()[1], levels, Fraction(1, 2**n))
-            low, high = (Interval.of(load) / power_of(base, degree, n)).ends()
+            h, off = self.at_load(grid, load, n, panels, levels, places)
+            low, high = (Interval.of(load) / power_of(*grid[2][0], n)).ends()
             need(value - error <= low * (h - off) and high * (h + off) <= value + error and off < h, "the claim is not proved", Refused)
         return "value", self.number
+
+    def at_load(self, grid, load, n, panels, levels, places):
+        """h_n(load) from level n - 1, and how far it may be off"""
+        _, bits, step, points = grid[2]
+        if 1 - load <= Fraction(1, 2**16):
+            bits += -(-3 * step * points // 1)
+        rule = self.rule(grid, bits)
+        s = -iv.log(load) if load < 1 else Interval.of(0)
+        row = self.row(grid, (load, places), rule, transfer.fixed(s, bits), load * 2**bits // 1, panels)
+        return rule.apply(row, s.ends()[1], levels, Fraction(1, 2**n))
 
     def claimed(self, quantities, below, claim):
         """the grid, inputs, value and error of a claim that is proved here"""
@@ -335,6 +339,38 @@ class Replay:
                 off += min(1, G**2 * transfer.falling(panel.low)) * spread
             need(off <= error, "the claim is not proved", Refused)
         return "limit", self.number
+
+    def settling(self, below, claim, m):
+        """(Y): from level m on all h are near C(G), and those before are looked at one by one"""
+        grid, (load, tolerance), n, error = self.claimed("limit.scale", below, claim)
+        need(grid[0] == "grid" and load <= 1 and error == 0 and 2 <= n <= m and n.denominator == 1, "no scale from 2 to m, or a load above 1", Refused)
+        need(all(b[0] == "level" for b in below[1:]), "does not rest on levels", Refused)
+        each = {k: self.whole(grid, [b for b in below[1:] if b[4] == k], k) for k in range(int(n) - 2, m + 1)}
+        need(sum(len(panels) for panels, *_ in each.values()) == len(below) - 1, "levels of other scales", Refused)
+        if self.proving():
+            middle, off = self.from_then_on(grid, load, m, *each[m][:2])
+            least = middle - off  # of C(G)
+            need(2 * off <= tolerance * least, "level m is not near enough to its limit", Refused)
+            for k in range(int(n) - 1, m + 1):
+                h, wrong = self.at_load(grid, load, k, *each[k - 1])
+                apart, unsure = abs(h - middle), wrong + off
+                if k < n:
+                    need(apart - unsure > tolerance * (middle + off), "a scale before is within the tolerance", Refused)
+                else:
+                    need(apart + unsure <= tolerance * least, f"scale {k} is not within the tolerance", Refused)
+        return "settling", self.number
+
+    def from_then_on(self, grid, load, m, panels, levels):
+        """v, and above |h_M(load) - v|, M > m, and |C(G) - v|"""
+        G = self.rule(grid, grid[2][1]).G.ends()[1]
+        _, coefficients, exponent, *_ = levels[0]
+        v, inverse, total, best = coefficients[0] * Fraction(2) ** exponent, max(1 / load, G**2), Fraction(0), None
+        for panel, (_, coefficients, exponent, error, _) in zip(panels, levels):
+            spread = abs(coefficients[0] * Fraction(2) ** exponent - v) + sum(map(abs, coefficients[1:])) * Fraction(2) ** exponent + error
+            total += min(1, inverse * transfer.falling(panel.low)) * spread
+            off = total + (G + abs(v)) * inverse * transfer.falling((1 - Fraction(1, 2 ** (m + 1))) * panel.high)
+            best = off if best is None else min(best, off)
+        return v, best
 
     def law(self, below, G, load, bits):
         need(not below and 96 <= bits <= 512 and load <= 1 and 2 ** G[1] < G[0] < 2 ** (40 * G[1]), "not a law: G > 2, load <= 1", Refused)
@@ -446,10 +482,12 @@ def power_of(base, degree, n):
 def shown(quantity, claim):
     *inputs, (base, degree), value, error = claim
     sign, value = "-" if value < 0 else "", abs(value)
-    digits = len(str(int(value / error))) - 1  # error < value; no claim of an error of 0 is proved
+    what = "".join(f"{name}={x} " for name, x in zip(CLAIMS[quantity].split(), inputs)) + f"G={base}{f'^1/{degree}' if degree > 1 else ''}"
+    if error == 0:
+        return f"{quantity} {what}: {value}"
+    digits = len(str(int(value / error))) - 1  # error < value
     e = len(str(int(value))) - 1 if value >= 1 else -len(str(int(1 / value)))
-    what = "".join(f"{name}={x} " for name, x in zip(CLAIMS[quantity].split(), inputs))
-    return f"{quantity} {what}G={base}{f'^1/{degree}' if degree > 1 else ''}: {sign}{int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"
+    return f"{quantity} {what}: {sign}{int(value * Fraction(10) ** (digits - e))}e{e - digits} to {digits} digits"
 
 
 def main():

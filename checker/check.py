@@ -94,7 +94,7 @@ def with_certificates(forms, paths):
         else:
             certificate.Replay(read, 1, read.count)
         for *inputs, value, error in read.claims.values():
-            known[read.quantity, *inputs] = Interval.of(value) + iv.error_term(Interval.of(error))
+            known[read.quantity, *inputs] = Interval.of(value) + iv.error_term(Interval.of(error)) if error else value
 
     def certified(quantity):
         return lambda *inputs: known.get((quantity, *inputs[:-1], (inputs[-1], 1)))
@@ -114,7 +114,7 @@ def with_certificates(forms, paths):
     return {**forms, **both("segments.count", segments), **both("contact.area", certified("contact.area")),
             **both("contact.exceedance", certified("contact.exceedance")), **both("contact.density", certified("contact.density")),
             **both("segments.density", certified("segments.density")), "limit.area_constant": constant, "limit.area_ratio": ratio,
-            **{f"limit.{name}": certified(f"limit.{name}") for name in ("exceedance", "force", "density", "segments", "distance")}}
+            **{f"limit.{name}": certified(f"limit.{name}") for name in ("exceedance", "force", "density", "segments", "distance", "scale")}}
 
 
 def with_patience(seconds):

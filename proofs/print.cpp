@@ -110,10 +110,19 @@ void must_be_of_bearable_size(const std::string& text, const std::set<std::strin
     evaluate(GiNaC::parser(table, true)(form));
 }
 
+/// GiNaC's parser ends the program at a function of nothing, `sqrt()`; what it takes for a comment may stand between the brackets.
+void must_call_functions_of_something(const std::string& text)
+{
+    static const std::regex nothing_between(R"(\(\s*\))");
+    if (std::regex_search(text, nothing_between)) throw std::invalid_argument("there is nothing between two brackets");
+    if (text.find('#') != std::string::npos) throw std::invalid_argument("a formula has no comments");
+}
+
 } // namespace
 
 ex read(const std::string& text)
 {
+    must_call_functions_of_something(text);
     // Decimals as exact fractions: GiNaC would read a float.
     static const std::regex decimal(R"((\d+)\.(\d+))"), identifier(R"([A-Za-z_]\w*)");
     std::string exact;

@@ -3,6 +3,7 @@
 #include "touchstone/certificate/contact.hpp"
 #include "touchstone/certificate/limit_constant.hpp"
 #include "touchstone/certificate/limit_distributions.hpp"
+#include "touchstone/certificate/limit_scale.hpp"
 #include "touchstone/scalar/rational.hpp"
 #include "touchstone/scalar/rational_text.hpp"
 #include "touchstone/table/table.hpp"
@@ -57,9 +58,17 @@ struct Claimed {
     std::vector<certificate::Claim> claims;
     std::vector<Root> limits;
     std::vector<certificate::LimitClaim> limiting;
+    std::vector<certificate::ScaleClaim> scales;
     std::string refused;
 
-    bool none() const { return claims.empty() && limits.empty() && limiting.empty(); }
+    bool none() const { return claims.empty() && limits.empty() && limiting.empty() && scales.empty(); }
+
+    /// \returns whether there is a certificate, the reason being none
+    bool is_served(const std::string& why)
+    {
+        if (!why.empty() && refused.empty()) refused = why;
+        return why.empty();
+    }
 
     void add(const Quantity& q, const Inputs& in)
     {
@@ -67,11 +76,12 @@ struct Claimed {
         if (const auto kind = limiting_kind(q.name)) {
             certificate::LimitClaim c{root_of(in), *kind, in.real(q.name == "limit.segments" ? "a" : "p")};
             if (q.name == "limit.distance") c.n = in.integer("n"), c.load = in.real("load");
-            const std::string why = certificate::refusal_of_limit_distribution(c);
-            if (why.empty())
-                limiting.push_back(c);
-            else
-                refused = refused.empty() ? why : refused;
+            if (is_served(certificate::refusal_of_limit_distribution(c))) limiting.push_back(c);
+            return;
+        }
+        if (q.name == "limit.scale") {
+            const certificate::ScaleClaim c{root_of(in), in.real("load"), in.real("tolerance")};
+            if (is_served(certificate::refusal_of_scale(c))) scales.push_back(c);
             return;
         }
         const bool limit = q.name == "limit.area_constant" || q.name == "limit.area_ratio";
@@ -81,10 +91,8 @@ struct Claimed {
         if (q.name == "contact.density") a.of = certificate::Claim::Of::density, a.at = in.real("p");
         if (q.name == "segments.density") a.of = certificate::Claim::Of::segments, a.at = in.real("a");
         if (q.name == "segments.count") --a.n; // (8.1): they are counted by A_(n-1)
-        const std::string why = limit ? certificate::refusal_of_limit(a.G) : certificate::refusal(a);
-        if (!why.empty())
-            refused = refused.empty() ? why : refused;
-        else if (q.name == "contact.exceedance" && a.at == 0)
+        if (!is_served(limit ? certificate::refusal_of_limit(a.G) : certificate::refusal(a))) return;
+        if (q.name == "contact.exceedance" && a.at == 0)
             refused = "p = 0 is an area";
         else if (limit)
             limits.push_back(a.G);
@@ -132,7 +140,7 @@ int write_certificate(const CertificateOptions& o)
     const TableSpec* spec = find_table(o.subject);
     const Quantity& q = quantity_named(spec != nullptr ? spec->quantity : o.subject);
     constexpr std::array served{"contact.area", "contact.exceedance", "contact.density", "segments.count", "segments.density", "limit.area_constant",
-                                "limit.area_ratio", "limit.exceedance", "limit.force", "limit.density", "limit.segments", "limit.distance"};
+                                "limit.area_ratio", "limit.exceedance", "limit.force", "limit.density", "limit.segments", "limit.distance", "limit.scale"};
     if (std::find(served.begin(), served.end(), q.name) == served.end())
         throw Failure(undecided, fmt::format("there are certificates of {}, not of '{}'; rows of closed form need none (checker/check.py)",
                                              fmt::join(served, ", "), q.name));
@@ -147,6 +155,7 @@ int write_certificate(const CertificateOptions& o)
     const long digits = std::min(most, o.digits.value_or(spec != nullptr ? spec->digits + spare_digits : digits_of_a_value));
     const std::string text = [&] {
         const Progress progress("certificate");
+        if (!claimed.scales.empty()) return certificate::limit_scales(claimed.scales);
         if (!claimed.limiting.empty()) return certificate::limit_distributions(claimed.limiting, {digits});
         if (claimed.limits.empty()) return certificate::contact(claimed.claims, {digits});
         return certificate::limit_constants(claimed.limits, {digits});

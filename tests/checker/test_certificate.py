@@ -11,6 +11,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -89,7 +90,8 @@ def limiting(quantity, at, G, digits=11):
 # What is changed in many ways, and how often: partial contact, full contact without and with a wave between, shares above a pressure, the limit.
 CHANGED = {("contact.area", "n=2", "load=1/10", "G=16", "--digits", 6): 9, ("contact.area", "n=1", "load=3/2", "G=3/2", "--digits", 2): 7,
            ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2", "--digits", 2): 3, ("limit.area_constant", "G=16", "--digits", 3): 3, ("limit.area_constant", "G=2", "--digits", 2): 2,
-           ("contact.density", "n=3", "p=2", "load=1/10", "G=3", "--digits", 4): 6, ("limit.density", "p=1/2", "G=4", "--digits", 1): 4}
+           ("contact.density", "n=3", "p=2", "load=1/10", "G=3", "--digits", 4): 6, ("limit.density", "p=1/2", "G=4", "--digits", 1): 4,
+           ("limit.scale", "load=1/2", "tolerance=1/10", "G=16"): 3}
 
 
 def complaints(stderr):
@@ -152,6 +154,40 @@ class Certificates(unittest.TestCase):
                 ((_, value, error),) = certificate.Certificate(self.path).claims.values()
                 self.assertLessEqual(abs(value - limit(G)), error)
                 self.assertLess(error / value, Fraction(1, 10**digits))
+
+    def test_proves_from_where_on_the_limit_holds(self):
+        """What the program finds by other means; and no scale before, no smaller tolerance than the lines reach, no load that needs more of them."""
+        for load, tolerance, G in (("1", "1/20", "9/4"), ("1/10", "1/50", "1000")):
+            self.make("limit.scale", f"load={load}", f"tolerance={tolerance}", f"G={G}")
+            text = self.path.read_text()
+            said = check(self.path)
+            with self.subTest(G=G):
+                self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+                ((*_, n, error),) = certificate.Certificate(self.path).claims.values()
+                self.assertEqual((n, error), (int(json.loads(program("eval", "limit.scale", f"load={load}", f"tolerance={tolerance}", f"G={G}", "--json").stdout)["value"]), 0))
+                for was, now, why in ((f"tolerance={tolerance}", "tolerance=9/10", "a scale before is within the tolerance"), (f"tolerance={tolerance}", "tolerance=1/1000000000000", "not near enough"),
+                                      ("error=0:0", "error=1:-4", "no scale from 2"), ("value=[0-9a-f:]+", "value=5:-1", "no scale from 2"), (f"load={load}", "load=1001/1000", "a load above 1")):
+                    answer, reason = self.said_of(signed(re.sub(was, now, text, count=1)))
+                    self.assertEqual((answer, why in reason), ("no", True), reason)
+                for move, why in ((1, "a scale before is within the tolerance"), (-1, "is not within the tolerance")):
+                    if n + move >= 2:
+                        answer, reason = self.said_of(self.moved(text, int(n), move))
+                        self.assertEqual((answer, why in reason), ("no", True), reason)
+
+    def moved(self, text, n, move):
+        """the claim of scale n + move instead, resting on the levels that it needs"""
+        lines = [line.split(" ") for line in text.splitlines()]
+        *_, settling, _ = lines
+        first, end = settling[2].split(",")[-1].split("-")
+        first = int(first) + move * text.count(" panel ")
+        settling[2] = f"1,{first}-{end}"
+        for words in lines:
+            if words[0].isdigit() and first <= int(words[0]) <= int(end):
+                words[3] = settling[0]
+        odd, shift = n + move, 0
+        while odd % 2 == 0:
+            odd, shift = odd // 2, shift + 1
+        return signed(re.sub("value=[0-9a-f:]+", f"value={odd:x}:{shift}", "\n".join(" ".join(words) for words in lines) + "\n", count=1))
 
     def test_proves_shares_above_a_pressure(self):
         for inputs, digits in ((("1", "100", "395/4", "3/2"), 8), (("1", "1/1000", "1/200", "9/8"), 4), (("2", "3/2", "3", "4"), 2)):
@@ -515,7 +551,7 @@ class Certificates(unittest.TestCase):
     def test_each_line_proves_claims_of_its_own_kinds(self):
         """Whatever kind of claim the header says it is, with that kind's names: only what is true is proved."""
         names = {"contact.area": ("n", "load"), "contact.exceedance": ("n", "p", "load"), "contact.density": ("n", "p", "load"), "segments.density": ("n", "a", "load"), "limit.area_constant": (),
-                 "limit.exceedance": ("p",), "limit.force": ("p",), "limit.density": ("p",), "limit.segments": ("a",), "limit.distance": ("n", "p", "load")}
+                 "limit.exceedance": ("p",), "limit.force": ("p",), "limit.density": ("p",), "limit.segments": ("a",), "limit.distance": ("n", "p", "load"), "limit.scale": ("load", "tolerance")}
         for what, text in self.texts.items():
             words = text.splitlines()[3].split(" ")
             had = dict(w.split("=") for w in words[2:])
@@ -523,7 +559,7 @@ class Certificates(unittest.TestCase):
             for quantity, inputs in names.items():
                 if quantity == what[0]:
                     continue
-                own = {"n": had.get("n", "1"), "p": at, "a": at, "load": had.get("load", "1/2")}
+                own = {"n": had.get("n", "1"), "p": at, "a": at, "load": had.get("load", "1/2"), "tolerance": "1/3"}
                 claim = " ".join([*words[:2], *(f"{name}={own[name]}" for name in inputs), *(f"{name}={had[name]}" for name in ("G", "value", "error"))])
                 self.path.write_text(signed(text.replace(text.splitlines()[3], claim, 1).replace(f"quantity {what[0]}", f"quantity {quantity}", 1)))
                 with self.subTest(what=what, quantity=quantity):
@@ -666,7 +702,7 @@ class Certificates(unittest.TestCase):
     def write(self, quantity, claims, lines):
         """a certificate of these claims and lines"""
         kinds = [line.split(" ")[0] for line in lines]
-        counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in zip(certificate.FORMS, certificate.COUNTED.split()))
+        counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in certificate.COUNTED.items() if kind in kinds)
         head = ["TOUCHSTONE-CERT 1", f"quantity {quantity}", f"counts claims={len(claims)} sections=1 lines={len(lines)}", *(f"claim {i} {c}" for i, c in enumerate(claims, 1)),
                 f"section 1 span=1-{len(lines)} {counts}", *(f"{i} {line}" for i, line in enumerate(lines, 1))]
         self.path.write_text(signed("\n".join(head) + "\nsha256 "))

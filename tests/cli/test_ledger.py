@@ -184,6 +184,11 @@ class Changed(unittest.TestCase):
             self.entry(ledger, "H3")["says"] = "p0 = 2*P/(Pi*a"
         self.refuses(no_formula, "'H3'", "parse")
 
+        for nothing in ("sqrt()", "tgamma( )", "exp(# of nothing\n)"):  # a parser that went on would end the program
+            def calls_of_nothing(ledger):
+                self.entry(ledger, "H3")["says"] = f"p0 = 2*P/(Pi*a)*{nothing}"  # noqa: B023
+            self.refuses(calls_of_nothing, "'H3'", "parse")
+
         for giant in ("9^(9^8)", "tgamma(10^9)", "2^(10^9)*x", "(1/3)^(10^7)", "sqrt(7^(10^8))"):  # each alone takes minutes, or all memory, where it is evaluated
             def too_long(ledger):
                 self.entry(ledger, "H3")["says"] = f"p0 = 2*P/(Pi*a)*{giant}"  # noqa: B023

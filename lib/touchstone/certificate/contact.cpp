@@ -75,7 +75,9 @@ void write(const Section& s, const std::vector<Claim>& areas, std::size_t first_
         head += fmt::format("claim {} n={:x} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, areas[i].load.get_str(),
                             named(areas[i].G), dyadic_midpoint(area), dyadic(rounded_up(narrow * error)));
     }
-    head += written.header(number, areas.size(), 0, lines);
+    Counts counts = written.counts();
+    counts.emplace_back("values", areas.size());
+    head += section_line(number, written.grid, lines.count(), counts);
 }
 
 } // namespace

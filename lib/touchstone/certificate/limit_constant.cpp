@@ -184,7 +184,9 @@ std::string limit_constants(const std::vector<Root>& all, Accuracy wanted)
         lines.add("limit", rests_on, data);
         head += fmt::format("claim {} G={} value={} error={}\n", i + 1, named(all[i]), dyadic(r.value, -r.bits - r.grid.kept_bits),
                             dyadic(rounded_up(narrow * r.error)));
-        head += written.header(i + 1, 0, 1, lines);
+        Counts counts = written.counts();
+        counts.emplace_back("limits", 1);
+        head += section_line(i + 1, written.grid, lines.count(), counts);
     }
     return certificate_text("limit.area_constant", all.size(), all.size(), head, lines);
 }

@@ -180,8 +180,8 @@ std::vector<std::pair<LimitClaim, Found>> find(const std::vector<LimitClaim>& cl
         }
         return all;
     }
-    constexpr int level_bits = 43;
-    constexpr double known_to = 8e-12, of_use = 100;
+    constexpr int level_bits = 42; // the pieces are in binary64
+    constexpr double known_to = 1.6e-11, of_use = 100;
     std::vector<std::pair<long, Rational>> places;
     for (const LimitClaim& c : claims) places.emplace_back(c.n, c.at);
     const std::vector<double> shares = level_shares(claims.front().G, claims.front().load, places);
@@ -192,7 +192,7 @@ std::vector<std::pair<LimitClaim, Found>> find(const std::vector<LimitClaim>& cl
         all.push_back({claims[i], {v, std::max(accuracy * std::fabs(v), known_to), joined(w.law, w.parts, w.balances)}});
         levels = std::max(levels, claims[i].n);
     }
-    if (all.empty()) throw BeyondReach("distances below 10^-9 have no certificate");
+    if (all.empty()) throw BeyondReach("distances below 2 10^-9 have no certificate");
     const std::size_t before = lines.count();
     const auto numbers = write_law_of_load(claims.front().G, claims.front().load, levels, level_bits, lines);
     pieces = lines.count() - before - 1;

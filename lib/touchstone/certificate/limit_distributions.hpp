@@ -30,7 +30,7 @@ constexpr long most_digits_of_limit_distributions = 10;
 std::string refusal_of_limit_distribution(const LimitClaim&);
 
 /// A certificate of claims of one kind, to so many digits, a section for each G (and load) in the order in which they first come.
-/// Distances are known to 10^-11 or so, whatever the digits are; those of which that leaves nothing are left out.
+/// Distances are known to 2 10^-11 or so, whatever the digits are; those of which that leaves nothing are left out.
 /// \pre refusal_of_limit_distribution() is empty for each \throws BeyondReach where the pieces would be too many
 std::string limit_distributions(const std::vector<LimitClaim>&, Accuracy);
 

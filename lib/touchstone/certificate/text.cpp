@@ -93,13 +93,9 @@ double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NE
 
 std::string section_line(std::size_t section, std::size_t first, std::size_t last, const Counts& counts)
 {
-    constexpr std::array<std::string_view, 15> reasons{"grids", "panels", "levels", "values", "limits", "meshes", "polynomials", "shares",
-                                                       "laws", "pieces", "readings", "steadies", "parts", "balances", "tendings"};
     std::string line = fmt::format("section {} span={}-{}", section, first, last);
-    for (const std::string_view reason : reasons) {
-        const auto found = std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == reason; });
-        line += fmt::format(" {}={}", reason, found == counts.end() ? 0 : found->second);
-    }
+    for (const auto& [reason, count] : counts)
+        if (count > 0) line += fmt::format(" {}={}", reason, count);
     return line + '\n';
 }
 

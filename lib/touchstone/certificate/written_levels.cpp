@@ -5,10 +5,9 @@
 
 namespace touchstone::certificate {
 
-std::string WrittenSection::header(std::size_t number, std::size_t values, std::size_t limits, const Lines& lines) const
+Counts WrittenSection::counts() const
 {
-    return section_line(number, grid, lines.count(),
-                        {{"grids", 1}, {"panels", panels.size()}, {"levels", panels.size() * levels.size()}, {"values", values}, {"limits", limits}});
+    return {{"grids", 1}, {"panels", panels.size()}, {"levels", panels.size() * levels.size()}};
 }
 
 WrittenSection write_levels(const Grid& g, const std::vector<Level>& levels, Lines& lines)

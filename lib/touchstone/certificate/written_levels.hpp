@@ -14,8 +14,8 @@ struct WrittenSection {
     std::vector<std::size_t> panels;
     std::vector<std::vector<std::size_t>> levels; ///< by m, then by panel
 
-    /// The section's line of the header, when all its lines are written.
-    std::string header(std::size_t number, std::size_t values, std::size_t limits, const Lines&) const;
+    /// How many lines there are of each of these reasons.
+    Counts counts() const;
 };
 WrittenSection write_levels(const Grid&, const std::vector<Level>&, Lines&);
 
