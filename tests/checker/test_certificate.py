@@ -189,6 +189,27 @@ class Certificates(unittest.TestCase):
             odd, shift = odd // 2, shift + 1
         return signed(re.sub("value=[0-9a-f:]+", f"value={odd:x}:{shift}", "\n".join(" ".join(words) for words in lines) + "\n", count=1))
 
+    def test_later_scales_are_within_the_bound(self):
+        """(Y) at a load so small that the first levels are far from their limit there."""
+        load, seen, at_load = "1/1000000", {}, {}
+        self.make("limit.scale", f"load={load}", "tolerance=1/2", "G=3")
+        ((*_, n, _),) = certificate.Certificate(self.path).claims.values()
+
+        def look(replay, below, *_):
+            for k in sorted({b[4] for b in below[1:]}):
+                level = replay.whole(below[0], [b for b in below[1:] if b[4] == k], k)
+                seen[k] = replay.from_then_on(below[0], Fraction(load), k, *level[:2])
+                at_load[k + 1] = replay.at_load(below[0], Fraction(load), k + 1, *level)[0]
+            raise certificate.Refused("looked at")
+        with unittest.mock.patch.object(certificate.Replay, "settling", look):
+            self.assertEqual(self.said_of(self.moved(self.path.read_text(), int(n), 3 - int(n)))[1].split(": ")[-1], "looked at")
+        for k, (v, off) in seen.items():
+            self.assertLessEqual(abs(limit("3") - v), off + Fraction(1, 10**9))
+            for M, h in at_load.items():
+                if M > k:
+                    self.assertLessEqual(abs(h - v), off + Fraction(1, 10**9), (k, M))
+        self.assertGreater(abs(at_load[2] - seen[1][0]), seen[1][1] / 1000)
+
     def test_proves_shares_above_a_pressure(self):
         for inputs, digits in ((("1", "100", "395/4", "3/2"), 8), (("1", "1/1000", "1/200", "9/8"), 4), (("2", "3/2", "3", "4"), 2)):
             n, load, p, G = inputs

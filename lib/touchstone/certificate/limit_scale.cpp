@@ -67,7 +67,7 @@ Section find(const std::vector<ScaleClaim>& claims)
         narrowest = std::min(narrowest, c.tolerance);
     }
     constexpr double spare_digits = 4;
-    const double digits = spare_digits - std::log10(narrowest.get_d());
+    const double digits = spare_digits - std::log10(narrowest.get_d()) - std::log10(least.get_d()) / 2; // far panels count the more, the smaller a load
     constexpr long more = 4;
     for (auto last = static_cast<long>(std::ceil(-std::log2(narrowest.get_d()))) + more; last < most_levels; last += more) {
         Section s{grid_for(claims.front().G, last + 1, digits, least, largest), {}, {}};
