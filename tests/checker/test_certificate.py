@@ -157,7 +157,7 @@ class Certificates(unittest.TestCase):
 
     def test_proves_from_where_on_the_limit_holds(self):
         """What the program finds by other means; and no scale before, no smaller tolerance than the lines reach, no load that needs more of them."""
-        for load, tolerance, G in (("1", "1/20", "9/4"), ("1/10", "1/50", "1000")):
+        for load, tolerance, G in (("1", "1/100", "9/4"), ("1/10", "1/50", "1000")):
             self.make("limit.scale", f"load={load}", f"tolerance={tolerance}", f"G={G}")
             text = self.path.read_text()
             said = check(self.path)
@@ -604,6 +604,8 @@ class Certificates(unittest.TestCase):
             self.path.write_text(text)
             (claim,) = certificate.Certificate(self.path).claims.values()
             value, error = claim[-2:]
+            if not error:  # a scale: test_proves_from_where_on_the_limit_holds has those beside it
+                continue
             old = text.split("value=")[1].split(" ")[0]
             for off in (-3 * error, 3 * error):
                 wrong = value + off
