@@ -134,14 +134,7 @@ std::string_view quantity(Claim::Of of)
 
 std::string contact(const std::vector<Claim>& all, Accuracy wanted)
 {
-    std::vector<std::vector<Claim>> sections;
-    for (const Claim& a : all) {
-        const auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return in_one_section(a, s.front()); });
-        if (found == sections.end())
-            sections.push_back({a});
-        else
-            found->push_back(a);
-    }
+    const auto sections = grouped(all, in_one_section);
     std::string head;
     Lines lines;
     std::size_t claims = 0, written = 0;

@@ -259,16 +259,7 @@ std::string refusal_of_limit_distribution(const LimitClaim& c)
 std::string limit_distributions(const std::vector<LimitClaim>& all, Accuracy wanted)
 {
     const WorkingPrecision precision(256);
-    std::vector<std::vector<LimitClaim>> sections;
-    for (const LimitClaim& c : all) {
-        const auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) {
-            return s.front().G.base == c.G.base && s.front().G.degree == c.G.degree && s.front().load == c.load;
-        });
-        if (found == sections.end())
-            sections.push_back({c});
-        else
-            found->push_back(c);
-    }
+    const auto sections = grouped(all, [](const LimitClaim& a, const LimitClaim& b) { return is_same(a.G, b.G) && a.load == b.load; });
     std::string head;
     Lines lines;
     std::size_t claims = 0, written = 0;

@@ -117,15 +117,7 @@ std::string refusal_of_scale(const ScaleClaim& c)
 
 std::string limit_scales(const std::vector<ScaleClaim>& all)
 {
-    std::vector<std::vector<ScaleClaim>> sections;
-    for (const ScaleClaim& c : all) {
-        const auto same = [&](const auto& s) { return s.front().G.base == c.G.base && s.front().G.degree == c.G.degree; };
-        const auto found = std::find_if(sections.begin(), sections.end(), same);
-        if (found == sections.end())
-            sections.push_back({c});
-        else
-            found->push_back(c);
-    }
+    const auto sections = grouped(all, [](const ScaleClaim& a, const ScaleClaim& b) { return is_same(a.G, b.G); });
     std::string head;
     Lines lines;
     std::size_t claims = 0;

@@ -8,6 +8,7 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -51,6 +52,22 @@ double nearest(const Ball&);
 /// The line of the header for the section whose lines are first to last: how many there are of each reason, as its plural, in the order of docs/certificate.md.
 using Counts = std::vector<std::pair<std::string_view, std::size_t>>;
 std::string section_line(std::size_t section, std::size_t first, std::size_t last, const Counts&);
+
+/// What goes together, each in the order given, the groups in that of their first.
+template <class T, class Same>
+std::vector<std::vector<T>> grouped(const std::vector<T>& all, Same same)
+{
+    std::vector<std::vector<T>> groups;
+    for (const T& x : all) {
+        const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return same(x, g.front()); });
+        if (found == groups.end())
+            groups.push_back({x});
+        else
+            found->push_back(x);
+    }
+    return groups;
+}
+inline bool is_same(const Root& a, const Root& b) { return a.base == b.base && a.degree == b.degree; }
 
 /// The whole text: header, claims and sections, lines, sha256.
 std::string certificate_text(const std::string& quantity, std::size_t claims, std::size_t sections, const std::string& head, const Lines&);
