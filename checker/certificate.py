@@ -18,6 +18,7 @@ import intervals as iv
 import limits
 import memory
 import poisson
+import second_eigenvalue
 import transfer
 from intervals import Interval
 from transfer import Refused
@@ -80,13 +81,14 @@ READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text),
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
          "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
          "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim",
-         "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim", "settling": "claim m"}
-COUNTED = dict(zip(FORMS, "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings settlings".split()))
-WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece", "part"), ("value", "limit", "share", "reading", "tending", "settling")
+         "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim", "settling": "claim m",
+         "eigenvalue": "claim high centre radius exponent"}
+COUNTED = dict(zip(FORMS, "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings settlings eigenvalues".split()))
+WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece", "part", "eigenvalue"), ("value", "limit", "share", "reading", "tending", "settling", "eigenvalue")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
           "contact.density": "n p load G value error", "segments.density": "n a load G value error",
           "limit.exceedance": "p G value error", "limit.force": "p G value error", "limit.density": "p G value error", "limit.segments": "a G value error",
-          "limit.distance": "n p load G value error", "limit.scale": "load tolerance G value error"}
+          "limit.distance": "n p load G value error", "limit.scale": "load tolerance G value error", "limit.gap": "G value error"}
 
 
 def fields(words, names, what):
@@ -463,6 +465,16 @@ class Replay:
             low, high = (here - limit if n else limit).ends()
             need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
         return "tending", self.number
+
+    def eigenvalue(self, below, claim, high, centre, radius, exponent, coefficients):
+        """(Z)"""
+        law, _, value, error = self.claimed("limit.gap", below, claim)
+        need(law[0] == "steady" and len(below) == 1 and 0 < high <= 1000 and 0 < radius <= 64 and 2 < len(coefficients) <= MOST["terms"], "not a function of s", Refused)
+        if self.proving():
+            (base, degree), Interval.bits = law[2]
+            w = second_eigenvalue.Eigenfunction(root_of(base, degree), high, centre, radius, exponent, coefficients)
+            need(w.is_within(value, error, self.progress), "the claim is not proved", Refused)
+        return "eigenvalue", self.number
 
     def at_scale(self, below, G, n, place, load, error):
         """the share of A_n above `place` p*_n"""

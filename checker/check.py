@@ -114,7 +114,7 @@ def with_certificates(forms, paths):
     return {**forms, **both("segments.count", segments), **both("contact.area", certified("contact.area")),
             **both("contact.exceedance", certified("contact.exceedance")), **both("contact.density", certified("contact.density")),
             **both("segments.density", certified("segments.density")), "limit.area_constant": constant, "limit.area_ratio": ratio,
-            **{f"limit.{name}": certified(f"limit.{name}") for name in ("exceedance", "force", "density", "segments", "distance", "scale")}}
+            **{f"limit.{name}": certified(f"limit.{name}") for name in ("exceedance", "force", "density", "segments", "distance", "scale", "gap")}}
 
 
 def with_patience(seconds):

@@ -121,9 +121,10 @@ class Polynomial:
         return sum(self.sizes, Interval.of(0)).scaled(self.exponent)
 
     def bound(self, T, off):
-        """|T_k| <= rho^k on the ellipse rho; points so far from a real one of modulus t are within that of half axis max(1, t) + off"""
-        t = (T - self.middle) * self.inverse
-        axis = Interval.of(max(1, *map(abs, t.ends()))) + off * self.inverse
+        """|T_k| <= rho^k on the ellipse rho; points so far from a real one of modulus t are within those of half axes max(1, t) + off and ((t + off)^2 + 1)^(1/2) (I)"""
+        t, off = (T - self.middle) * self.inverse, off * self.inverse
+        far = Interval.of(max(map(abs, t.ends())))
+        axis = Interval.of(max(1, top(min(Interval.of(max(1, top(far))) + off, iv.sqrt((far + off).square() + 1), key=top))))
         rho, total = axis + iv.sqrt(axis.square() - 1), Interval.of(0)
         for size in reversed(self.sizes):
             total = total * rho + size

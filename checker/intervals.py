@@ -163,6 +163,19 @@ def _log_2(bits):
     return _arctan_or_artanh(Interval.of(Fraction(1, 3)), 1).scaled(1)
 
 
+CELLS = 64  # of the table of logarithms
+
+
+@lru_cache(maxsize=None)
+def _log_of_cell(bits, cell):
+    return _log_of_ratio(Interval.of(cell), CELLS) if cell != CELLS else Interval.of(0)
+
+
+def _log_of_ratio(x, c):
+    """log(x/c) = 2 artanh((x - c)/(x + c)), c/3 <= x <= 3c"""
+    return _arctan_or_artanh((x - c) / (x + c), 1).scaled(1)
+
+
 def log(x):
     """x > 0; accurate relative to the result, next to x = 1 too."""
     x = Interval.of(x)
@@ -172,10 +185,15 @@ def log(x):
     x = x.scaled(-power)
     if x.high * 4 < 3 << -x.exponent if x.exponent < 0 else False:  # x < 3/4
         x, power = x.scaled(1), power - 1
-    roots = isqrt(Interval.bits) // 2 if Interval.bits > 512 else 0  # of many digits the series is the dear part
-    for _ in range(roots):
-        x = sqrt(x)
-    result = _arctan_or_artanh((x - 1) / (x + 1), 1).scaled(roots + 1)
+    if Interval.bits > 512:  # of many digits the series is the dear part
+        roots = isqrt(Interval.bits) // 2
+        for _ in range(roots):
+            x = sqrt(x)
+        result = _log_of_ratio(x, 1).scaled(roots)
+    else:
+        x = x.scaled(CELLS.bit_length() - 1)
+        cell = (2 * x.high >> -x.exponent if x.exponent < 0 else 2 * x.high << x.exponent) + 1 >> 1  # the nearest: next to 1 it is CELLS
+        result = _log_of_ratio(x, cell) + _log_of_cell(Interval.bits, cell)
     return result + _log_2(Interval.bits) * power if power else result
 
 

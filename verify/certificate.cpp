@@ -4,6 +4,7 @@
 #include "touchstone/certificate/limit_constant.hpp"
 #include "touchstone/certificate/limit_distributions.hpp"
 #include "touchstone/certificate/limit_scale.hpp"
+#include "touchstone/certificate/second_eigenvalue.hpp"
 #include "touchstone/scalar/rational.hpp"
 #include "touchstone/scalar/rational_text.hpp"
 #include "touchstone/table/table.hpp"
@@ -56,12 +57,12 @@ std::optional<certificate::LimitClaim::Of> limiting_kind(const std::string& quan
 /// What is claimed and has a certificate, and why the first that has none has none.
 struct Claimed {
     std::vector<certificate::Claim> claims;
-    std::vector<Root> limits;
+    std::vector<Root> limits, eigenvalues;
     std::vector<certificate::LimitClaim> limiting;
     std::vector<certificate::ScaleClaim> scales;
     std::string refused;
 
-    bool none() const { return claims.empty() && limits.empty() && limiting.empty() && scales.empty(); }
+    bool none() const { return claims.empty() && limits.empty() && limiting.empty() && scales.empty() && eigenvalues.empty(); }
 
     /// \returns whether there is a certificate, the reason being none
     bool is_served(const std::string& why)
@@ -82,6 +83,11 @@ struct Claimed {
         if (q.name == "limit.scale") {
             const certificate::ScaleClaim c{root_of(in), in.real("load"), in.real("tolerance")};
             if (is_served(certificate::refusal_of_scale(c))) scales.push_back(c);
+            return;
+        }
+        if (q.name == "limit.gap") {
+            const Root G = root_of(in);
+            if (is_served(certificate::refusal_of_eigenvalue(G))) eigenvalues.push_back(G);
             return;
         }
         const bool limit = q.name == "limit.area_constant" || q.name == "limit.area_ratio";
@@ -140,7 +146,8 @@ int write_certificate(const CertificateOptions& o)
     const TableSpec* spec = find_table(o.subject);
     const Quantity& q = quantity_named(spec != nullptr ? spec->quantity : o.subject);
     constexpr std::array served{"contact.area", "contact.exceedance", "contact.density", "segments.count", "segments.density", "limit.area_constant",
-                                "limit.area_ratio", "limit.exceedance", "limit.force", "limit.density", "limit.segments", "limit.distance", "limit.scale"};
+                                "limit.area_ratio", "limit.exceedance", "limit.force", "limit.density", "limit.segments", "limit.distance", "limit.scale",
+                                "limit.gap"};
     if (std::find(served.begin(), served.end(), q.name) == served.end())
         throw Failure(undecided, fmt::format("there are certificates of {}, not of '{}'; rows of closed form need none (checker/check.py)",
                                              fmt::join(served, ", "), q.name));
@@ -151,10 +158,13 @@ int write_certificate(const CertificateOptions& o)
         claimed.add(q, read_inputs(q, key_values(q, o.assignments)));
     if (claimed.none())
         throw Failure(undecided, (spec == nullptr ? "" : fmt::format("no row of '{}' has a certificate: ", spec->name)) + claimed.refused);
-    const long most = claimed.limits.empty() ? certificate::most_digits : certificate::most_digits_of_a_limit;
+    const long most = !claimed.eigenvalues.empty() ? certificate::most_digits_of_an_eigenvalue
+                      : claimed.limits.empty()     ? certificate::most_digits
+                                                   : certificate::most_digits_of_a_limit;
     const long digits = std::min(most, o.digits.value_or(spec != nullptr ? spec->digits + spare_digits : digits_of_a_value));
     const std::string text = [&] {
         const Progress progress("certificate");
+        if (!claimed.eigenvalues.empty()) return certificate::second_eigenvalues(claimed.eigenvalues, {digits});
         if (!claimed.scales.empty()) return certificate::limit_scales(claimed.scales);
         if (!claimed.limiting.empty()) return certificate::limit_distributions(claimed.limiting, {digits});
         if (claimed.limits.empty()) return certificate::contact(claimed.claims, {digits});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/certificate/discrete_operator.hpp"
 
+#include "touchstone/certificate/text.hpp"
 #include "touchstone/transfer/parallel.hpp"
 
 #include <algorithm>
@@ -13,20 +14,6 @@ namespace {
 using Traits = ScalarTraits<Ball>;
 constexpr long guard_bits = 64;
 
-/// The midpoint in units of 2^-bits, rounded down.
-mpz_class units(const Ball& x, long bits)
-{
-    Ball scaled;
-    arb_mul_2exp_si(scaled.get(), x.get(), bits);
-    fmpz_t n;
-    fmpz_init(n);
-    arf_get_fmpz(n, arb_midref(scaled.get()), ARF_RND_FLOOR);
-    mpz_class r;
-    fmpz_get_mpz(r.get_mpz_t(), n);
-    fmpz_clear(n);
-    return r;
-}
-
 Ball from_units(const mpz_class& n, long bits)
 {
     Ball r;
@@ -38,8 +25,6 @@ Ball from_units(const mpz_class& n, long bits)
     arb_mul_2exp_si(r.get(), r.get(), -bits);
     return r;
 }
-
-double nearest(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
 Rational dyadic_floor(double x, int bits)
 {

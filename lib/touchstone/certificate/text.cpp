@@ -53,6 +53,19 @@ std::string dyadic_midpoint(const Ball& x)
     return text;
 }
 
+mpz_class units(const Ball& x, long bits)
+{
+    Ball scaled;
+    arb_mul_2exp_si(scaled.get(), x.get(), bits);
+    fmpz_t n;
+    fmpz_init(n);
+    arf_get_fmpz(n, arb_midref(scaled.get()), ARF_RND_FLOOR);
+    mpz_class r;
+    fmpz_get_mpz(r.get_mpz_t(), n);
+    fmpz_clear(n);
+    return r;
+}
+
 Rational rounded_up(double x)
 {
     constexpr int bound_bits = 12;

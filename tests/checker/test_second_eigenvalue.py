@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: MIT
+"""Lemma Z of docs/certificate.md, part by part, against sums and random complex points in binary64; and what the program says, and says wrongly, about limit.gap."""
+import argparse
+import cmath
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--checker", required=True, type=pathlib.Path)
+parser.add_argument("--program", required=True)
+known, rest = parser.parse_known_args()
+sys.path.insert(0, str(known.checker))
+import certificate  # noqa: E402
+import full_contact  # noqa: E402
+import intervals as iv  # noqa: E402
+import second_eigenvalue as se  # noqa: E402
+from intervals import Interval  # noqa: E402
+from scale_one import Disc  # noqa: E402
+
+G, SEED = Fraction(3), 20261125
+PLACE, NOISE, STEP = 0.7, 300, 0.05  # of a rule in tau
+
+
+def program(*arguments):
+    return subprocess.run([known.program, *map(str, arguments)], capture_output=True, text=True)
+
+
+def V(sigma):
+    r = math.exp(-2 * sigma)
+    return sigma - r / 2 - 3 * r**4 / 16 + 1e-4 / (2 * r)
+
+
+def W(sigma):
+    r = math.exp(-2 * sigma)
+    return 1 + r + 1.5 * r**4 + 1e-4 / r
+
+
+class Plain:
+    """w and one wave in binary64, from the same coefficients"""
+
+    def __init__(self, w):
+        self.start = 2 * math.log(float(G) / 2)
+        self.centre, self.radius = float(w.value.middle), float(w.value.half)
+        self.last = self.start + float(w.high)
+        self.c = [c * 2.0**w.value.exponent for c in w.value.coefficients]
+        self.noise = [(j + 0.5) * STEP for j in range(NOISE)]  # tanh tau = u: the middle rule of what is even and analytic about the real line
+
+    def series(self, s):
+        """w and w'"""
+        if s.real > self.last:
+            return self.series(self.last)[0], 0.0
+        t = (cmath.log(s) - self.centre) / self.radius
+        T, D, U0, U1 = (1, t), (0, 1), 1, 2 * t  # T_k' = k U_(k-1)
+        value, slope = self.c[0] + self.c[1] * t, self.c[1] + 0 * t
+        for k in range(2, len(self.c)):
+            T = T[1], 2 * t * T[1] - T[0]
+            value, slope = value + self.c[k] * T[1], slope + self.c[k] * k * U1
+            U0, U1 = U1, 2 * t * U1 - U0
+        return value, slope / (self.radius * s)
+
+    def mean(self, s, of):
+        total = 0
+        for tau in self.noise:
+            q = 1 / math.cosh(tau) ** 2
+            m = 1 - cmath.exp(-s) * (1 - q)
+            following = (s + self.start - math.log(q) - cmath.log(m)) / 2
+            psi, beta = 1 - 1 / (2 * m), (1 - m) / (2 * m * m)
+            total += 4 / math.pi * q**1.5 * STEP * of(psi, beta, following)
+        return total
+
+    def slope_of_mean(self, s):
+        def here(psi, beta, following):
+            w, slope = self.series(following)
+            return beta * w + psi**2 * slope
+        return self.mean(s, here)
+
+
+class SecondEigenvalue(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name) / "certificate.txt"
+        cls.make(G, 2)
+        words = cls.path.read_text().splitlines()[-2].split(" ")
+        data = dict(word.split("=") for word in words[4:9])
+        Interval.bits = 128
+        cls.arguments = (*(certificate.dyadic(data[name]) for name in ("high", "centre", "radius")), int(data["exponent"]), [int(c, 16) for c in words[9:]])
+        cls.w = se.Eigenfunction(Interval.of(G), *cls.arguments)
+        cls.plain = Plain(cls.w)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def setUp(self):
+        Interval.bits = 128
+
+    @classmethod
+    def make(cls, G, digits):
+        made = program("certificate", "limit.gap", f"G={G}", "--digits", digits, "--out", cls.path)
+        assert made.returncode == 0, made.stderr
+
+    def test_discs_hold_logarithms_and_exponentials(self):
+        chosen = random.Random(SEED)
+        for _ in range(300):
+            c, r = chosen.uniform(0.1, 5), chosen.uniform(0, 1)
+            disc = Disc(Interval.of(Fraction(c)), Interval.of(Fraction(c * r)))
+            for inside, form in ((cmath.log, se.log), (cmath.exp, se.exp)):
+                found = form(disc)
+                for _ in range(10):
+                    z = inside(c + c * r * cmath.exp(2j * math.pi * chosen.random()))
+                    self.assertLessEqual(abs(z - float(found.centre.middle())), float(found.radius.ends()[1]) * (1 + 1e-9) + 1e-12)
+
+    def test_values_are_those_of_one_wave(self):
+        """(D w)(s), (D w)'(s) and lambda, by sums over the noise"""
+        for sigma in (0, 0.7, 3, float(self.w.high) / 2, float(self.w.high)):
+            s = self.w.start + Fraction(sigma)
+            for slope, plainly in ((False, lambda psi, beta, t: psi * self.plain.series(t)[0]), (True, None)):
+                rule, off = self.w.rule(Disc.of(s), slope, Fraction(1, 10**9))
+                low, high = (self.w.integral(s, slope, rule) + iv.error_term(Interval.of(off)) + self.w.cut_off(slope)).ends()
+                at = self.plain.start + sigma
+                plain = (self.plain.slope_of_mean(at) if slope else self.plain.mean(at, plainly)).real
+                self.assertLess(high - low, 1e-8)
+                self.assertTrue(low - Fraction(1, 10**9) <= plain <= high + Fraction(1, 10**9), (sigma, slope, float(low), plain, float(high)))
+
+    def test_bounds_hold_on_discs(self):
+        """|f| at complex s of the disc"""
+        chosen, ratio = random.Random(SEED), self.w.ratio(Fraction(1, 10**6))
+        lam = float(ratio.middle())
+        for sigma, r in ((0.05, 0.05), (0.4, 0.2), (3, 1)):
+            found = float(self.w.size_of_defect(Disc(self.w.start + Fraction(sigma), Interval.of(Fraction(r))), ratio))
+            for _ in range(3):
+                s = self.plain.start + sigma + r * cmath.exp(2j * math.pi * chosen.random())
+                self.assertLessEqual(abs(self.plain.slope_of_mean(s) - lam * self.plain.series(s)[1]), found * (1 + 1e-9))
+
+    def test_the_defect_is_no_smaller_than_at_random_places(self):
+        """where w is no eigenfunction: one of its coefficients is moved"""
+        high, centre, radius, exponent, c = self.arguments
+        moved = se.Eigenfunction(Interval.of(G), high, centre, radius, exponent, [*c[:3], c[3] + 2**-exponent // 100, *c[4:]])
+        plain, ratio, chosen = Plain(moved), moved.ratio(Fraction(1, 10**6)), random.Random(SEED)
+        found, lam = float(moved.defect(ratio, Fraction(1, 10**3), lambda part: None)), float(ratio.middle())
+        largest = 0
+        for _ in range(40):
+            sigma = chosen.uniform(0, 1.1 * float(high)) * chosen.random()
+            s = plain.start + sigma
+            largest = max(largest, abs(plain.slope_of_mean(s) - lam * plain.series(s)[1]) / W(sigma))
+        self.assertLessEqual(largest, found)
+        self.assertGreater(largest, found / 20)
+
+    def test_averages_of_absolute_values(self):
+        """tau, and theta on narrow intervals: above sums, and by no more than boxes cost"""
+        for sigma in (0, PLACE, 2, 9):
+            a, b = Fraction(sigma), Fraction(sigma) + Fraction(1, 1000)
+            coupling, remainder = self.w.row(a, b, 500)
+            apart = lambda t: abs(V(t.real - self.plain.start) - V(PLACE))  # noqa: E731
+            s = self.plain.start + sigma + 0.0005
+            plain = self.plain.mean(s, lambda psi, beta, t: abs(psi) * apart(t)).real, self.plain.mean(s, lambda psi, beta, t: abs(psi)**2 * W(t.real - self.plain.start) + abs(beta) * apart(t)).real
+            for above, at in zip((coupling, remainder), plain):
+                self.assertTrue(at <= above <= 1.03 * at, (sigma, float(above), at))
+            self.assertTrue(0.99 <= float(se.least_weight(a, b)) / W(sigma) <= 1)
+            slope = abs(self.plain.series(s)[1]) / self.plain.series(self.plain.start + PLACE)[0].real
+            self.assertTrue(slope <= self.w.steepness(a, b) <= 1.01 * slope + 1e-6, sigma)
+
+    def test_far_out(self):
+        """What is said from s_0 + high on, there and further on; the mass that is cut off"""
+        for more in (0, 1, 5):
+            sigma = float(self.w.high) + more + 1e-9
+            s = self.plain.start + sigma
+            defect = abs(self.plain.slope_of_mean(s)) / W(sigma)
+            self.assertLessEqual(defect, float(se.top(self.w.defect_beyond())))
+            apart = lambda t: abs(V(t.real - self.plain.start) - V(PLACE))  # noqa: E731
+            theta = self.plain.mean(s, lambda psi, beta, t: abs(psi)**2 * W(t.real - self.plain.start) + abs(beta) * apart(t)).real / W(sigma)
+            self.assertLessEqual(theta, float(se.top(self.w.remainder_beyond())))
+        for s in (self.w.start, self.w.last):
+            self.assertTrue(self.w.next_below(Fraction(1, 2**self.w.octaves), s))
+
+    def test_proves_what_the_program_says(self):
+        for G, digits in ((64, 2), ("10000^0.5", 3)):
+            self.make(G, digits)
+            read = certificate.Certificate(self.path)
+            certificate.Replay(read, 1, read.count)
+            (_, value, error), = read.claims.values()
+            said = json.loads(program("eval", "limit.gap", f"G={G}", "--digits", 12, "--json").stdout)["value"]
+            self.assertLessEqual(abs(value - Fraction(said)), error)
+            self.assertLess(error / value, Fraction(1, 10**digits))
+
+    def test_functions_that_do_not_prove_it(self):
+        """A claim beside the truth; w moved; w that ends beyond its polynomial, or before the place where it is 1"""
+        high, centre, radius, exponent, c = self.arguments
+        value, error = self.w.ratio(Fraction(1, 10**6)).middle(), Fraction(1, 100)
+        self.assertTrue(self.w.is_within(value, error, lambda part: None))
+        self.assertFalse(self.w.is_within(value + Fraction(3, 200), error, lambda part: None))
+        moved = [*c[:3], c[3] + 2**-exponent // 10, *c[4:]]
+        self.assertFalse(se.Eigenfunction(Interval.of(G), high, centre, radius, exponent, moved).is_within(value, error, lambda part: None))
+        for wrong in ((2 * high, centre, radius), (Fraction(1, 2), centre, radius), (high, centre + radius / 50, radius), (high, centre, radius * Fraction(99, 100))):
+            with self.subTest(wrong=[*map(float, wrong)]), self.assertRaises((full_contact.Far, ValueError)):
+                se.Eigenfunction(Interval.of(G), *wrong, exponent, c)
+
+    def test_other_eigenvalues_are_to_be_further_away(self):
+        """G = 2.17: there the second and the third eigenvalue meet, so that no theta is below the second"""
+        self.assertEqual(program("certificate", "limit.gap", "G=2.19").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *rest])
