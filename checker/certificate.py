@@ -25,7 +25,6 @@ from transfer import Refused
 
 SMALLEST_STEP = Fraction(1, 1 << 16)  # of a rule: exp(-1/step) is a number one can write
 LONGEST_FILE, LONGEST_WORD, MOST_PANELS, MOST_PANELS_OF_A_MESH = 1 << 28, 4096, 64, 4096
-SQUARES_OF_SINES = {Fraction(1, 6): Fraction(1, 4), Fraction(1, 4): Fraction(1, 2), Fraction(1, 3): Fraction(3, 4), Fraction(1, 2): Fraction(1)}  # sin^2(pi a)
 PATIENCE = 20  # seconds
 INTEGER = {10: re.compile("0|-?[1-9][0-9]*"), 16: re.compile("0|-?[1-9a-f][0-9a-f]*")}  # a long certificate has millions
 MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024, "power": 200}
@@ -77,15 +76,15 @@ def span(text):
     return decimal(first), decimal(last) if mark else decimal(first)
 
 
-READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "tolerance": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error", "centre", "radius", "above", "whole"), dyadic), "a": rational,
+READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "tolerance": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error", "centre", "radius"), dyadic), "a": rational,
            **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "aim", "panel", "middle", "half"), integer)}
 FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
          "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
          "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim",
          "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim", "settling": "claim m",
-         "eigenvalue": "claim high centre radius exponent", "quotient": "claim above whole"}
-COUNTED = dict(zip(FORMS, "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings settlings eigenvalues quotients".split()))
-WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece", "part", "eigenvalue"), ("value", "limit", "share", "reading", "tending", "settling", "eigenvalue", "quotient")
+         "eigenvalue": "claim high centre radius exponent"}
+COUNTED = dict(zip(FORMS, "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings settlings eigenvalues".split()))
+WITH_INTEGERS, PROVES_A_CLAIM = ("level", "limit", "mesh", "polynomials", "piece", "part", "eigenvalue"), ("value", "limit", "share", "reading", "tending", "settling", "eigenvalue")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
           "contact.density": "n p load G value error", "segments.density": "n a load G value error",
           "limit.exceedance": "p G value error", "limit.force": "p G value error", "limit.density": "p G value error", "limit.segments": "a G value error",
@@ -284,10 +283,12 @@ class Replay:
     def share(self, below, claim):
         mesh, (*inputs, load), value, error = self.claimed("contact.area contact.exceedance", below, claim) if self.certificate.quantity[:5] != "limit" else self.mean(below, claim)
         need(mesh[0] == "mesh", "a share rests on a mesh", Refused)
-        _, scale, highest = mesh[2][1:4]
+        p, scale, highest = mesh[2][1:4]
         n, *pressure = inputs or [1]
+        need((pressure or [0]) == [p] and (not p or scale == n), "does not rest on a mesh of its pressure", Refused)
         below = below[1:]
-        self.need_whole(mesh, below, *(pressure or [0]), n if pressure else scale)
+        need(all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
+        need([b[2] for b in below] == list(range(len(mesh[2][-1]) - 1)) and len({(len(b[5]), len(b[5][0])) for b in below}) == 1, "polynomials are missing", Refused)
         need(n <= len(below[0][5]) and load <= highest, "the mesh does not reach so far", Refused)
         if self.proving():
             if inputs:
@@ -297,12 +298,6 @@ class Replay:
                 need(self.made(poisson.Poisson, mesh, below).off_by(value, self.progress) <= error, "the claim is not proved", Refused)
         return "share", self.number
 
-    def need_whole(self, mesh, below, p, scale):
-        """all polynomials of a mesh of this pressure"""
-        need(mesh[2][1:3] == (p, scale), "does not rest on a mesh of its pressure", Refused)
-        need(all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
-        need([b[2] for b in below] == list(range(len(mesh[2][-1]) - 1)) and len({(len(b[5]), len(b[5][0])) for b in below}) == 1, "polynomials are missing", Refused)
-
     def mean(self, below, claim):
         """(W): C(G), where loads up to 1/(G - 1) count"""
         mesh, _, value, error = self.claimed("limit.area_constant", below, claim)
@@ -310,31 +305,6 @@ class Replay:
         highest = mesh[2][3] if mesh[0] == "mesh" else Fraction(1)
         need((1 + 1 / highest) ** degree <= base, "the mesh does not reach so far", Refused)
         return mesh, [highest], value, error
-
-    def quotient(self, below, claim, above, whole):
-        """(W): the share of C(G) above a pressure, each by a mesh"""
-        mesh, (place, ), value, error = self.claimed("limit.exceedance limit.segments", below, claim)
-        base, degree = mesh[2][0]
-        if self.certificate.quantity == "limit.segments":  # rational where G and the square of the sine are
-            need(degree == 1 and place in SQUARES_OF_SINES, "the pressure of this half-width is no rational number", Refused)
-            place = base * SQUARES_OF_SINES[place]
-        ends = [i for i, b in enumerate(below) if b[0] == "mesh"] + [len(below)]
-        need(len(ends) == 3 and ends[0] == 0, "does not rest on two meshes", Refused)
-        parts = [(below[a], below[a + 1:b]) for a, b in zip(ends, ends[1:])]
-        for (mesh, polynomials), p in zip(parts, (place, 0)):
-            self.need_whole(mesh, polynomials, p, 0)
-            need((1 + 1 / mesh[2][3]) ** degree <= base and mesh[2][0] == (base, degree), "the mesh is of another G, or does not reach so far", Refused)
-        if self.proving():
-            off = [self.mean_of(mesh, polynomials, c) for (mesh, polynomials), c in zip(parts, (above, whole))]
-            need(off[1] < whole and (value - error) * (whole + off[1]) <= above - off[0] and above + off[0] <= (value + error) * (whole - off[1]), "the claim is not proved", Refused)
-        return "quotient", self.number
-
-    def mean_of(self, mesh, below, c):
-        """how far E[f/x] is from c at most; kept, as several claims may rest on one mesh"""
-        key = mesh[1], tuple(b[1] for b in below), c
-        if key not in self.rules:
-            self.rules = {k: v for k, v in self.rules.items() if len(k) == 3} | {key: self.made(poisson.Poisson, mesh, below).off_by(c, self.progress)}
-        return self.rules[key]
 
     def share_of(self, mesh, below, n, load):
         key = mesh[1], tuple(b[1] for b in below)

@@ -177,9 +177,40 @@ class SecondEigenvalue(unittest.TestCase):
             plain = self.plain.mean(s, lambda psi, beta, t: abs(psi) * apart(t)).real, self.plain.mean(s, lambda psi, beta, t: abs(psi)**2 * W(t.real - self.plain.start) + abs(beta) * apart(t)).real
             for above, at in zip((coupling, remainder), plain):
                 self.assertTrue(at <= above <= 1.03 * at, (sigma, float(above), at))
+            for above, at in zip(self.w.row(a, b, 3), plain):  # of wide boxes, the last where V is infinite
+                self.assertLessEqual(at, above)
             self.assertTrue(0.99 <= float(se.least_weight(a, b)) / W(sigma) <= 1)
             slope = abs(self.plain.series(s)[1]) / self.plain.series(self.plain.start + PLACE)[0].real
             self.assertTrue(slope <= self.w.steepness(a, b) <= 1.01 * slope + 1e-6, sigma)
+            for end in (a, a + Fraction(1, 2)):  # by Taylor's formula from the middle
+                slope = abs(self.plain.series(self.plain.start + float(end))[1]) / self.plain.series(self.plain.start + PLACE)[0].real
+                self.assertLessEqual(slope * (1 - 1e-9), self.w.steepness(a, a + Fraction(1, 2)))
+
+    def test_the_norm_of_what_remains(self):
+        """theta: above the largest of sums, which all its three parts make, and by little"""
+        coupling, largest = self.w.row(Fraction(PLACE), Fraction(PLACE), 500)[0], 0
+        for sigma in (0, 0.6, 1.2, 1.25, 2, 5):
+            s = self.plain.start + sigma
+            apart = lambda t: abs(V(t.real - self.plain.start) - V(PLACE))  # noqa: E731
+            of_row = self.plain.mean(s, lambda psi, beta, t: abs(psi)**2 * W(t.real - self.plain.start) + abs(beta) * apart(t)).real
+            slope = abs(self.plain.series(s)[1]) / self.plain.series(self.plain.start + PLACE)[0].real
+            largest = max(largest, (of_row + float(coupling) * slope) / W(sigma))
+        self.assertTrue(self.w.remainder_is_below(Fraction(1.05 * largest), coupling, lambda part: None))
+        with unittest.mock.patch.object(se, "HALVINGS", 6):
+            self.assertFalse(self.w.remainder_is_below(Fraction(0.95 * largest), coupling, lambda part: None))
+        with unittest.mock.patch.object(self.w, "remainder_beyond", return_value=Interval.of(1)):
+            self.assertFalse(self.w.remainder_is_below(Fraction(1.05 * largest), coupling, lambda part: None))
+
+    def test_what_is_left_out_counts(self):
+        """of rules and where integrals are cut off"""
+        exactly, s, zero = self.w.rule, Disc(self.w.start + 2, Interval.of(Fraction(1, 2))), Interval.of(0)
+        w = self.function(G)[1]
+        with unittest.mock.patch.object(w, "rule", side_effect=lambda *of: (exactly(*of)[0], Fraction(1, 10))):
+            a, b = Fraction(2), Fraction(5, 2)
+            self.assertGreaterEqual(w.defect_on(a, b, w.ratio(Fraction(1, 10**4)), Fraction(1, 100)) * se.least_weight(a, b), Fraction(1, 10))
+        w.octaves = 2
+        with unittest.mock.patch.object(se.Integrand, "__call__", lambda integrand, e: Disc.of(1)):
+            self.assertGreaterEqual(w.size_of_defect(s, zero), Fraction(3, 4) + se.top(w.cut_off(True)))
 
     def test_far_out(self):
         """What is said from s_0 + high on, there and further on, of w that ends soon and of w = 1 too; the mass that is cut off"""
