@@ -226,9 +226,12 @@ private:
 
 const Rational growing(1, 10'000);
 
-Ball weight(const Ball& r) { return 1 + r + 3 * r * r * r * r / 2 + Ball(growing) / r; }
-/// Of sigma, up to a constant.
+} // namespace
+
+Ball weight_of_slopes(const Ball& r) { return 1 + r + 3 * r * r * r * r / 2 + Ball(growing) / r; }
 Ball integral_of_weight(const Ball& r) { return -log(r) / 2 - r / 2 - 3 * r * r * r * r / 16 + Ball(growing) / (2 * r); }
+
+namespace {
 
 /// Rows of D by the angle phi of the noise, u = sin phi, boxes of phi: E[f] = (4/pi) int cos^2 f dphi.
 class Rows {
@@ -322,7 +325,7 @@ private:
     Interval measured(double from, double to) const
     {
         const Ball sigma = hull(Ball::exactly(from), Ball::exactly(to)), rho = at_most(exp(-sigma), Ball(1));
-        const Ball bound = upper_ball((rows.at(rho).remainder + steepest(from, to) * per_slope) / weight(rho * rho));
+        const Ball bound = upper_ball((rows.at(rho).remainder + steepest(from, to) * per_slope) / weight_of_slopes(rho * rho));
         return {from, to, arf_get_d(arb_midref(bound.get()), ARF_RND_UP)};
     }
     /// At least |w'| there: by parts, on each by Taylor's formula about its middle.

@@ -20,6 +20,10 @@ struct EigenvalueProof {
     Ball remainder; ///< at least the norm of D on those k, less their part along w
 };
 
+/// The weight W of a slope at sigma = s - log(G^2/4), of r = exp(-2 sigma), and its integral over sigma up to a constant.
+Ball weight_of_slopes(const Ball& r);
+Ball integral_of_weight(const Ball& r);
+
 /// The four numbers for any w; nothing is assumed of it. G > 2.
 /// \throws BeyondReach if w is not analytic enough about the real line for its rule to be proven
 EigenvalueProof prove_eigenvalue(const Ball& G, const Eigenfunction& w, Accuracy);
