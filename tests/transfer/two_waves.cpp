@@ -3,10 +3,13 @@
 
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
+#include "touchstone/transfer/ellipse_cover.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace touchstone;
 using transfer::ScaleOne;
@@ -79,6 +82,28 @@ TEST_CASE("a disc holds no singular point, and its bound holds")
         REQUIRE(r > 1e-3);
         for (const double t : {-0.99, 0.5, 0.99}) CHECK(waves.value(to_real(Ball(*parse_rational(x)) + Ball::exactly(t * r))).first.high <= bound(*parse_rational(x), r));
     }
+}
+
+TEST_CASE("the rectangles of a cover hold the upper half of the ellipse, and none is far from it")
+{
+    for (const double rho : {1.5, 3., 9.})
+        for (const auto& [columns, rows] : {std::pair{3, 1}, {6, 3}, {1, 4}}) {
+            const transfer::EllipseCover cover(rho, columns, rows);
+            const double wide = (rho + 1 / rho) / 2, high = (rho - 1 / rho) / 2;
+            CAPTURE(rho);
+            CAPTURE(columns);
+            CHECK(cover.half_width == doctest::Approx(wide / columns));
+            CHECK(cover.half_height == doctest::Approx(high / rows / 2));
+            for (int k = 0; k <= 200; ++k)
+                for (const double share : {0.01, 0.5, 0.8, 1 - 1e-12}) {
+                    const std::complex<double> z(share * wide * std::cos(std::numbers::pi * k / 200), share * high * std::sin(std::numbers::pi * k / 200));
+                    CHECK(std::any_of(cover.middles.begin(), cover.middles.end(), [&](const auto& m) {
+                        return std::fabs((z - m).real()) <= cover.half_width * (1 + 1e-9) && std::fabs((z - m).imag()) <= cover.half_height * (1 + 1e-9);
+                    }));
+                }
+            for (const auto& m : cover.middles) // its corner next to 0 is inside
+                CHECK(std::hypot(std::max(0., std::fabs(m.real()) - cover.half_width) / wide, (m.imag() - cover.half_height) / high) < 1.001);
+        }
 }
 
 TEST_CASE("what an interval with a logarithm counts for is more than its mean")

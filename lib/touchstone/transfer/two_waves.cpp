@@ -4,6 +4,7 @@
 
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/disc.hpp"
+#include "touchstone/transfer/ellipse_cover.hpp"
 #include "touchstone/wave/lemmas.hpp"
 
 #include <algorithm>
@@ -269,6 +270,7 @@ private:
     /// Cuts of the variable, 0 ... 1, on which Gauss's rule will do, and its error.
     std::pair<std::vector<double>, double> panels(const Half<Real>& half) const
     {
+        static const EllipseCover coarse(rho, 3, 1), fine(rho, 6, 3);
         const Half<Disc> h = in_discs(half);
         const double length = double(half.length), tau0 = double(half.tau0), share = ends_.tolerance / 512;
         std::vector<double> edges{1}, cuts{0};
@@ -280,8 +282,8 @@ private:
         while (edges.size() > 1) {
             const double from = edges.back(), to = edges[edges.size() - 2], width = length * (to - from) / 2;
             double size = infinite; // of the integrand, times the width
-            for (const Cover& cover : {Cover{3, 1}, Cover{6, 3}}) // three discs do for most panels
-                if (!(ends_.rule * size <= share)) size = bound(h, length * (from + to) / 2, width, cover) * width;
+            for (const EllipseCover* cover : {&coarse, &fine}) // three discs do for most panels
+                if (!(ends_.rule * size <= share)) size = bound(h, length * (from + to) / 2, width, *cover) * width;
             if (ends_.rule * size <= share) {
                 lost += margin * (ends_.rule + 16 * u) * size; // halving makes the rule better, but not what rounding takes: that is charged, and asks for nothing
                 cuts.push_back(to);
@@ -293,26 +295,16 @@ private:
         }
         return {cuts, lost};
     }
-    struct Cover { ///< of the upper half of an ellipse, by rectangles
-        int columns, rows;
-    };
     /// Bounds the integrand on the ellipse about mid +- half; its upper half is covered by discs about rectangles, conjugates do the rest.
-    static double bound(const Half<Disc>& h, double mid, double half, const Cover& cover)
+    static double bound(const Half<Disc>& h, double mid, double half, const EllipseCover& cover)
     {
-        constexpr double wide = (rho + 1 / rho) / 2, high = (rho - 1 / rho) / 2;
-        const int columns = cover.columns, rows = cover.rows;
-        const double a = wide / columns, b = high / (2 * rows); // halves of a rectangle's sides
-        const double radius = half * std::hypot(a, b) * margin;
+        const double radius = half * std::hypot(cover.half_width, cover.half_height) * margin;
         double most = 0;
-        for (int i = 0; i < columns; ++i)
-            for (int k = 0; k < rows; ++k) {
-                const double re = (2 * i + 1) * a - wide, im = (2 * k + 1) * b;
-                const double inner_re = max(0.0, std::fabs(re) - a) / wide, inner_im = (im - b) / high;
-                if (inner_re * inner_re + inner_im * inner_im > margin) continue;
-                const double here = integrand(h, Disc({mid + half * re, half * im}, radius)).most();
-                if (!(here < infinite)) return infinite;
-                most = max(most, here);
-            }
+        for (const std::complex<double>& middle : cover.middles) {
+            const double here = integrand(h, Disc(mid + half * middle, radius)).most();
+            if (!(here < infinite)) return infinite;
+            most = max(most, here);
+        }
         return margin * most;
     }
     static Half<Disc> in_discs(const Half<Real>& h)
