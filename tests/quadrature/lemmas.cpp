@@ -66,6 +66,9 @@ TEST_CASE("interpolation: the Chebyshev polynomial T_1, the weight log u and one
     const auto rule = WeightedNodes::get(w, 1, 128);
     const Ball exact = moments(w, 2)[1] * Ball(2); // over z: T_1 is P_1, and its value at the node is 0
     attains(exact, lemma::interpolation(largest, sigma, rule->size(), 1), Rational(24, 100));
+    const Ball near = lemma::interpolation(Ball(3), log(Ball(2)), Ball(5), 2); // next to the segment: 2 M size 2^-2 (1 + 1/2 + 1/4 + ...)
+    CHECK(near.contains(Rational(15)));
+    CHECK(near.relative_bits() > 40);
 }
 
 TEST_CASE("discretisation: exp(-t^2) attains N_d/(exp(2 pi d/h) - 1) at d = pi/h")
@@ -237,6 +240,10 @@ TEST_CASE("Bessel remainder: K_n less its leading term, near and far")
     // |R| -> |a_1|/|z|: half of what is claimed, the other half is 2 |a_1|
     attains(Ball(2) * remainder(Ball(7), ComplexBall(decimal("1e8"))), lemma::bessel_remainder(Ball(7), decimal("1e8"), Ball(1)),
             Rational(99, 100));
+    // a longer way around 0 counts as if z were as much nearer
+    const Ball longer = pi<Ball>() / 2, around = lemma::bessel_remainder(Ball(7), longer * 100, longer) - lemma::bessel_remainder(Ball(7), Ball(100), Ball(1));
+    CHECK(around.contains(Rational(0)));
+    CHECK(around.radius_bound() < 1e-25);
 }
 
 TEST_CASE("elliptic remainder: K(1 - u) less its logarithm, for u so small that one term is all")
