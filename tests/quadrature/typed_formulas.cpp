@@ -495,6 +495,26 @@ TEST_CASE("polynomials are recognised, and nothing else is")
     CHECK(value(without_root(*of("x^3-x^2-2*x+2"), two), ExactSum(1)).is_zero());
 }
 
+TEST_CASE("a complex formula in its real and imaginary parts")
+{
+    const WorkingPrecision precision(128);
+    const Rational x(3, 7);
+    for (const char* formula : {"exp((1+2*i)*x)", "exp(i*x)", "sin(x+i)", "cos(2*x-i)", "cosh((2-i)*x)", "sinh(i*x+1)", "(x+i)^3", "(x+i)^(-2)", "1/(x-i)", "x*(1+i)-i*i"}) {
+        CAPTURE(formula);
+        const auto e = parse_expression(formula);
+        const auto parts = real_and_imaginary(e);
+        REQUIRE(parts);
+        const ComplexBall whole = Integrand(e, Range{parse_limit("0"), parse_limit("1"), Map::finite}).in_plane(ComplexBall(Ball(x)));
+        REQUIRE(whole.is_finite());
+        CHECK((parts->first ? evaluate_at(*parts->first, Ball(x)) : Ball(0)).overlaps(whole.real()));
+        CHECK((parts->second ? evaluate_at(*parts->second, Ball(x)) : Ball(0)).overlaps(whole.imag()));
+    }
+    for (const char* formula : {"exp(sqrt(x+i))", "sin(log(x+i))", "(x+i)^(1/2)", "(x+i)^9", "gamma(x+i)"}) {
+        CAPTURE(formula);
+        CHECK(!real_and_imaginary(parse_expression(formula)));
+    }
+}
+
 TEST_CASE("a constant is known exactly where its expansion says so")
 {
     const auto of = [](const char* formula) { return exact_value(*parse_expression(formula)); };

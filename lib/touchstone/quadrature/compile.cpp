@@ -140,7 +140,7 @@ std::optional<ExpressionPtr> Compiler::about_its_zero(const Expression& e) const
     const ExactSum first = e.op == Op::cos ? ExactSum(Rational(-1, 2)) * ExactSum::pi() : ExactSum(0); // cos y = sin(y + pi/2)
     const auto left = zero_of_sine(*p, Side::left, first), right = zero_of_sine(*p, Side::right, first);
     if (!left && !right) return std::nullopt;
-    const bool half_period = left && right && std::labs(*left - *right) == 1;
+    const bool half_period = left && right && std::labs(left.value() - right.value()) == 1;
     if (e.op == Op::sin && !half_period && (left ? *left : *right) == 0) return std::nullopt; // it shows as it is
     const auto formula = [](const Polynomial& q) { return sum(product(formula_of(q[1]), make_variable()), formula_of(q[0])); };
     // y, which is 0 at one end, with its sine times `sign`
