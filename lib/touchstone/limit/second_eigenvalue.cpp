@@ -30,6 +30,9 @@ constexpr int most_pieces = 768;       ///< of the boundary of an ellipse
 constexpr int first_pieces = 48;
 const Rational place(7, 10);           ///< of w = 1, in sigma = s - log(G^2/4): about the median of s' that D' meets
 
+/// s = -log x is at least that of the largest ratio, 4/G^2.
+Ball least_s(const Ball& G) { return 2 * log(G / 2); }
+
 ComplexBall real_sum(const ComplexBall& z, const Ball& x)
 {
     ComplexBall r;
@@ -129,7 +132,7 @@ private:
     void check_cut(const Ball& G) const
     {
         const Ball s_high = exp(Ball::exactly(w.high)), s_low = exp(Ball::exactly(w.low));
-        if (!certainly(less(s_low, 2 * log(G / 2))) || !certainly(less(Ball(0), s_low))) throw BeyondReach("the interval does not hold the smallest s");
+        if (!certainly(less(s_low, least_s(G))) || !certainly(less(Ball(0), s_low))) throw BeyondReach("the interval does not hold the smallest s");
         Ball cosh;
         arb_cosh(cosh.get(), Ball::exactly(panels.back()).get(), WorkingPrecision::bits());
         for (const Ball& s : {s_low, s_high})
@@ -286,7 +289,7 @@ private:
 class Remainder {
 public:
     Remainder(const Ball& G, const Eigenfunction& w_, const Rows& rows_, const Ball& per_slope_, slong bits_)
-        : w(w_), rows(rows_), bits(bits_), lowest(2 * log(G / 2)), per_slope(per_slope_), bend(derivative_of_slope()),
+        : w(w_), rows(rows_), bits(bits_), lowest(least_s(G)), per_slope(per_slope_), bend(derivative_of_slope()),
           third(size_on_ellipse(chebyshev_derivative(bend), Ball(1)))
     {
     }
@@ -395,7 +398,7 @@ Ball largest_defect(const Derivative& D, const Eigenfunction& w, const Ball& lam
 /// At least |(D w)'|/W beyond the last s, where w' = 0: |w| and |w'| at most their largest, psi^2 <= 1/4, bend <= 2 x.
 Ball defect_beyond(const Ball& G, const Eigenfunction& w)
 {
-    const Ball last = exp(Ball::exactly(w.high)), rho = exp(2 * log(G / 2) - last), x = exp(-last);
+    const Ball last = exp(Ball::exactly(w.high)), rho = exp(least_s(G) - last), x = exp(-last);
     if (!certainly(less(x, Ball(Rational(1, 2))))) throw BeyondReach("the last ratio is not small");
     const Ball steepest = size_on_ellipse(w.slope, Ball(1)) * w.stretch() / exp(Ball::exactly(w.low));
     return upper_ball((2 * x * size_on_ellipse(w.value, Ball(1)) + steepest / 4) * rho * rho / Ball(growing));
@@ -407,7 +410,7 @@ EigenvalueProof prove_eigenvalue(const Ball& G, const Eigenfunction& w, Accuracy
 {
     const double sigma = highest_sigma(wanted), tolerance = std::pow(10.0, -static_cast<double>(wanted.digits) - 4);
     const Derivative D(G, w, sigma, tolerance);
-    const Ball s = 2 * log(G / 2) + Ball(place), at_place = chebyshev_sum(w.value, w.place(s));
+    const Ball s = least_s(G) + Ball(place), at_place = chebyshev_sum(w.value, w.place(s));
     EigenvalueProof proof;
     proof.lambda = D.value(s) / at_place;
     proof.defect = larger(largest_defect(D, w, proof.lambda, tolerance), defect_beyond(G, w)) / abs(at_place);
