@@ -114,6 +114,32 @@ TEST_CASE("the weight of slopes is the one of the proof, and its integral has it
     }
 }
 
+TEST_CASE("the bound of a slope holds up to both ends of its interval, and little more")
+{
+    const WorkingPrecision precision(160);
+    const double G = 2.5, s0 = lowest(G);
+    Eigenfunction w = approximate_eigenfunction(Ball::exactly(G), {10});
+    const Slopes slopes(Ball::exactly(G), w, 160);
+    for (const auto& [from, to] : {std::pair{0., 0.5}, {0.5, 1.}, {1., 3.}, {3., 4.}, {0.2, 0.21}}) {
+        double most = 0;
+        for (int k = 0; k <= 100; ++k) most = std::max(most, std::fabs(slope(w, s0 + from + (to - from) * k / 100)));
+        CAPTURE(from);
+        CHECK(number(slopes.steepest(from, to)) >= most);
+        CHECK(number(slopes.steepest(from, to)) <= 1.25 * most);
+    }
+    for (const std::size_t k : {3, 6, 10, 15}) { // polynomials that rise and fall
+        w.slope.assign(w.slope.size(), Ball(0));
+        w.slope[k] = Ball(1);
+        const Slopes steep(Ball::exactly(G), w, 160);
+        for (double at = 0.25; at < 12; at *= 1.1)
+            for (const double width : {0.3, 1., 3.}) {
+                CAPTURE(at);
+                CHECK(number(steep.steepest(at, at + width)) >= std::fabs(slope(w, s0 + at)));
+                CHECK(number(steep.steepest(std::max(0., at - width), at)) >= std::fabs(slope(w, s0 + at)));
+            }
+    }
+}
+
 TEST_CASE("a worse w encloses the same eigenvalue, more widely")
 {
     const WorkingPrecision precision(160);

@@ -285,12 +285,38 @@ private:
     std::vector<Square> squares;
 };
 
+} // namespace
+
+Slopes::Slopes(const Ball& G, const Eigenfunction& w_, slong bits_) : w(w_), bits(bits_), lowest(least_s(G))
+{
+    const WorkingPrecision precision(bits); // to that of w: Clenshaw's recurrence would multiply what 64 bits leave by powers of 2
+    bend = chebyshev_derivative(w.slope);
+    third = size_on_ellipse(chebyshev_derivative(bend), Ball(1));
+}
+
+Ball Slopes::steepest(double from, double to) const
+{
+    constexpr int parts = 16; // on each by Taylor's formula about its middle
+    const WorkingPrecision precision(bits); // Clenshaw's recurrence in balls loses more than a bit a term
+    const Ball width = (Ball::exactly(to) - Ball::exactly(from)) / parts;
+    Ball most(0);
+    for (int k = 0; k < parts; ++k) {
+        const Ball s = lowest + Ball::exactly(from) + width * hull(Ball(k), Ball(k + 1)), t = w.place(s), off = Ball::exactly(t.radius_bound());
+        Ball middle;
+        arb_get_mid_arb(middle.get(), t.get());
+        const Ball slope = upper_ball(chebyshev_sum(w.slope, middle)) + off * upper_ball(chebyshev_sum(bend, middle)) + off * off * third / 2;
+        most = larger(most, upper_ball(slope * w.stretch() / s));
+    }
+    return most;
+}
+
+namespace {
+
 /// sup over sigma >= 0 of (E[psi^2 W] + E[bend |V - V(place)|] + |w'| coupling/|w(place)|)/W: intervals of sigma, the worst halved until that is below `goal`.
 class Remainder {
 public:
     Remainder(const Ball& G, const Eigenfunction& w_, const Rows& rows_, const Ball& per_slope_, slong bits_)
-        : w(w_), rows(rows_), bits(bits_), lowest(least_s(G)), per_slope(per_slope_), bend(derivative_of_slope()),
-          third(size_on_ellipse(chebyshev_derivative(bend), Ball(1)))
+        : w(w_), rows(rows_), lowest(least_s(G)), per_slope(per_slope_), slopes(G, w_, bits_)
     {
     }
     Ball norm(double last, double goal)
@@ -314,13 +340,6 @@ public:
     }
 
 private:
-    /// To the precision of w: Clenshaw's recurrence would multiply what 64 bits leave by powers of 2.
-    std::vector<Ball> derivative_of_slope() const
-    {
-        const WorkingPrecision precision(bits);
-        return chebyshev_derivative(w.slope);
-    }
-
     struct Interval {
         double from, to, bound;
         bool operator<(const Interval& o) const { return bound < o.bound; }
@@ -328,24 +347,8 @@ private:
     Interval measured(double from, double to) const
     {
         const Ball sigma = hull(Ball::exactly(from), Ball::exactly(to)), rho = at_most(exp(-sigma), Ball(1));
-        const Ball bound = upper_ball((rows.at(rho).remainder + steepest(from, to) * per_slope) / weight_of_slopes(rho * rho));
+        const Ball bound = upper_ball((rows.at(rho).remainder + slopes.steepest(from, to) * per_slope) / weight_of_slopes(rho * rho));
         return {from, to, arf_get_d(arb_midref(bound.get()), ARF_RND_UP)};
-    }
-    /// At least |w'| there: by parts, on each by Taylor's formula about its middle.
-    Ball steepest(double from, double to) const
-    {
-        constexpr int parts = 16;
-        const WorkingPrecision precision(bits); // Clenshaw's recurrence in balls loses more than a bit a term
-        const Ball width = (Ball::exactly(to) - Ball::exactly(from)) / parts;
-        Ball most(0);
-        for (int k = 0; k < parts; ++k) {
-            const Ball s = lowest + Ball::exactly(from) + width * hull(Ball(k), Ball(k + 1)), t = w.place(s), off = Ball::exactly(t.radius_bound());
-            Ball middle;
-            arb_get_mid_arb(middle.get(), t.get());
-            const Ball slope = upper_ball(chebyshev_sum(w.slope, middle)) + off * upper_ball(chebyshev_sum(bend, middle)) + off * off * third / 2;
-            most = larger(most, upper_ball(slope * w.stretch() / s));
-        }
-        return most;
     }
     /// From there on w' = 0 or at most the largest, x <= 1/2, psi^2 <= 1/4 and bend <= 2 x, W >= 1/(10^4 rho^2):
     /// E[W] <= 7/2 + 2 growing/(rho (1 - x)), E|V - V(place)| <= (4/pi) (rho (1 - x))^-1/2 + 1 + |V(place)| + growing/(rho (1 - x)).
@@ -360,10 +363,8 @@ private:
     }
     const Eigenfunction& w;
     const Rows& rows;
-    const slong bits;
     const Ball lowest, per_slope;
-    const std::vector<Ball> bend; ///< d^2 w/dt^2
-    const Ball third;
+    const Slopes slopes;
 };
 
 /// At least |(D w)' - lambda w'| for all s with log s in [low, high]: Chebyshev interpolation, whose error on an ellipse is known.
