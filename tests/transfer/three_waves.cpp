@@ -41,7 +41,9 @@ struct ArcAt {
     /// theta/pi between two t
     static double between(double from, double to) { return 2 / std::numbers::pi * (std::asin(to) - std::asin(from)); }
 };
-const ArcAt arcs[] = {{Arc::Kind::from_top, 1.5, 1}, {Arc::Kind::from_bottom, 1.25, 3}, {Arc::Kind::partial, 1.5, 0.25}, {Arc::Kind::partial, 3, 0.9375}};
+const ArcAt arcs[] = {{Arc::Kind::from_top, 1.5, 1},
+                      {Arc::Kind::from_bottom, 1.25, 3},
+                      {Arc::Kind::partial, 1.5, 0.25}, {Arc::Kind::partial, 3, 0.9375}};
 double middle(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
 
 } // namespace

@@ -132,7 +132,8 @@ private:
     void check_cut(const Ball& G) const
     {
         const Ball s_high = exp(Ball::exactly(w.high)), s_low = exp(Ball::exactly(w.low));
-        if (!certainly(less(s_low, least_s(G))) || !certainly(less(Ball(0), s_low))) throw BeyondReach("the interval does not hold the smallest s");
+        if (!certainly(less(s_low, least_s(G))) || !certainly(less(Ball(0), s_low)))
+            throw BeyondReach("the interval does not hold the smallest s");
         Ball cosh;
         arb_cosh(cosh.get(), Ball::exactly(panels.back()).get(), WorkingPrecision::bits());
         for (const Ball& s : {s_low, s_high})
@@ -301,10 +302,12 @@ Ball Slopes::steepest(double from, double to) const
     const Ball width = (Ball::exactly(to) - Ball::exactly(from)) / parts;
     Ball most(0);
     for (int k = 0; k < parts; ++k) {
-        const Ball s = lowest + Ball::exactly(from) + width * hull(Ball(k), Ball(k + 1)), t = w.place(s), off = Ball::exactly(t.radius_bound());
+        const Ball s = lowest + Ball::exactly(from) + width * hull(Ball(k), Ball(k + 1)), t = w.place(s);
+        const Ball off = Ball::exactly(t.radius_bound());
         Ball middle;
         arb_get_mid_arb(middle.get(), t.get());
-        const Ball slope = upper_ball(chebyshev_sum(w.slope, middle)) + off * upper_ball(chebyshev_sum(bend, middle)) + off * off * third / 2;
+        const Ball at_middle = upper_ball(chebyshev_sum(w.slope, middle)), bent = upper_ball(chebyshev_sum(bend, middle));
+        const Ball slope = at_middle + off * bent + off * off * third / 2;
         most = larger(most, upper_ball(slope * w.stretch() / s));
     }
     return most;

@@ -36,8 +36,8 @@ struct Bound {
 };
 /// d(y) is at most the sum of these, all over the support of the second wave, for P >= 1/2.
 Bound bound(double P);
-/// For P < 1/2: d(y) <= at_lower P |y - P^2/4|^(-1/2) up to y = 3/2 (P^2/4), below_half P |y - P^2/4|^(-1/2) up to 1/2, about_one P R^(-3/2) up to 1, and
-/// at_top |y - P - 1|^(-1/2) beyond.
+/// For P < 1/2: d(y) <= at_lower P |y - P^2/4|^(-1/2) up to y = 3/2 (P^2/4), below_half P |y - P^2/4|^(-1/2) up to 1/2,
+/// about_one P R^(-3/2) up to 1, and at_top |y - P - 1|^(-1/2) beyond.
 inline constexpr double at_lower = 0.2, below_half = 0.52, about_one = 0.434, at_top = 0.26;
 /// k(x, y) <= this |y - e|^(-1/2), e the end of the first wave next to y, for y >= s/2.
 double first_wave(double G, double x, double s);

@@ -262,7 +262,8 @@ void Levels::bound_boxes(const Level& from, Level& to) const
         if (cosine <= 0.001 || beta * end * cosine < 4) continue;
         const double eta = up(4 * std::exp(-2 * end * cosine) * e_d / ((1 - e_d) * (1 - e_d)));
         if (!(eta < 1e-3) || e_d > 0.99999) continue; // R^2 = (1-x)^2 (1 + eta') off its cut: 2 arcsin e + eta < pi
-        const double u = std::max(from.boxes.largest(0, shells.count(), m), from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end));
+        const double beyond = from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end);
+        const double u = std::max(from.boxes.largest(0, shells.count(), m), beyond);
         to.boxes.far[static_cast<std::size_t>(m)] =
             product_of_bounds({std::exp(-beta * end * cosine), up(far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) / std::sqrt(end)), u});
     }
