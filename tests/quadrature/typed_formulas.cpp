@@ -323,7 +323,8 @@ TEST_CASE("tails that oscillate against their closed forms")
 TEST_CASE("changes of variable are exact")
 {
     const WorkingPrecision precision(200);
-    for (const char* formula : {"exp(-1/x)/x^2", "exp(-x)/(x-1)^4", "exp(-x)/(x-1)^3", "exp(-x)/(x-1)^2", "exp(-x)*(x-1)", "sin(1/(x-1))*log(x)", "sqrt(2*x-2)+x^3", "1/(1/x+1/x^2)", "atan(x)^(-1/2)"}) {
+    for (const char* formula : {"exp(-1/x)/x^2", "exp(-x)/(x-1)^4", "exp(-x)/(x-1)^3", "exp(-x)/(x-1)^2", "exp(-x)*(x-1)",
+                                "sin(1/(x-1))*log(x)", "sqrt(2*x-2)+x^3", "1/(1/x+1/x^2)", "atan(x)^(-1/2)"}) {
         CAPTURE(formula);
         const auto e = parse_expression(formula);
         const Rational at(3, 2), t = 1 / (at - 1);
@@ -460,10 +461,12 @@ TEST_CASE("a function is taken with the arguments that it has, with no more and 
         CHECK(with(name, most));
         CHECK(!with(name, most + 1));
     };
-    for (const char* name : {"exp",   "log",   "ln",    "sqrt",   "cbrt",   "abs",    "sign",   "floor", "ceil",   "sin",    "cos",      "tan",     "cot",  "sec",
-                             "csc",   "sinh",  "cosh",  "tanh",   "coth",   "sech",   "csch",   "asin",  "acos",   "atan",   "arcsin",   "arccos",  "arctan", "asinh",
-                             "acosh", "atanh", "expm1", "log1p",  "sinc",   "gamma",  "rgamma", "lgamma", "loggamma", "digamma", "psi",    "zeta",    "erf",  "erfc",
-                             "erfi",  "ei",    "si",    "ci",     "li",     "dilog",  "airyai", "airybi", "lambertw", "ellipk", "ellipe", "re",      "im",   "conj"})
+    for (const char* name : {"exp", "log", "ln", "sqrt", "cbrt", "abs", "sign", "floor", "ceil", "sin", "cos", "tan",
+                             "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth", "sech", "csch", "asin", "acos",
+                             "atan", "arcsin", "arccos", "arctan", "asinh", "acosh", "atanh", "expm1", "log1p",
+                             "sinc", "gamma", "rgamma", "lgamma", "loggamma", "digamma", "psi", "zeta", "erf",
+                             "erfc", "erfi", "ei", "si", "ci", "li", "dilog", "airyai", "airybi", "lambertw",
+                             "ellipk", "ellipe", "re", "im", "conj"})
         check(name, 1, 1);
     for (const char* name : {"pow", "besselj", "bessely", "besseli", "besselk", "polylog"}) check(name, 2, 2);
     for (const char* name : {"max", "min"}) check(name, 2, 64);
@@ -485,7 +488,8 @@ TEST_CASE("polynomials are recognised, and nothing else is")
     is("2*x-(x-1)^2", {-1, 4, -1});
     is("(6*x+4)/2", {2, 3});
     is("-x*x^2", {0, 0, 0, -1});
-    for (const char* formula : {"1+x^(3/2)", "1+x^pi", "1+x^(-2)", "1+x^0.5", "x^1000", "1/x", "x/(sqrt(2)+sqrt(3))", "sin(x)", "x^x", "x^(1-1)"}) {
+    for (const char* formula : {"1+x^(3/2)", "1+x^pi", "1+x^(-2)", "1+x^0.5", "x^1000", "1/x", "x/(sqrt(2)+sqrt(3))",
+                                "sin(x)", "x^x", "x^(1-1)"}) {
         CAPTURE(formula);
         CHECK(!of(formula));
     }
@@ -499,7 +503,8 @@ TEST_CASE("a complex formula in its real and imaginary parts")
 {
     const WorkingPrecision precision(128);
     const Rational x(3, 7);
-    for (const char* formula : {"exp((1+2*i)*x)", "exp(i*x)", "sin(x+i)", "cos(2*x-i)", "cosh((2-i)*x)", "sinh(i*x+1)", "(x+i)^3", "(x+i)^(-2)", "1/(x-i)", "x*(1+i)-i*i"}) {
+    for (const char* formula : {"exp((1+2*i)*x)", "exp(i*x)", "sin(x+i)", "cos(2*x-i)", "cosh((2-i)*x)", "sinh(i*x+1)",
+                                "(x+i)^3", "(x+i)^(-2)", "1/(x-i)", "x*(1+i)-i*i"}) {
         CAPTURE(formula);
         const auto e = parse_expression(formula);
         const auto parts = real_and_imaginary(e);
@@ -547,6 +552,27 @@ TEST_CASE("ranges that do not begin at 0 have their distances")
     check("(x-3)*(5-x)*abs(x-4)", "3", "5", Ball(Rational(1, 2)));
     check("(1-cos(x-1))/((x-1)*(3-x))*(x-1)*(3-x)", "1", "3", 2 - sin(Ball(2)));
     check("abs(x-x-1/2)+floor(x-x+3/2)+ceil(x-x+3/2)", "1", "3", Ball(7));
+}
+
+TEST_CASE("a range is cut at the named point where a proof stops, on every kind of range")
+{
+    const WorkingPrecision precision(200);
+    const auto cube_root = [](const Rational& x) { return pow(Ball(x), Ball(Rational(1, 3))); };
+    const auto check = [](const char* formula, const char* from, const char* to, std::size_t parts) {
+        const Integral found = integral(formula, from, to, 12);
+        CAPTURE(formula);
+        INFO(found.reason);
+        CHECK(found.status == Status::certified);
+        CHECK(found.parts.size() == parts);
+        return found.value;
+    };
+    CHECK(check("1/cbrt((x-1/3)^2)", "0", "1", 2).overlaps(3 * (cube_root(Rational(2, 3)) + cube_root(Rational(1, 3)))));
+    const Ball off = sqrt(Ball(Rational(1, 3000)));
+    CHECK(check("(x-999/3000)^(-1/2)", "1/3", "1", 1).overlaps(2 * (sqrt(Ball(Rational(2001, 3000))) - off)));
+    IntegralOptions told = with_digits(12);
+    told.at = {parse_limit("1/2")};
+    const char* tail = "1/((1+x^2)*cbrt((x-1/2)^2))";
+    CHECK(check(tail, "0", "inf", 2).overlaps(integrate(parse_expression(tail), parse_limit("0"), parse_limit("inf"), told).value));
 }
 
 TEST_CASE("points where the range is cut lie inside of it, and count once")
