@@ -54,7 +54,8 @@ AREAS = {
     "quadrature": Area(["quadrature/*"], ["quadrature", "typed_formulas", "public_integrals", "quadrature_second_routes"]),
     "first_steps": Area(["recursion/first_steps/*", "recursion/light_load.cpp"], ["first_steps", "methods"]),
     "from_the_edge": Area(["recursion/from_the_edge/*"], ["boxes", "transfer"]),
-    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "wave/*.cpp"], ["proven_levels", "three_waves"]),
+    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "transfer/arc.hpp", "transfer/ellipse_cover.hpp", "wave/*.cpp"],
+                   ["proven_levels", "three_waves"]),
     "limit": Area(["limit/*"], ["limit", "rows"]),
     "disc": Area(["transfer/disc.hpp"], ["binary64"]),
 }
@@ -291,7 +292,8 @@ class Program:
         return {**{u: self.o.build / u for u in self.tests()}, **{u: place(u) for u in all_units}}
 
     def alone(self, objects, change, compiles):
-        """A change that is compiled: (verdict, by whom). What compiles as a switch and is no constant is not asked again whether it does."""
+        """A change that is compiled: (verdict, by whom). What compiles as a switch and is no constant is not asked again whether it does, but for
+        operations: a switch leaves as it is what has no other, as texts that are added."""
         scratch = self.objects.parent / "alone"
         shutil.rmtree(scratch, ignore_errors=True)
         copy = scratch / "tree" / change.path
@@ -302,7 +304,7 @@ class Program:
                  if (str(self.o.source / change.path) in self.includes(u) if header else self.known[u][0] == self.o.source / change.path)]
         made = dict(objects)
         constant = CONSTANT.search(change.text)
-        if compiles and not constant:
+        if compiles and not constant and change.old.strip() not in ("+", "-", "*", "/"):
             return "survives", "no test reaches it"
         for u in users if constant else users[:1]:
             made[u] = scratch / u.replace("/", "_")

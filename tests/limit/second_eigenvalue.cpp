@@ -37,7 +37,7 @@ double slope(const Eigenfunction& w, double s)
     return std::log(s) > w.high ? 0 : number(chebyshev_sum(w.slope, w.place(Ball::exactly(s))) * w.stretch()) / s;
 }
 double weight(double sigma) { return 1 + std::exp(-2 * sigma) + 1.5 * std::exp(-8 * sigma) + 1e-4 * std::exp(2 * sigma); }
-double integral_of_weight(double sigma) { return sigma - std::exp(-2 * sigma) / 2 - 3 * std::exp(-8 * sigma) / 16 + 5e-5 * std::exp(2 * sigma); }
+double weights_below(double sigma) { return sigma - std::exp(-2 * sigma) / 2 - 3 * std::exp(-8 * sigma) / 16 + 5e-5 * std::exp(2 * sigma); }
 
 /// The lowest G: two digits are lost to the distance of the third eigenvalue. By the recursion of moments, in 45 digits, 0.3682133515739633119713.
 void check_lowest_G(long digits)
@@ -82,7 +82,7 @@ TEST_CASE("what is proven of w bounds what it is, for a w that is no eigenfuncti
         const double lambda = number(p.lambda), at_place = value(w, place);
         CHECK(lambda == doctest::Approx(mean(G, std::exp(-place), [&](double psi, double, double next) { return psi * value(w, next); }) / at_place).epsilon(1e-7));
 
-        const auto distance = [&](double next) { return std::fabs(integral_of_weight(next - s0) - integral_of_weight(0.7)); };
+        const auto distance = [&](double next) { return std::fabs(weights_below(next - s0) - weights_below(0.7)); };
         const double coupling = mean(G, std::exp(-place), [&](double psi, double, double next) { return std::fabs(psi) * distance(next); });
         CHECK(coupling <= number(p.coupling));
         CHECK(number(p.coupling) <= 1.02 * coupling);
@@ -98,6 +98,45 @@ TEST_CASE("what is proven of w bounds what it is, for a w that is no eigenfuncti
         if (spoilt > 0) CHECK(number(p.defect) <= 40 * defect); // W is 1 at least and counts for 1 below the last s
         CHECK(remainder <= number(p.remainder));
         CHECK(number(p.remainder) <= 1.1 * std::max(remainder, 0.8 * lambda)); // it is not looked at more closely than it has to be
+    }
+}
+
+TEST_CASE("the weight of slopes is the one of the proof, and its integral has it for its derivative")
+{
+    const WorkingPrecision precision(200);
+    const Ball h(Rational(1, 1'000'000'000'000));
+    for (const double sigma : {0., 0.1, 0.7, 2., 9.}) {
+        const Ball r = exp(Ball::exactly(-2 * sigma)), W = weight_of_slopes(r);
+        CAPTURE(sigma);
+        CHECK(number(W) == doctest::Approx(weight(sigma)).epsilon(1e-14));
+        const Ball change = (integral_of_weight(r * exp(-2 * h)) - integral_of_weight(r * exp(2 * h))) / (2 * h);
+        CHECK(certainly(less(abs(change / W - 1), Ball::exactly(1e-20))));
+    }
+}
+
+TEST_CASE("the bound of a slope holds up to both ends of its interval, and little more")
+{
+    const WorkingPrecision precision(160);
+    const double G = 2.5, s0 = lowest(G);
+    Eigenfunction w = approximate_eigenfunction(Ball::exactly(G), {10});
+    const Slopes slopes(Ball::exactly(G), w, 160);
+    for (const auto& [from, to] : {std::pair{0., 0.5}, {0.5, 1.}, {1., 3.}, {3., 4.}, {0.2, 0.21}}) {
+        double most = 0;
+        for (int k = 0; k <= 100; ++k) most = std::max(most, std::fabs(slope(w, s0 + from + (to - from) * k / 100)));
+        CAPTURE(from);
+        CHECK(number(slopes.steepest(from, to)) >= most);
+        CHECK(number(slopes.steepest(from, to)) <= 1.25 * most);
+    }
+    for (const std::size_t k : {3, 6, 10, 15}) { // polynomials that rise and fall
+        w.slope.assign(w.slope.size(), Ball(0));
+        w.slope[k] = Ball(1);
+        const Slopes steep(Ball::exactly(G), w, 160);
+        for (double at = 0.25; at < 12; at *= 1.1)
+            for (const double width : {0.3, 1., 3.}) {
+                CAPTURE(at);
+                CHECK(number(steep.steepest(at, at + width)) >= std::fabs(slope(w, s0 + at)));
+                CHECK(number(steep.steepest(std::max(0., at - width), at)) >= std::fabs(slope(w, s0 + at)));
+            }
     }
 }
 

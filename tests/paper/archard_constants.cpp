@@ -93,7 +93,7 @@ TEST_CASE("what Stirling's series lacks is below its bound, and half of it where
                 lacks -= bernoulli / (2 * l * (2 * l - 1)) * power;
                 power = power / (y * y);
             }
-            const Ball bound = archard::stirling_remainder(L, Ball(y));
+            const Ball bound = archard::stirling_remainder(L, 2 * y + 1);
             CHECK(certainly(less(abs(lacks), bound)));
             if (y > 4 * L) CHECK(certainly(less(bound, Ball(Rational(9, 4)) * abs(lacks))));
         }

@@ -78,12 +78,25 @@ def rewritten(source, path, replacements):
     return "".join(lines)
 
 
+def line_with(source, path, piece, file):
+    """The only line that has the piece."""
+    lines = [n for n, line in enumerate((source / path).read_text().splitlines()) if piece in line]
+    if len(lines) != 1:
+        sys.exit(f"{file}: '{piece}' is in {len(lines)} lines of {path}, not in one")
+    return lines[0]
+
+
 def excuses(source, everything, file="tests/proofs/equivalent_changes.json"):
     """change -> why, though nobody finds it, it changes nothing that is proved. An excuse is for one change alone, or for as many alike as
-    it says: it lies within the piece of a line that is quoted. Without a line it is for a whole file, on which no proof rests."""
+    it says: it lies within the piece of a line that is quoted. From one line to another it is for all lines between, without a line for a whole
+    file: for estimates and searches on which no proof rests."""
     found = {}
     within = lambda c, piece: piece in c.text and 0 <= c.column - c.text.index(piece) < len(piece)
     for e in json.loads((source / file).read_text()):
+        if "from" in e:
+            first, last = (line_with(source, e["file"], e[end], file) for end in ("from", "to"))
+            found.update((str(c), e["reason"]) for c in everything if e["file"] == str(c.path) and first <= c.line <= last)
+            continue
         if "line" not in e:
             found.update((str(c), e["reason"]) for c in everything if e["file"] == str(c.path))
             continue

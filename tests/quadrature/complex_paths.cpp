@@ -120,7 +120,15 @@ TEST_CASE("what has no value on a path is refused, and says why")
     CHECK_THROWS_AS(along("besselj(i,x)", {"0", "1"}), ExpressionError);
     CHECK_THROWS_AS(along("x", {"-inf", "i*inf"}), DomainError);
     CHECK_THROWS_AS(along("x", {"0", "x"}), ExpressionError);
-    CHECK_THROWS_AS(along("x", {"0", "0*inf"}), ExpressionError);
+    for (const char* nowhere : {"0*inf", "(1-1)*inf", "(i*i+1)*inf"}) {
+        try {
+            along("x", {"0", nowhere});
+            FAIL("a direction that is 0");
+        }
+        catch (const ExpressionError& e) {
+            CHECK(e.column() == 1);
+        }
+    }
     CHECK_THROWS_AS(parse_limit("i"), ExpressionError);
 }
 

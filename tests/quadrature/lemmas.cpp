@@ -66,6 +66,9 @@ TEST_CASE("interpolation: the Chebyshev polynomial T_1, the weight log u and one
     const auto rule = WeightedNodes::get(w, 1, 128);
     const Ball exact = moments(w, 2)[1] * Ball(2); // over z: T_1 is P_1, and its value at the node is 0
     attains(exact, lemma::interpolation(largest, sigma, rule->size(), 1), Rational(24, 100));
+    const Ball near = lemma::interpolation(Ball(3), log(Ball(2)), Ball(5), 2); // next to the segment: 2 M size 2^-2 (1 + 1/2 + 1/4 + ...)
+    CHECK(near.contains(Rational(15)));
+    CHECK(near.relative_bits() > 40);
 }
 
 TEST_CASE("discretisation: exp(-t^2) attains N_d/(exp(2 pi d/h) - 1) at d = pi/h")
@@ -218,6 +221,17 @@ TEST_CASE("K_n far from 0, where it is made of numbers exp(2 x) larger, keeps th
         }
 }
 
+TEST_CASE("K_n by its size has the function, and most of it is its leading term")
+{
+    const WorkingPrecision precision(100);
+    for (const char* order : {"0", "1", "3/2"}) {
+        const Ball nu(*parse_rational(order));
+        const ComplexBall z(Ball(300), Ball(100)), by_size = bessel_k_by_its_size(nu, z);
+        CHECK(acb_overlaps(by_size.get(), special_function(Op::bessel_k, nu, z).get()));
+        CHECK(acb_rel_accuracy_bits(by_size.get()) >= 5);
+    }
+}
+
 TEST_CASE("Bessel remainder: K_n less its leading term, near and far")
 {
     const WorkingPrecision precision(100);
@@ -237,6 +251,11 @@ TEST_CASE("Bessel remainder: K_n less its leading term, near and far")
     // |R| -> |a_1|/|z|: half of what is claimed, the other half is 2 |a_1|
     attains(Ball(2) * remainder(Ball(7), ComplexBall(decimal("1e8"))), lemma::bessel_remainder(Ball(7), decimal("1e8"), Ball(1)),
             Rational(99, 100));
+    // a longer way around 0 counts as if z were as much nearer
+    const Ball longer = pi<Ball>() / 2;
+    const Ball around = lemma::bessel_remainder(Ball(7), longer * 100, longer) - lemma::bessel_remainder(Ball(7), Ball(100), Ball(1));
+    CHECK(around.contains(Rational(0)));
+    CHECK(around.radius_bound() < 1e-25);
 }
 
 TEST_CASE("elliptic remainder: K(1 - u) less its logarithm, for u so small that one term is all")
@@ -247,6 +266,27 @@ TEST_CASE("elliptic remainder: K(1 - u) less its logarithm, for u so small that 
         const Ball rest = special_function(Op::elliptic_k, u) / pi<Ball>() * (log(Ball(16)) - log(u)) - special_function(Op::elliptic_k, Ball(1) - u);
         CHECK(arb_le(rest.get(), lemma::elliptic_remainder(u, 1).get()));
         if (text[0] == '1') attains(rest, lemma::elliptic_remainder(u, 1), Rational(72, 100));
+    }
+}
+
+TEST_CASE("means of K and E: the first mean against the limit, at every size")
+{
+    const WorkingPrecision precision(128);
+    for (const char* scale : {"1/16", "1", "50"}) {
+        const Ball a(*parse_rational(scale)), b = a / 2, mean = (a + b) / 2, delta = sqrt(a * b);
+        Ball limit;
+        arb_agm(limit.get(), a.get(), b.get(), 128);
+        const Ball c = (a - b) / 2;
+        attains(mean - limit, lemma::limit_of_means(c * c, delta), Rational(48, 100));
+        // 2^(k-1) c_k^2 from the second term on, the largest part of which is the first
+        Ball rest(0), x = mean, y = delta;
+        for (long k = 2; k < 8; ++k) {
+            const Ball next = (x - y) / 2, together = x * y;
+            rest += next * next * Ball(1L << (k - 1));
+            x = (x + y) / 2;
+            y = sqrt(together);
+        }
+        attains(rest, lemma::rest_of_means(c * c, delta, 1), Rational(20, 100));
     }
 }
 
@@ -298,6 +338,12 @@ TEST_CASE("functions with a logarithm at an end are themselves on both sides of 
     CHECK_FALSE(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), special_function(Op::bessel_k, Ball(0), v).get()));
     const ComplexBall k = special_function(Op::elliptic_k, ComplexBall(1) - v) - turn * special_function(Op::elliptic_k, v) / ComplexBall(pi<Ball>());
     CHECK(acb_overlaps(function_of(Op::elliptic_k_of_complement, r).value().get(), k.get()));
+    for (const Op op : {Op::bessel_j, Op::bessel_i}) { // an odd half of a turn
+        const ComplexBall half = exp(turn / ComplexBall(2)) * special_function(op, Ball(1) / Ball(2), v);
+        const ComplexBall continued = function_of(op, Ball(1) / Ball(2), r).value();
+        CHECK(acb_overlaps(continued.get(), half.get()));
+        CHECK(acb_rel_accuracy_bits(continued.get()) > 40);
+    }
     // wound as far, but too large for the series: nothing rather than the principal value
     const StripPiece beside = StripPiece::at(Side::right, 0.2, 0.2, 1.4, 1.4);
     const Complex large(&beside, {}, {Exponent(1), {}}, ComplexBall(1));

@@ -49,6 +49,8 @@ TEST_CASE("several integrals: one that fails takes no other with it")
     const auto tails = several({"exp(-x)", "exp(-x)*x^3", "exp(-x)/sqrt(x)"}, "0", "inf");
     CHECK(tails[1].value.overlaps(parse_limit("6").ball()));
     CHECK(tails[2].value.overlaps(parse_limit("sqrt(pi)").ball()));
+    CHECK(several({"x", "exp(x)"}, "1", "0")[0].value.overlaps(parse_limit("-1/2").ball()));
+    CHECK(several({"x", "exp(-x)"}, "inf", "0", 10)[1].value.overlaps(Ball(-1)));
     CHECK_THROWS_AS(
         [] {
             IntegralOptions options;

@@ -3,6 +3,8 @@
 #include "touchstone/quadrature/half_powers.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
+#include "touchstone/quadrature/polynomial.hpp"
+#include "touchstone/quadrature/split.hpp"
 #include "touchstone/quadrature/substitution.hpp"
 
 #include <doctest/doctest.h>
@@ -260,6 +262,8 @@ TEST_CASE("a sum of waves is recognised, whatever else oscillates is not")
     };
     CHECK(count("sin(x)/x") == 1);
     CHECK(count("sin(x)^2/x^2") == 2);
+    CHECK(count("sin(x)^1/x") == 1);
+    CHECK(count("sin(x)^8/x") > 2);
     CHECK(count("sinc(2*x+1)*cos(x)") == 2);
     CHECK(count("besselj(0,x)*x+cos(3*x)") == 2);
     for (const char* formula :
@@ -319,7 +323,8 @@ TEST_CASE("tails that oscillate against their closed forms")
 TEST_CASE("changes of variable are exact")
 {
     const WorkingPrecision precision(200);
-    for (const char* formula : {"exp(-1/x)/x^2", "sin(1/(x-1))*log(x)", "sqrt(2*x-2)+x^3", "1/(1/x+1/x^2)", "atan(x)^(-1/2)"}) {
+    for (const char* formula : {"exp(-1/x)/x^2", "exp(-x)/(x-1)^4", "exp(-x)/(x-1)^3", "exp(-x)/(x-1)^2", "exp(-x)*(x-1)",
+                                "sin(1/(x-1))*log(x)", "sqrt(2*x-2)+x^3", "1/(1/x+1/x^2)", "atan(x)^(-1/2)"}) {
         CAPTURE(formula);
         const auto e = parse_expression(formula);
         const Rational at(3, 2), t = 1 / (at - 1);
@@ -442,14 +447,147 @@ TEST_CASE("Cauchy's principal value: the poles named are folded, others still di
     CHECK_THROWS_AS(at("1/x", "-1", "2", {"0", "0"}), DomainError);
 }
 
-TEST_CASE("a function of one argument is taken with one, and with no more")
+TEST_CASE("a function is taken with the arguments that it has, with no more and no fewer")
 {
-    for (const std::string name : {"sinc", "gamma", "rgamma", "lgamma", "digamma", "zeta", "erf", "erfc", "erfi", "ei", "si", "ci", "li", "dilog", "asinh", "acosh", "atanh", "expm1",
-                                   "log1p", "sech", "csch", "coth", "sinh", "tan", "sqrt", "exp", "abs", "floor"}) {
+    const auto with = [](const std::string& name, std::size_t count) {
+        std::string text = name + "(";
+        for (std::size_t k = 0; k < count; ++k) text += k == 0 ? "x" : ", x";
+        return column_of_error((text + ")").c_str()) == 0;
+    };
+    const auto check = [&](const std::string& name, std::size_t least, std::size_t most) {
         CAPTURE(name);
-        CHECK(column_of_error((name + "(x)").c_str()) == 0);
-        CHECK(column_of_error((name + "(x, x)").c_str()) != 0);
-        CHECK(column_of_error((name + "()").c_str()) != 0);
+        CHECK(!with(name, least - 1));
+        CHECK(with(name, least));
+        CHECK(with(name, most));
+        CHECK(!with(name, most + 1));
+    };
+    for (const char* name : {"exp", "log", "ln", "sqrt", "cbrt", "abs", "sign", "floor", "ceil", "sin", "cos", "tan",
+                             "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth", "sech", "csch", "asin", "acos",
+                             "atan", "arcsin", "arccos", "arctan", "asinh", "acosh", "atanh", "expm1", "log1p",
+                             "sinc", "gamma", "rgamma", "lgamma", "loggamma", "digamma", "psi", "zeta", "erf",
+                             "erfc", "erfi", "ei", "si", "ci", "li", "dilog", "airyai", "airybi", "lambertw",
+                             "ellipk", "ellipe", "re", "im", "conj"})
+        check(name, 1, 1);
+    for (const char* name : {"pow", "besselj", "bessely", "besseli", "besselk", "polylog"}) check(name, 2, 2);
+    for (const char* name : {"max", "min"}) check(name, 2, 64);
+}
+
+TEST_CASE("polynomials are recognised, and nothing else is")
+{
+    const auto of = [](const char* formula) { return polynomial(*parse_expression(formula)); };
+    const auto is = [&](const char* formula, std::initializer_list<long> coefficients) {
+        CAPTURE(formula);
+        const auto p = of(formula);
+        REQUIRE(p);
+        CHECK(p->size() == coefficients.size());
+        std::size_t k = 0;
+        for (const long c : coefficients) CHECK((*p)[k++] == ExactSum(c));
+    };
+    is("(x+1)^3", {1, 3, 3, 1});
+    is("x^1-x", {});
+    is("2*x-(x-1)^2", {-1, 4, -1});
+    is("(6*x+4)/2", {2, 3});
+    is("-x*x^2", {0, 0, 0, -1});
+    for (const char* formula : {"1+x^(3/2)", "1+x^pi", "1+x^(-2)", "1+x^0.5", "x^1000", "1/x", "x/(sqrt(2)+sqrt(3))",
+                                "sin(x)", "x^x", "x^(1-1)"}) {
+        CAPTURE(formula);
+        CHECK(!of(formula));
+    }
+    const ExactSum two = *ExactSum(2).sqrt();
+    CHECK(value(*of("x^2+x*sqrt(2)-4"), two).is_zero());
+    CHECK(without_root(*of("x^3-x^2-2*x+2"), two).size() == 3);
+    CHECK(value(without_root(*of("x^3-x^2-2*x+2"), two), ExactSum(1)).is_zero());
+}
+
+TEST_CASE("a complex formula in its real and imaginary parts")
+{
+    const WorkingPrecision precision(128);
+    const Rational x(3, 7);
+    for (const char* formula : {"exp((1+2*i)*x)", "exp(i*x)", "sin(x+i)", "cos(2*x-i)", "cosh((2-i)*x)", "sinh(i*x+1)",
+                                "(x+i)^3", "(x+i)^(-2)", "1/(x-i)", "x*(1+i)-i*i"}) {
+        CAPTURE(formula);
+        const auto e = parse_expression(formula);
+        const auto parts = real_and_imaginary(e);
+        REQUIRE(parts);
+        const ComplexBall whole = Integrand(e, Range{parse_limit("0"), parse_limit("1"), Map::finite}).in_plane(ComplexBall(Ball(x)));
+        REQUIRE(whole.is_finite());
+        CHECK((parts->first ? evaluate_at(*parts->first, Ball(x)) : Ball(0)).overlaps(whole.real()));
+        CHECK((parts->second ? evaluate_at(*parts->second, Ball(x)) : Ball(0)).overlaps(whole.imag()));
+    }
+    for (const char* formula : {"exp(sqrt(x+i))", "sin(log(x+i))", "(x+i)^(1/2)", "(x+i)^9", "gamma(x+i)"}) {
+        CAPTURE(formula);
+        CHECK(!real_and_imaginary(parse_expression(formula)));
+    }
+}
+
+TEST_CASE("a constant is known exactly where its expansion says so")
+{
+    const auto of = [](const char* formula) { return exact_value(*parse_expression(formula)); };
+    for (const char* formula : {"sin(0)", "log(1)", "exp(0)-1", "cos(pi/2)", "besselj(1,0)", "sin(pi/4)-sqrt(2)/2", "atan(1)-pi/4"}) {
+        CAPTURE(formula);
+        if (const auto exact = of(formula)) CHECK(exact->is_zero());
+    }
+    REQUIRE(of("exp(0)"));
+    CHECK(*of("exp(0)") == ExactSum(1));
+    CHECK(*of("cos(pi)") == ExactSum(-1));
+    for (const char* formula : {"sin(1)", "x", "1/sin(0)", "log(0)", "exp(1)"}) {
+        CAPTURE(formula);
+        CHECK(!of(formula));
+    }
+}
+
+TEST_CASE("ranges that do not begin at 0 have their distances")
+{
+    const auto check = [](const char* formula, const char* from, const char* to, const Ball& truth) {
+        const Integral found = integral(formula, from, to, 20);
+        CAPTURE(formula);
+        INFO(found.value.to_string(), " ", found.reason);
+        CHECK(found.status == Status::certified);
+        CHECK(found.value.overlaps(truth));
+    };
+    const WorkingPrecision precision(200);
+    check("(x-1)*(2-x)*exp(x)", "1", "2", exp(Ball(1)) * (3 - exp(Ball(1))));
+    check("sqrt((x-1)*(2-x))", "1", "2", pi<Ball>() / 8);
+    check("sqrt(x^2-1)*sqrt(4-x^2)*x", "1", "2", 9 * pi<Ball>() / 16);
+    check("(x-3)*(5-x)*abs(x-4)", "3", "5", Ball(Rational(1, 2)));
+    check("(1-cos(x-1))/((x-1)*(3-x))*(x-1)*(3-x)", "1", "3", 2 - sin(Ball(2)));
+    check("abs(x-x-1/2)+floor(x-x+3/2)+ceil(x-x+3/2)", "1", "3", Ball(7));
+}
+
+TEST_CASE("a range is cut at the named point where a proof stops, on every kind of range")
+{
+    const WorkingPrecision precision(200);
+    const auto cube_root = [](const Rational& x) { return pow(Ball(x), Ball(Rational(1, 3))); };
+    const auto check = [](const char* formula, const char* from, const char* to, std::size_t parts) {
+        const Integral found = integral(formula, from, to, 12);
+        CAPTURE(formula);
+        INFO(found.reason);
+        CHECK(found.status == Status::certified);
+        CHECK(found.parts.size() == parts);
+        return found.value;
+    };
+    CHECK(check("1/cbrt((x-1/3)^2)", "0", "1", 2).overlaps(3 * (cube_root(Rational(2, 3)) + cube_root(Rational(1, 3)))));
+    const Ball off = sqrt(Ball(Rational(1, 3000)));
+    CHECK(check("(x-999/3000)^(-1/2)", "1/3", "1", 1).overlaps(2 * (sqrt(Ball(Rational(2001, 3000))) - off)));
+    IntegralOptions told = with_digits(12);
+    told.at = {parse_limit("1/2")};
+    const char* tail = "1/((1+x^2)*cbrt((x-1/2)^2))";
+    CHECK(check(tail, "0", "inf", 2).overlaps(integrate(parse_expression(tail), parse_limit("0"), parse_limit("inf"), told).value));
+}
+
+TEST_CASE("points where the range is cut lie inside of it, and count once")
+{
+    const auto cut_at = [](std::initializer_list<const char*> points) {
+        IntegralOptions o = with_digits(10);
+        for (const char* p : points) o.at.push_back(parse_limit(p));
+        return integrate(parse_expression("exp(x)"), parse_limit("0"), parse_limit("2"), o).parts.size();
+    };
+    CHECK(cut_at({}) == 1);
+    CHECK(cut_at({"1"}) == 2);
+    CHECK(cut_at({"1", "1/2", "1"}) == 3);
+    for (const char* outside : {"0", "2", "3", "-1", "inf", "-inf"}) {
+        CAPTURE(outside);
+        CHECK_THROWS_AS(cut_at({outside}), DomainError);
     }
 }
 

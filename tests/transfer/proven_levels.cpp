@@ -4,6 +4,7 @@
 #include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
+#include "touchstone/wave/lemmas.hpp"
 
 #include <doctest/doctest.h>
 
@@ -62,6 +63,52 @@ Ball area_1(const Ball& load, const Ball& G)
 }
 
 } // namespace
+
+TEST_CASE("a mesh that is kept serves the law, G, pressure, scales, loads and digits that it was made for, and no others")
+{
+    const WorkingPrecision precision(256);
+    const Ball half(Rational(1, 2)), G(6);
+    const auto arguments = [](const Ball& load, const Ball& g) { return transfer::Arguments{[load] { return load; }, [g] { return g; }}; };
+    const auto exceedance = [&](long n, const Ball& P, const Ball& load, const Ball& g, long digits, double off) {
+        const Ball found = transfer::exceedance_by_proven_levels(n, [P] { return P; }, arguments(load, g), Accuracy{digits});
+        Ball unit;
+        arb_pow_ui(unit.get(), g.get(), static_cast<ulong>(n), 256);
+        const Ball known = transfer::exceedance(transfer::Law::density, n, [&] { return P * unit; }, arguments(load, g), Accuracy{12});
+        INFO(found.to_string(), " ", known.to_string());
+        CHECK(found.overlaps(known));
+        CHECK(found.radius_bound() < off);
+    };
+    exceedance(1, half, half, G, 4, 1e-4);
+    exceedance(1, half, half, G, 4, 1e-4);
+    exceedance(2, half, half, G, 4, 1e-4);
+    exceedance(1, half, Ball(Rational(9, 10)), G, 4, 1e-4);
+    exceedance(1, half, half, G, 7, 1e-8);
+    exceedance(1, half, half, Ball(8), 4, 1e-4);
+    exceedance(1, Ball(Rational(1, 4)), half, G, 4, 1e-4);
+    const Ball density = transfer::density_by_proven_levels(2, [&] { return half; }, arguments(half, G), Accuracy{4});
+    const Ball known = transfer::density(transfer::Law::density, 2, [&] { return half * G * G; }, arguments(half, G), Accuracy{12}) * G * G;
+    INFO(density.to_string(), " ", known.to_string());
+    CHECK(density.overlaps(known));
+    CHECK(density.radius_bound() < 1e-4);
+    const Ball area = transfer::area_by_proven_levels(2, arguments(half, G), Accuracy{4});
+    CHECK(area.overlaps(transfer::area(transfer::Scheme::area, 2, arguments(half, G), Accuracy{12})));
+    CHECK(area.radius_bound() < 1e-4);
+}
+
+TEST_CASE("the sizes of lemma 2 are those that their Gamma functions have")
+{
+    const WorkingPrecision precision(128);
+    const auto c = wave::size(Ball(8), 2);
+    REQUIRE(c.size() == 3);
+    CHECK(c[0].contains(Rational(1)));
+    CHECK(c[1].overlaps(8 / ScalarTraits<Ball>::pi()));
+    const Ball ratio = 4 / ScalarTraits<Ball>::pi() * sqrt(Ball(2)) * (2 / sqrt(ScalarTraits<Ball>::pi()));
+    Ball five_quarters, seven_quarters;
+    arb_gamma(five_quarters.get(), Ball(Rational(5, 4)).get(), 128);
+    arb_gamma(seven_quarters.get(), Ball(Rational(7, 4)).get(), 128);
+    CHECK(c[2].overlaps(2 * ratio * five_quarters / seven_quarters));
+    CHECK(c[2].relative_bits() > 100);
+}
 
 TEST_CASE("where both apply, partial contact's own proof gives the same areas")
 {

@@ -4,18 +4,94 @@
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/contact.hpp"
 #include "touchstone/recursion/from_the_edge/forward.hpp"
+#include "touchstone/transfer/arc.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
 
 #include <doctest/doctest.h>
 
+#include <complex>
+#include <numbers>
+
 using namespace touchstone;
 using transfer::density_after_three_waves;
+using transfer::to_ball;
 
 namespace {
 
 Ball number(const char* text) { return Ball(*parse_rational(text)); }
 
 } // namespace
+
+namespace {
+
+using transfer::Arc;
+
+/// The arc with what it is made of, in binary64.
+struct ArcAt {
+    Arc::Kind kind;
+    double G, x;
+    Arc arc{kind, Ball::exactly(G), Ball::exactly(x)};
+    /// By (2.10), (2.4): y of the cosine c of the angle, for any complex t.
+    std::complex<double> ratio(std::complex<double> t) const
+    {
+        const std::complex<double> c = kind == Arc::Kind::from_bottom ? 2. * t * t - 1. : 1. - 2. * t * t;
+        return kind == Arc::Kind::partial ? std::sqrt((1. + c) * (2 * x - 1 + c)) / G : (x + c) / G;
+    }
+    double end() const { return kind == Arc::Kind::partial ? std::sqrt(x) : std::sqrt(0.5); }
+    /// theta/pi between two t
+    static double between(double from, double to) { return 2 / std::numbers::pi * (std::asin(to) - std::asin(from)); }
+};
+const ArcAt arcs[] = {{Arc::Kind::from_top, 1.5, 1},
+                      {Arc::Kind::from_bottom, 1.25, 3},
+                      {Arc::Kind::partial, 1.5, 0.25}, {Arc::Kind::partial, 3, 0.9375}};
+double middle(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
+
+} // namespace
+
+TEST_CASE("an arc of a wave: the ratio, what it moves by on a disc, and the most of dtheta/dt there")
+{
+    const WorkingPrecision precision(200);
+    for (const ArcAt& a : arcs)
+        for (const double share : {0., 0.1, 0.5, 0.9, 0.99}) {
+            const double t = share * a.end();
+            CAPTURE(a.x);
+            CAPTURE(t);
+            CHECK(middle(a.arc.ratio(Ball::exactly(t))) == doctest::Approx(a.ratio(t).real()));
+            for (double r = 0.4; r > 1e-4; r /= 3) {
+                double moved = 0, weight = 0;
+                for (int k = 0; k < 40; ++k) {
+                    const std::complex<double> z = t + std::polar(r, std::numbers::pi * k / 20);
+                    moved = std::max(moved, std::abs(a.ratio(z) - a.ratio(t)));
+                    weight = std::max(weight, 2 / std::abs(std::numbers::pi * std::sqrt(1. - z * z)));
+                }
+                CAPTURE(r);
+                CHECK(moved <= a.arc.moved(t, r));
+                CHECK(weight <= Arc::weight_near(t, r));
+                if (r > 0.01 * (a.end() - t)) continue;
+                CHECK(a.arc.moved(t, r) <= 1.25 * moved);
+                CHECK(Arc::weight_near(t, r) <= 1.05 * weight);
+            }
+            CHECK(middle(to_ball(Arc::weight(t))) == doctest::Approx(2 / (std::numbers::pi * std::sqrt(1 - t * t))));
+        }
+}
+
+TEST_CASE("an arc of a wave: the share of the angle that an interval of ratios has at most")
+{
+    const WorkingPrecision precision(200);
+    for (const ArcAt& a : arcs)
+        for (const double from : {0., 1e-6, 0.1, 0.6, 0.9})
+            for (const double length : {1e-9, 1e-3, 0.05}) {
+                const double low = from * a.end(), high = std::min(from + length, 0.999999) * a.end();
+                const double width = middle(abs(a.arc.ratio(Ball::exactly(high)) - a.arc.ratio(Ball::exactly(low))));
+                CAPTURE(a.x);
+                CAPTURE(low);
+                CAPTURE(high);
+                const double bound = a.arc.share(low, high, width), own = ArcAt::between(low, high);
+                CHECK(own <= bound);
+                if (from >= 0.1 && length <= 1e-3) CHECK(bound <= 1.1 * own);
+                if (from == 0) CHECK(bound <= 3 * own); // next to the wave's end, by the root of the length
+            }
+}
 
 TEST_CASE("three waves in partial contact: the forward chain's densities, to twenty digits")
 {

@@ -3,10 +3,13 @@
 
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
+#include "touchstone/transfer/ellipse_cover.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace touchstone;
 using transfer::ScaleOne;
@@ -78,6 +81,104 @@ TEST_CASE("a disc holds no singular point, and its bound holds")
         INFO("x ", x, " r ", r);
         REQUIRE(r > 1e-3);
         for (const double t : {-0.99, 0.5, 0.99}) CHECK(waves.value(to_real(Ball(*parse_rational(x)) + Ball::exactly(t * r))).first.high <= bound(*parse_rational(x), r));
+    }
+}
+
+TEST_CASE("the rectangles of a cover hold the upper half of the ellipse, and none is far from it")
+{
+    for (const double rho : {1.5, 3., 9.})
+        for (const auto& [columns, rows] : {std::pair{3, 1}, {6, 3}, {1, 4}}) {
+            const transfer::EllipseCover cover(rho, columns, rows);
+            const double wide = (rho + 1 / rho) / 2, high = (rho - 1 / rho) / 2;
+            CAPTURE(rho);
+            CAPTURE(columns);
+            CHECK(cover.half_width == doctest::Approx(wide / columns));
+            CHECK(cover.half_height == doctest::Approx(high / rows / 2));
+            for (int k = 0; k <= 200; ++k)
+                for (const double share : {0.01, 0.5, 0.8, 1 - 1e-12}) {
+                    const double phi = std::numbers::pi * k / 200;
+                    const std::complex<double> z(share * wide * std::cos(phi), share * high * std::sin(phi));
+                    CHECK(std::any_of(cover.middles.begin(), cover.middles.end(), [&](const auto& m) {
+                        const auto off = z - m;
+                        return std::fabs(off.real()) <= cover.half_width * (1 + 1e-9) && std::fabs(off.imag()) <= cover.half_height * (1 + 1e-9);
+                    }));
+                }
+            for (const auto& m : cover.middles) { // its corner next to 0 is inside
+                const double across = std::max(0., std::fabs(m.real()) - cover.half_width) / wide;
+                CHECK(std::hypot(across, (m.imag() - cover.half_height) / high) < 1.001);
+            }
+        }
+}
+
+TEST_CASE("the bounds of the second wave's density and of the first wave's kernel hold and are not far from them")
+{
+    const double pi = std::numbers::pi;
+    const auto density = [pi](double P, double y) { // (2.19), in p*_2
+        if (y >= 1) return 1 / (pi * std::sqrt((y - P + 1) * (P + 1 - y)));
+        const double R = std::hypot(1 - y, P);
+        return P / (2 * pi * R) * std::sqrt((1 + y + R) / (1 - y + R) / (y - P * P / 4));
+    };
+    namespace second_wave = transfer::second_wave;
+    for (const double P : {0.5, 0.7, 1., 1.2, 1.25, 1.3, 1.6, 1.9, 1.99, 2.1, 5.}) {
+        const auto bound = second_wave::bound(P);
+        CAPTURE(P);
+        const double low = P < 2 ? P * P / 4 : P - 1, top = P + 1;
+        double closest[2] = {}; // below y = 1, and above
+        for (int k = 1; k < 4000; ++k) {
+            const double y = k % 2 == 0 ? low + (top - low) * k / 4000 : 1 + (k - 2000) * 1e-9;
+            if (y <= low || y >= top || y <= P - 1) continue;
+            double most = y < 1 ? 0 : bound.elsewhere;
+            for (const auto& r : bound.roots)
+                if ((y < 1) == (r.at == P * P / 4)) most += r.factor / std::sqrt(std::fabs(y - r.at));
+            CAPTURE(y);
+            CHECK(density(P, y) <= most);
+            closest[y >= 1] = std::max(closest[y >= 1], density(P, y) / most);
+        }
+        if (P < 2) CHECK(closest[0] > 0.97);
+        CHECK(closest[1] > 0.6);
+    }
+    double nearest[4] = {};
+    for (const double P : {0.001, 0.1, 0.3, 0.49}) {
+        const double lower = P * P / 4;
+        for (int k = 1; k < 4000; ++k) {
+            const double y = k < 2000 ? lower * std::pow((P + 1) / lower, k / 2000.) : lower + (1 + P - lower) * (k - 2000) / 2000.;
+            if (y <= lower * (1 + 1e-12) || y >= P + 1) continue;
+            const double d = density(P, y), to_lower = std::sqrt(y - lower), R = std::hypot(1 - y, P);
+            if (y <= 1.5 * lower) nearest[0] = std::max(nearest[0], d * to_lower / P);
+            if (y <= 0.5) nearest[1] = std::max(nearest[1], d * to_lower / P);
+            if (y >= 0.5 && y < 1) nearest[2] = std::max(nearest[2], d * R * std::sqrt(R) / P);
+            if (y >= 1) nearest[3] = std::max(nearest[3], d * std::sqrt(P + 1 - y));
+        }
+    }
+    const double claimed[4] = {second_wave::at_lower, second_wave::below_half, second_wave::about_one, second_wave::at_top};
+    for (int k = 0; k < 4; ++k) {
+        CAPTURE(k);
+        CHECK(nearest[k] <= claimed[k]);
+        CHECK(nearest[k] >= 0.6 * claimed[k]);
+    }
+    for (const double G : {1.2, 2., 5.})
+        for (const double x : {0.05, 0.4, 0.9, 1., 3., 9.}) {
+            const double end = (x < 1 ? 2 * std::sqrt(x) : x + 1) / G, begin = x < 1 ? 0 : (x - 1) / G;
+            double share = 0;
+            for (int k = 1; k < 200; ++k) {
+                const double y = begin + (end - begin) * k / 200, R = std::hypot(1 - x, G * y), c = x < 1 ? R - x : G * y - x;
+                const double kernel = (x < 1 ? G * G * y / R : G) / (pi * std::sqrt((1 - c) * (1 + c)));
+                const double to_end = x < 1 ? end - y : std::min(end - y, y - begin);
+                share = std::max(share, kernel * std::sqrt(to_end) / second_wave::first_wave(G, x, y * 2)); // y >= s/2
+            }
+            CAPTURE(G);
+            CAPTURE(x);
+            CHECK(share <= 1);
+            CHECK(share >= (x < 1 ? 0.1 : 0.4));
+        }
+}
+
+TEST_CASE("roundings of the integrand are charged beside those of the sum")
+{
+    const TwoWaves waves{Ball(3) / 2, Ball(1) / 2, 1e-30};
+    for (const double x : {0.3, 1.75, 3.}) {
+        const auto [value, error] = waves.value(TwoWaves::Real(x));
+        CHECK(error > 1.004 * 2000 * 0x1p-101 * value.high);
     }
 }
 

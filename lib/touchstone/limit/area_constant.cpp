@@ -58,10 +58,12 @@ Ball area_in_the_limit(transfer::Scheme scheme, long n, const transfer::Argument
     constexpr long bits_of_n = 64; // G^n loses as many bits of G as n has
     const WorkingPrecision precision(working_bits({wanted.digits + spare_digits}) + bits_of_n);
     const Ball G = a.G(), load = a.load();
-    Ball one(1), scale;
-    arb_add_error(one.get(), relative_error(std::min(n, most_contractions), G, load).get()); // delta decreases
+    Ball scale;
     arb_pow_ui(scale.get(), G.get(), static_cast<ulong>(n), precision.bits());
-    return area_constant(scheme, a.G, wanted) * load * one / scale;
+    Ball area = area_constant(scheme, a.G, wanted) * load / scale;
+    const Ball off = area * relative_error(std::min(n, most_contractions), G, load); // delta decreases
+    arb_add_error(area.get(), off.get());
+    return area;
 }
 
 long most_digits_of_area_in_the_limit(long n, const Ball& load, const Ball& G)

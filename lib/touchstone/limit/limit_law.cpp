@@ -222,9 +222,20 @@ double LimitLaw::Interpolant::operator()(double x) const
     return chebyshev_sum(&coefficients[j * order], order, t);
 }
 
+namespace {
+
+/// That the chain of ratios comes back to.
+double highest_ratio(const Ball& G)
+{
+    const double g = double(transfer::to_real(G));
+    return g >= 2 ? 4 / (g * g) : 1 / (g - 1);
+}
+
+} // namespace
+
 Witness mean_in_the_limit(const Ball& G, const std::vector<Ball>& further, const std::function<double(double)>& f)
 {
-    const double g = double(transfer::to_real(G)), highest = g >= 2 ? 4 / (g * g) : 1 / (g - 1);
+    const double highest = highest_ratio(G);
     const auto by = [&](double lowest, double tolerance, int order) { return LimitLaw(G, {lowest, highest, tolerance, further}, order).mean(f); };
     const double value = by(1e-10, 1e-6, 10), coarse = by(1e-8, 1e-4, 6);
     return {Ball::exactly(value), Ball::exactly(4 * std::fabs(value - coarse)) + Ball::exactly(1e-13 * std::fabs(value))};
@@ -232,7 +243,7 @@ Witness mean_in_the_limit(const Ball& G, const std::vector<Ball>& further, const
 
 Witness distance_in_the_mean(const Ball& G, double load, long n, const std::vector<Ball>& further, const std::function<double(double)>& f, const std::function<double(double)>& g)
 {
-    const double g_ = double(transfer::to_real(G)), highest = std::max(1.01 * load, g_ >= 2 ? 4 / (g_ * g_) : 1 / (g_ - 1));
+    const double highest = std::max(1.01 * load, highest_ratio(G));
     const auto by = [&](double lowest, double tolerance, int order) {
         const LimitLaw law(G, {std::min(lowest, load / 4), highest, tolerance, further}, order);
         const auto over = [&](const std::function<double(double)>& of, double limit) { // the mean over x_n, less the limit

@@ -30,6 +30,9 @@ constexpr int most_pieces = 768;       ///< of the boundary of an ellipse
 constexpr int first_pieces = 48;
 const Rational place(7, 10);           ///< of w = 1, in sigma = s - log(G^2/4): about the median of s' that D' meets
 
+/// s = -log x is at least that of the largest ratio, 4/G^2.
+Ball least_s(const Ball& G) { return 2 * log(G / 2); }
+
 ComplexBall real_sum(const ComplexBall& z, const Ball& x)
 {
     ComplexBall r;
@@ -129,7 +132,8 @@ private:
     void check_cut(const Ball& G) const
     {
         const Ball s_high = exp(Ball::exactly(w.high)), s_low = exp(Ball::exactly(w.low));
-        if (!certainly(less(s_low, 2 * log(G / 2))) || !certainly(less(Ball(0), s_low))) throw BeyondReach("the interval does not hold the smallest s");
+        if (!certainly(less(s_low, least_s(G))) || !certainly(less(Ball(0), s_low)))
+            throw BeyondReach("the interval does not hold the smallest s");
         Ball cosh;
         arb_cosh(cosh.get(), Ball::exactly(panels.back()).get(), WorkingPrecision::bits());
         for (const Ball& s : {s_low, s_high})
@@ -226,9 +230,12 @@ private:
 
 const Rational growing(1, 10'000);
 
-Ball weight(const Ball& r) { return 1 + r + 3 * r * r * r * r / 2 + Ball(growing) / r; }
-/// Of sigma, up to a constant.
+} // namespace
+
+Ball weight_of_slopes(const Ball& r) { return 1 + r + 3 * r * r * r * r / 2 + Ball(growing) / r; }
 Ball integral_of_weight(const Ball& r) { return -log(r) / 2 - r / 2 - 3 * r * r * r * r / 16 + Ball(growing) / (2 * r); }
+
+namespace {
 
 /// Rows of D by the angle phi of the noise, u = sin phi, boxes of phi: E[f] = (4/pi) int cos^2 f dphi.
 class Rows {
@@ -279,12 +286,40 @@ private:
     std::vector<Square> squares;
 };
 
+} // namespace
+
+Slopes::Slopes(const Ball& G, const Eigenfunction& w_, slong bits_) : w(w_), bits(bits_), lowest(least_s(G))
+{
+    const WorkingPrecision precision(bits); // to that of w: Clenshaw's recurrence would multiply what 64 bits leave by powers of 2
+    bend = chebyshev_derivative(w.slope);
+    third = size_on_ellipse(chebyshev_derivative(bend), Ball(1));
+}
+
+Ball Slopes::steepest(double from, double to) const
+{
+    constexpr int parts = 16; // on each by Taylor's formula about its middle
+    const WorkingPrecision precision(bits); // Clenshaw's recurrence in balls loses more than a bit a term
+    const Ball width = (Ball::exactly(to) - Ball::exactly(from)) / parts;
+    Ball most(0);
+    for (int k = 0; k < parts; ++k) {
+        const Ball s = lowest + Ball::exactly(from) + width * hull(Ball(k), Ball(k + 1)), t = w.place(s);
+        const Ball off = Ball::exactly(t.radius_bound());
+        Ball middle;
+        arb_get_mid_arb(middle.get(), t.get());
+        const Ball at_middle = upper_ball(chebyshev_sum(w.slope, middle)), bent = upper_ball(chebyshev_sum(bend, middle));
+        const Ball slope = at_middle + off * bent + off * off * third / 2;
+        most = larger(most, upper_ball(slope * w.stretch() / s));
+    }
+    return most;
+}
+
+namespace {
+
 /// sup over sigma >= 0 of (E[psi^2 W] + E[bend |V - V(place)|] + |w'| coupling/|w(place)|)/W: intervals of sigma, the worst halved until that is below `goal`.
 class Remainder {
 public:
     Remainder(const Ball& G, const Eigenfunction& w_, const Rows& rows_, const Ball& per_slope_, slong bits_)
-        : w(w_), rows(rows_), bits(bits_), lowest(2 * log(G / 2)), per_slope(per_slope_), bend(derivative_of_slope()),
-          third(size_on_ellipse(chebyshev_derivative(bend), Ball(1)))
+        : w(w_), rows(rows_), lowest(least_s(G)), per_slope(per_slope_), slopes(G, w_, bits_)
     {
     }
     Ball norm(double last, double goal)
@@ -308,13 +343,6 @@ public:
     }
 
 private:
-    /// To the precision of w: Clenshaw's recurrence would multiply what 64 bits leave by powers of 2.
-    std::vector<Ball> derivative_of_slope() const
-    {
-        const WorkingPrecision precision(bits);
-        return chebyshev_derivative(w.slope);
-    }
-
     struct Interval {
         double from, to, bound;
         bool operator<(const Interval& o) const { return bound < o.bound; }
@@ -322,24 +350,8 @@ private:
     Interval measured(double from, double to) const
     {
         const Ball sigma = hull(Ball::exactly(from), Ball::exactly(to)), rho = at_most(exp(-sigma), Ball(1));
-        const Ball bound = upper_ball((rows.at(rho).remainder + steepest(from, to) * per_slope) / weight(rho * rho));
+        const Ball bound = upper_ball((rows.at(rho).remainder + slopes.steepest(from, to) * per_slope) / weight_of_slopes(rho * rho));
         return {from, to, arf_get_d(arb_midref(bound.get()), ARF_RND_UP)};
-    }
-    /// At least |w'| there: by parts, on each by Taylor's formula about its middle.
-    Ball steepest(double from, double to) const
-    {
-        constexpr int parts = 16;
-        const WorkingPrecision precision(bits); // Clenshaw's recurrence in balls loses more than a bit a term
-        const Ball width = (Ball::exactly(to) - Ball::exactly(from)) / parts;
-        Ball most(0);
-        for (int k = 0; k < parts; ++k) {
-            const Ball s = lowest + Ball::exactly(from) + width * hull(Ball(k), Ball(k + 1)), t = w.place(s), off = Ball::exactly(t.radius_bound());
-            Ball middle;
-            arb_get_mid_arb(middle.get(), t.get());
-            const Ball slope = upper_ball(chebyshev_sum(w.slope, middle)) + off * upper_ball(chebyshev_sum(bend, middle)) + off * off * third / 2;
-            most = larger(most, upper_ball(slope * w.stretch() / s));
-        }
-        return most;
     }
     /// From there on w' = 0 or at most the largest, x <= 1/2, psi^2 <= 1/4 and bend <= 2 x, W >= 1/(10^4 rho^2):
     /// E[W] <= 7/2 + 2 growing/(rho (1 - x)), E|V - V(place)| <= (4/pi) (rho (1 - x))^-1/2 + 1 + |V(place)| + growing/(rho (1 - x)).
@@ -354,10 +366,8 @@ private:
     }
     const Eigenfunction& w;
     const Rows& rows;
-    const slong bits;
     const Ball lowest, per_slope;
-    const std::vector<Ball> bend; ///< d^2 w/dt^2
-    const Ball third;
+    const Slopes slopes;
 };
 
 /// At least |(D w)' - lambda w'| for all s with log s in [low, high]: Chebyshev interpolation, whose error on an ellipse is known.
@@ -392,7 +402,7 @@ Ball largest_defect(const Derivative& D, const Eigenfunction& w, const Ball& lam
 /// At least |(D w)'|/W beyond the last s, where w' = 0: |w| and |w'| at most their largest, psi^2 <= 1/4, bend <= 2 x.
 Ball defect_beyond(const Ball& G, const Eigenfunction& w)
 {
-    const Ball last = exp(Ball::exactly(w.high)), rho = exp(2 * log(G / 2) - last), x = exp(-last);
+    const Ball last = exp(Ball::exactly(w.high)), rho = exp(least_s(G) - last), x = exp(-last);
     if (!certainly(less(x, Ball(Rational(1, 2))))) throw BeyondReach("the last ratio is not small");
     const Ball steepest = size_on_ellipse(w.slope, Ball(1)) * w.stretch() / exp(Ball::exactly(w.low));
     return upper_ball((2 * x * size_on_ellipse(w.value, Ball(1)) + steepest / 4) * rho * rho / Ball(growing));
@@ -404,7 +414,7 @@ EigenvalueProof prove_eigenvalue(const Ball& G, const Eigenfunction& w, Accuracy
 {
     const double sigma = highest_sigma(wanted), tolerance = std::pow(10.0, -static_cast<double>(wanted.digits) - 4);
     const Derivative D(G, w, sigma, tolerance);
-    const Ball s = 2 * log(G / 2) + Ball(place), at_place = chebyshev_sum(w.value, w.place(s));
+    const Ball s = least_s(G) + Ball(place), at_place = chebyshev_sum(w.value, w.place(s));
     EigenvalueProof proof;
     proof.lambda = D.value(s) / at_place;
     proof.defect = larger(largest_defect(D, w, proof.lambda, tolerance), defect_beyond(G, w)) / abs(at_place);

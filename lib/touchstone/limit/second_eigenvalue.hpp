@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace touchstone::limit {
 
@@ -18,6 +19,25 @@ struct EigenvalueProof {
     Ball defect;    ///< at least sup |(D w)' - lambda w'|/W
     Ball coupling;  ///< at least |(D k)| there, for every k that is 0 there and has |k'| <= W
     Ball remainder; ///< at least the norm of D on those k, less their part along w
+};
+
+/// The weight W of a slope at sigma = s - log(G^2/4), of r = exp(-2 sigma), and its integral over sigma up to a constant.
+Ball weight_of_slopes(const Ball& r);
+Ball integral_of_weight(const Ball& r);
+
+/// Bounds of w' on intervals, to a precision of its own.
+class Slopes {
+public:
+    Slopes(const Ball& G, const Eigenfunction& w, slong bits);
+    /// At least |w'(s)| for from <= s - log(G^2/4) <= to.
+    Ball steepest(double from, double to) const;
+
+private:
+    const Eigenfunction& w;
+    const slong bits;
+    const Ball lowest;
+    std::vector<Ball> bend; ///< d^2 w/dt^2
+    Ball third;
 };
 
 /// The four numbers for any w; nothing is assumed of it. G > 2.

@@ -143,7 +143,7 @@ Ball stirling_series(const Shifted& g)
         series += term;
     }
     const WorkingPrecision short_numbers(64);
-    const Ball rest = Ball(Rational(Integer(g.W))) * stirling_remainder(L, g.z() - Ball(1) / 2);
+    const Ball rest = Ball(Rational(Integer(g.W))) * stirling_remainder(L, g.twice_z);
     arb_add_error(series.get(), rest.get());
     return series;
 }
@@ -184,8 +184,9 @@ Ball factors(const Shifted& g, long t, long from, long to)
 
 } // namespace
 
-Ball stirling_remainder(long L, const Ball& y)
+Ball stirling_remainder(long L, long twice_z)
 {
+    const Ball y = Ball(twice_z - 1) / 2;
     Ball factorial;
     arb_fac_ui(factorial.get(), static_cast<ulong>(2 * L), WorkingPrecision::bits());
     return 4 * factorial / pow(2 * pi<Ball>(), Ball(2 * L + 2)) / pow(y, Ball(2 * L + 1));

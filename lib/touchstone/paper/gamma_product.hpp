@@ -18,8 +18,8 @@ namespace touchstone::archard {
 /// Cost at 1000 digits: that of three calls of arb_gamma, and of a third of one for each t; the Bernoulli numbers are Arb's.
 Ball gamma_product(long halves, long first, const std::vector<unsigned long>& weights);
 
-/// What Stirling's series of log Gamma(y) lacks after L terms, y > 0, is at most the first term left out, 4 (2L)!/((2 pi)^(2L+2) y^(2L+1)) by
-/// |B_2l|/(2l)! = 2 zeta(2l)/(2 pi)^2l < 4/(2 pi)^2l.
-Ball stirling_remainder(long L, const Ball& y);
+/// What Stirling's series of log Gamma(y) lacks after L terms is, for every y >= z - 1/2 > 0, z = twice_z/2, at most the first term
+/// left out, 4 (2L)!/((2 pi)^(2L+2) y^(2L+1)) by |B_2l|/(2l)! = 2 zeta(2l)/(2 pi)^2l < 4/(2 pi)^2l.
+Ball stirling_remainder(long L, long twice_z);
 
 } // namespace touchstone::archard

@@ -3,9 +3,8 @@
 #include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/far_out.hpp"
 #include "touchstone/quadrature/inner_integral.hpp"
-#include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/substitution.hpp"
-#include "touchstone/quadrature/widen.hpp"
+#include "touchstone/quadrature/zeros.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,6 @@ namespace touchstone::quadrature::compiled {
 using namespace tree;
 
 namespace {
-
-double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
 class Compiler {
 public:
@@ -41,11 +38,6 @@ private:
     std::optional<ExpressionPtr> rewritten(const Expression& e) const;
     NodePtr part_of(const ExpressionPtr& e) const;
     void find_zeros(Node& n, const ExpressionPtr& e) const;
-    std::optional<Zero> zero_at(const Node& n, const ExpressionPtr& e, Side side) const;
-    std::optional<Zero> zero_of_odd_difference(const Node& n) const;
-    std::optional<Exponent> order_beside(const Node& n, Side side, double distance) const;
-    bool shows_its_order(const Node& n, Side side, double radius) const;
-    std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node& n, Side side, double radius) const;
     /// The end as an exact number, if it is finite and one.
     const std::optional<ExactSum>& end(Side s) const { return s == Side::left ? place_.range->from.exact : place_.range->to.exact; }
     bool has_range() const { return place_.range != nullptr; }
@@ -140,7 +132,7 @@ std::optional<ExpressionPtr> Compiler::about_its_zero(const Expression& e) const
     const ExactSum first = e.op == Op::cos ? ExactSum(Rational(-1, 2)) * ExactSum::pi() : ExactSum(0); // cos y = sin(y + pi/2)
     const auto left = zero_of_sine(*p, Side::left, first), right = zero_of_sine(*p, Side::right, first);
     if (!left && !right) return std::nullopt;
-    const bool half_period = left && right && std::labs(*left - *right) == 1;
+    const bool half_period = left && right && std::labs(left.value() - right.value()) == 1;
     if (e.op == Op::sin && !half_period && (left ? *left : *right) == 0) return std::nullopt; // it shows as it is
     const auto formula = [](const Polynomial& q) { return sum(product(formula_of(q[1]), make_variable()), formula_of(q[0])); };
     // y, which is 0 at one end, with its sine times `sign`
@@ -473,119 +465,16 @@ NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
     return n;
 }
 
-/// The power of s that n shows on a small box beside the end; nothing if it is not proved analytic there.
-std::optional<Exponent> Compiler::order_beside(const Node& n, Side side, double distance) const
-{
-    const ComplexBall s(Ball::exactly(distance));
-    const Disc<ComplexBall> disc(side, s);
-    const EndpointNumber<ComplexBall> v = evaluate(n, point_about(disc, place_), place_);
-    return v.factor().is_finite() ? std::optional(v.order(side).power) : std::nullopt;
-}
-
-/// Whether n is a power of s times what is proved analytic and without a zero on the disc |s| <= radius: then no expansion shows more.
-bool Compiler::shows_its_order(const Node& n, Side side, double radius) const
-{
-    const ComplexBall s = disc(Ball::exactly(radius));
-    const Disc<ComplexBall> about(side, s);
-    const ComplexBall c = evaluate(n, point_about(about, place_), place_).factor();
-    return c.is_finite() && !acb_contains_zero(c.get());
-}
-
-/// On the disc |s| <= radius about the end, n = s^p c: p, and a bound of |c|. Nothing if c is not proved analytic there.
-std::optional<std::pair<Exponent, Ball>> Compiler::bound_on_disc(const Node& n, Side side, double radius) const
-{
-    constexpr int across = 4; // boxes along a side of the square about the disc
-    const double half = radius / across;
-    std::optional<Exponent> order;
-    Ball most(0);
-    for (int i = 0; i < across; ++i)
-        for (int j = 0; j < across; ++j) {
-            const auto interval = [&](int k) {
-                Ball b = Ball::exactly((2 * k + 1 - across) * half);
-                mag_t m;
-                mag_init(m);
-                mag_set_d(m, half);
-                arb_add_error_mag(b.get(), m);
-                mag_clear(m);
-                return b;
-            };
-            const ComplexBall s(interval(i), interval(j));
-            const Disc<ComplexBall> disc(side, s);
-            const EndpointNumber<ComplexBall> v = evaluate(n, point_about(disc, place_), place_);
-            if (!v.factor().is_finite()) return std::nullopt;
-            if (order && !(*order == v.order(side).power)) return std::nullopt;
-            order = v.order(side).power;
-            Ball size = touchstone::abs(v.factor()), top;
-            arb_get_ubound_arf(arb_midref(top.get()), size.get(), 53);
-            if (!arb_gt(most.get(), top.get())) most = top;
-        }
-    return std::pair(*order, most);
-}
-
-/// The zero that the exact expansion shows and the sum of terms does not.
-std::optional<Zero> Compiler::zero_at(const Node& n, const ExpressionPtr& e, Side side) const
-{
-    constexpr double beside = 0x1p-20;
-    const Range& range = *place_.range;
-    const double span = range.map == Map::finite ? to_double(range.to.ball() - range.from.ball()) / 2 : 1;
-    if (shows_its_order(n, side, span * beside)) return std::nullopt;
-    const auto series = expanded(e, side);
-    if (!series || series->is_exactly_zero || series->valuation.get_den() != 1 || series->valuation < 0 ||
-        !series->valuation.get_num().fits_slong_p())
-        return std::nullopt;
-    Zero zero;
-    zero.order = series->valuation.get_num().get_si();
-    zero.c = series->c;
-    if (const auto own = order_beside(n, side, span / 64); own && *own == Exponent(zero.order)) return std::nullopt; // it shows as it is
-    std::optional<Zero> best;
-    for (double radius = span; radius >= span / 64; radius /= 2) {
-        const auto bound = bound_on_disc(n, side, radius);
-        if (!bound) continue;
-        const auto& [order, size] = *bound;
-        if (!order.is_integer()) return std::nullopt;
-        if (order == Exponent(zero.order)) return std::nullopt; // it shows as it is
-        // |T| on the circle, so inside: |c| R^(order - m)
-        zero.radius = radius;
-        zero.bound = size * exp((order - Exponent(zero.order)).ball() * log(Ball::exactly(radius)));
-        if (!zero.bound.is_finite()) continue;
-        best = zero;
-        if (zero.c.empty()) break; // all that is known of T is its bound
-        const double tail = to_double(zero.bound) * std::pow(0.25, static_cast<double>(zero.c.size()));
-        if (tail < 0.05 * to_double(touchstone::abs(zero.c[0].complex_ball()))) break;
-    }
-    return best;
-}
-
-/// h(s) - h(-s) = s T(s): if h is analytic on |s| <= R, so is T, and |T| <= 2 sup|h|/R (tanh_sinh.md, section 11).
-std::optional<Zero> Compiler::zero_of_odd_difference(const Node& n) const
-{
-    const Range& range = *place_.range;
-    if (range.map != Map::finite) return std::nullopt;
-    const double span = to_double(range.to.ball()) / 2;
-    for (double radius = span; radius >= span / 64; radius /= 2) {
-        const auto bound = bound_on_disc(*n.args[0], Side::left, radius);
-        if (!bound) continue;
-        const auto& [order, size] = *bound;
-        if (!order.is_integer() || order < Exponent(0)) return std::nullopt; // h itself has a pole or a branch point
-        Zero zero;
-        zero.order = 1;
-        zero.radius = radius;
-        const Ball R = Ball::exactly(radius);
-        zero.bound = lemma::odd_difference(size * exp(order.ball() * log(R)), R);
-        return zero;
-    }
-    return std::nullopt;
-}
-
 void Compiler::find_zeros(Node& n, const ExpressionPtr& e) const
 {
+    const Zeros zeros(place_);
     if (e->op == Op::odd_difference) {
-        if (end(Side::left) && end(Side::left)->is_zero()) n.zero[0] = zero_of_odd_difference(n);
+        if (end(Side::left) && end(Side::left)->is_zero()) n.zero[0] = zeros.of_odd_difference(n);
         return;
     }
     std::array<std::optional<Zero>, 2> found;
     for (const Side s : {Side::left, Side::right})
-        if (end(s)) found[s == Side::left ? 0 : 1] = zero_at(n, e, s);
+        if (end(s)) found[s == Side::left ? 0 : 1] = zeros.at(n, s, [&] { return expanded(e, s); });
     n.zero = std::move(found);
 }
 

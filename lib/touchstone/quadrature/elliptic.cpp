@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/elliptic.hpp"
 
 #include "touchstone/quadrature/endpoint_number.hpp"
+#include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
@@ -41,9 +42,8 @@ Ball lower_ball(const Ball& x)
     return low;
 }
 
-/// a_0 = 1, b_0 = sqrt v, c_n = (a_(n-1) - b_(n-1))/2: K = pi/(2 a), E = K (1 - m/2 - sum over n >= 1 of 2^(n-1) c_n^2), a the limit. All
-/// means have a real part of delta = min(Re a_n, Re b_n) at least from n on, and c_(n+1) = c_n^2/(4 a_(n+1)). So once |c_n| <= 2 delta the
-/// limit is within |c_n|^2/(2 delta) of a_n, and what the sum lacks after its n-th term is at most 2^(n+1) |c_n|^4/(16 delta^2).
+/// a_0 = 1, b_0 = sqrt v, c_n = (a_(n-1) - b_(n-1))/2: K = pi/(2 a), E = K (1 - m/2 - sum over n >= 1 of 2^(n-1) c_n^2), a the limit; all
+/// means have a real part of delta = min(Re a_n, Re b_n) at least from n on (lemmas.hpp).
 template <class V>
 Elliptic<V> by_means(const V& v)
 {
@@ -68,8 +68,8 @@ Elliptic<V> by_means(const V& v)
     const Ball delta = lower_ball(touchstone::at_most(real_part(a), real_part(b)));
     if (!arb_is_positive(delta.get()) || !arb_le(size.get(), (Ball(4) * delta * delta).get()))
         return {V::indeterminate(), V::indeterminate()};
-    widen(a, size / (Ball(2) * delta));
-    widen(sum, shifted(size * size / (delta * delta), n - 3));
+    widen(a, lemma::limit_of_means(size, delta));
+    widen(sum, lemma::rest_of_means(size, delta, n));
     const V k = V(pi<Ball>()) / shifted(a, 1);
     return {k, k * (V(1) - sum)};
 }

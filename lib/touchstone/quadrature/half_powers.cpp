@@ -48,9 +48,8 @@ V times_slope(const EndpointNumber<V>& g, const Angle<V>& a)
     for (const Side s : {Side::left, Side::right}) {
         if (!g.order(s).logs.is_zero()) return V::indeterminate();
         const Exponent power = g.order(s).power + g.order(s).power + Exponent(1); // of the sine or cosine
-        if (power.is_zero()) continue;
-        y *= power.is_integer() ? analytic::integer_power(a.root(s), power.num())
-                                : analytic::exp(V(power.ball()) * analytic::log(a.root(s)));
+        if (!power.is_integer()) return V::indeterminate();
+        if (!power.is_zero()) y *= analytic::integer_power(a.root(s), power.num());
     }
     return y + y;
 }

@@ -63,7 +63,7 @@ Maybe polynomial(const Expression& e)
     case Op::power: {
         const auto n = exact_value(*e.args[1]);
         const auto q = n ? n->rational() : std::nullopt;
-        if (!q || q->get_den() != 1 || *q < 1 || *q >= static_cast<long>(most_terms)) return std::nullopt;
+        if (!q || q.value().get_den() != 1 || *q < 1 || *q >= static_cast<long>(most_terms)) return std::nullopt;
         const auto a = polynomial(*e.args[0]);
         Maybe r = Polynomial{ExactSum(1)};
         for (long k = 0; a && r && k < q->get_num().get_si(); ++k) r = product(*r, *a);

@@ -53,7 +53,7 @@ Maybe power(const Expression& e)
 Maybe of_one_argument(const Expression& e)
 {
     const auto z = real_and_imaginary(e.args[0]);
-    if (!z || !z->second) return std::nullopt;
+    if (!z || !z.value().second) return std::nullopt;
     const ExpressionPtr &a = z->first, &b = z->second;
     const ExpressionPtr c = of(Op::cos, b), s = of(Op::sin, b);
     switch (e.op) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -74,7 +75,7 @@ struct Span {
     {
         const double middle = low / 2 + high / 2;
         Ball x = exactly(middle);
-        mag_set_d(arb_radref(x.get()), std::max(high - middle, middle - low) * (1 + 0x1p-50) + 0x1p-1070);
+        mag_set_d(arb_radref(x.get()), std::nextafter(std::max(high - middle, middle - low), std::numeric_limits<double>::infinity()));
         if (!std::isfinite(high - low)) return Ball::indeterminate();
         return x;
     }

@@ -3,6 +3,7 @@
 #include "touchstone/transfer/three_waves.hpp"
 
 #include "touchstone/scalar/refusal.hpp"
+#include "touchstone/transfer/arc.hpp"
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/two_waves.hpp"
 
@@ -25,57 +26,6 @@ constexpr double narrowest = 256 * u;                      // half of an interva
 constexpr int node_steps = 4;                              // rules of a quarter of the nodes, of half of them, ...
 constexpr std::size_t most_intervals = 100'000;
 constexpr slong bits = 384; // as those of the ends of the two waves
-
-/// One half of a wave, or the whole of it in partial contact, as a function of t.
-class Arc {
-public:
-    enum class Kind { from_top, from_bottom, partial };
-    Arc(Kind kind, const Ball& G, const Ball& x) : kind_(kind), G_(G), x_(x), g_(double(to_real(G))) {}
-
-    /// y at t, at the thread's precision.
-    Ball ratio(const Ball& t) const
-    {
-        if (kind_ == Kind::from_top) return (x_ + 1 - 2 * t * t) / G_;
-        if (kind_ == Kind::from_bottom) return (x_ - 1 + 2 * t * t) / G_;
-        return 2 * sqrt((1 - t * t) * (x_ - t * t)) / G_;
-    }
-    /// What y moves by at most where t moves by r, any complex way; infinite where y need not be analytic there.
-    double moved(const Real& t, double r) const
-    {
-        const double square = r * (2 * double(t) + r) * margin; // of t^2
-        if (kind_ != Kind::partial) return margin * 2 * square / g_;
-        const double to_one = double((1 - t) * (1 + t)), q = to_one * to_end(t), off = square * (to_one + to_end(t) + square); // of (1 - t^2)(x - t^2)
-        return off < 0.5 * q ? margin * 2 * off / (1.7 * g_ * std::sqrt(q)) : infinite; // |(q + z)^(1/2) - q^(1/2)| <= |z|/((1 + 0.7) q^(1/2))
-    }
-    /// At least dtheta/(pi dt) on the disc.
-    static double weight_near(const Real& t, double r)
-    {
-        const double to_one = double(1 - t);
-        return r < 0.5 * to_one ? margin * 2 / (pi_below * std::sqrt((to_one - r) * (1 + double(t) - r))) : infinite;
-    }
-    static Real weight(const Real& t) { return 2 * inverse_pi / sqrt((1 - t) * (1 + t)); }
-    /// A share s(l) of theta that sets of length l of y between a and b have at most, s(l)/l^(1/2) not decreasing, at l = all of it:
-    /// (2) of proven_levels.md, twice for two ends, or the largest dtheta/(pi dy).
-    double share(const Real& a, const Real& b, double length) const
-    {
-        const double any = std::sqrt(g_ * length);
-        double density = infinite;
-        if (a > 0 && kind_ != Kind::partial) density = g_ / (2 * pi_below * double(a) * std::sqrt(double((1 - b) * (1 + b)))); // b^2 is about 1/2 at most
-        if (a > 0 && kind_ == Kind::partial) density = g_ * std::sqrt(to_end(a)) / (pi_below * double(a) * (double((1 - b) * (1 + b)) + to_end(b)));
-        return margin * min(any, density * length);
-    }
-
-private:
-    /// x - t^2
-    double to_end(const Real& t) const
-    {
-        const Ball b = to_ball(t);
-        return max(0.0, double(to_real(x_ - b * b)));
-    }
-    Kind kind_;
-    Ball G_, x_;
-    double g_;
-};
 
 class Integral {
 public:

@@ -4,6 +4,7 @@
 
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/disc.hpp"
+#include "touchstone/transfer/ellipse_cover.hpp"
 #include "touchstone/wave/lemmas.hpp"
 
 #include <algorithm>
@@ -269,6 +270,7 @@ private:
     /// Cuts of the variable, 0 ... 1, on which Gauss's rule will do, and its error.
     std::pair<std::vector<double>, double> panels(const Half<Real>& half) const
     {
+        static const EllipseCover coarse(rho, 3, 1), fine(rho, 6, 3);
         const Half<Disc> h = in_discs(half);
         const double length = double(half.length), tau0 = double(half.tau0), share = ends_.tolerance / 512;
         std::vector<double> edges{1}, cuts{0};
@@ -280,8 +282,8 @@ private:
         while (edges.size() > 1) {
             const double from = edges.back(), to = edges[edges.size() - 2], width = length * (to - from) / 2;
             double size = infinite; // of the integrand, times the width
-            for (const Cover& cover : {Cover{3, 1}, Cover{6, 3}}) // three discs do for most panels
-                if (!(ends_.rule * size <= share)) size = bound(h, length * (from + to) / 2, width, cover) * width;
+            for (const EllipseCover* cover : {&coarse, &fine}) // three discs do for most panels
+                if (!(ends_.rule * size <= share)) size = bound(h, length * (from + to) / 2, width, *cover) * width;
             if (ends_.rule * size <= share) {
                 lost += margin * (ends_.rule + 16 * u) * size; // halving makes the rule better, but not what rounding takes: that is charged, and asks for nothing
                 cuts.push_back(to);
@@ -293,26 +295,16 @@ private:
         }
         return {cuts, lost};
     }
-    struct Cover { ///< of the upper half of an ellipse, by rectangles
-        int columns, rows;
-    };
     /// Bounds the integrand on the ellipse about mid +- half; its upper half is covered by discs about rectangles, conjugates do the rest.
-    static double bound(const Half<Disc>& h, double mid, double half, const Cover& cover)
+    static double bound(const Half<Disc>& h, double mid, double half, const EllipseCover& cover)
     {
-        constexpr double wide = (rho + 1 / rho) / 2, high = (rho - 1 / rho) / 2;
-        const int columns = cover.columns, rows = cover.rows;
-        const double a = wide / columns, b = high / (2 * rows); // halves of a rectangle's sides
-        const double radius = half * std::hypot(a, b) * margin;
+        const double radius = half * std::hypot(cover.half_width, cover.half_height) * margin;
         double most = 0;
-        for (int i = 0; i < columns; ++i)
-            for (int k = 0; k < rows; ++k) {
-                const double re = (2 * i + 1) * a - wide, im = (2 * k + 1) * b;
-                const double inner_re = max(0.0, std::fabs(re) - a) / wide, inner_im = (im - b) / high;
-                if (inner_re * inner_re + inner_im * inner_im > margin) continue;
-                const double here = integrand(h, Disc({mid + half * re, half * im}, radius)).most();
-                if (!(here < infinite)) return infinite;
-                most = max(most, here);
-            }
+        for (const std::complex<double>& middle : cover.middles) {
+            const double here = integrand(h, Disc(mid + half * middle, radius)).most();
+            if (!(here < infinite)) return infinite;
+            most = max(most, here);
+        }
         return margin * most;
     }
     static Half<Disc> in_discs(const Half<Real>& h)
@@ -375,30 +367,41 @@ double TwoWaves::on_disc(bool full_first, const Ball& x, double r) const
     return margin * most * (std::fabs(v.high) + error);
 }
 
+second_wave::Bound second_wave::bound(double P)
+{
+    Bound b{{{P + 1, 0.32}}, P > 1.25 ? 0 : 0.38};
+    if (P <= 2) b.roots.push_back({P * P / 4, 0.36 * std::sqrt((1 + 2 / P) / 5)}); // R >= P
+    if (P > 1.25) b.roots.push_back({P - 1, 0.32}); // 1/(u v)^(1/2) <= u^(-1/2) + v^(-1/2), u + v = 2
+    return b;
+}
+
+double second_wave::first_wave(double G, double x, double s)
+{
+    return x >= 1 ? 2 * std::sqrt(G) / pi_below : 2 * std::sqrt(2.0) / (pi_below * std::sqrt(G) * s); // both ends, resp. one
+}
+
 double TwoWaves::weight_on(double x, double width) const
 {
     // d(y) <= sum of c |y - s|^(-1/2); within `near` of s also k(x, y) <= c_k |y - e|^(-1/2), e the ends of the first wave
     const double G = double(ends_->G_near), P = double(ends_->P_near);
     double sum = 0;
     const auto singular = [&](double s, double c) {
-        const double near = min({s / 2, 1 / (2 * G)});
-        const double c_k = x >= 1 ? 2 * std::sqrt(G) / pi_below : 2 * std::sqrt(2.0) / (pi_below * std::sqrt(G) * s); // both ends, resp. one
+        const double near = min({s / 2, 1 / (2 * G)}), c_k = second_wave::first_wave(G, x, s);
         // log(1/distance of e from s) counts as if distance were width/(2 G), plus 2: e moves by at least 1/G of x
         const double logarithm = pi_below + 2 * std::log(4 * (1 + near / width)) + 2 * (max(0.0, std::log(2 * G)) + 2);
         sum += c * (1 / std::sqrt(near) + c_k * logarithm);
     };
     if (P < 0.5) {
         const double lower = P * P / 4, near = min(lower / 2, 1 / (2 * G));
-        singular(lower, 0.2 * P);              // y <= 3/2 lower < 0.1: 1 - y <= R <= 1.12
-        sum += 0.52 * P / std::sqrt(near);     // y <= 1/2: R >= 1/2
-        sum += 0.66 * std::sqrt(G / 2);        // 1/2 <= y <= 1: 0.434 P R^(-3/2), R >= 1 - y, P; over t as 0.434 P/t = R^(3/2)
-        singular(P + 1, 0.26);                 // y >= 1: y - P + 1 >= 3/2
+        singular(lower, second_wave::at_lower * P);          // y <= 3/2 lower < 0.1: 1 - y <= R <= 1.12
+        sum += second_wave::below_half * P / std::sqrt(near); // y <= 1/2: R >= 1/2
+        sum += 1.52 * second_wave::about_one * std::sqrt(G / 2); // 1/2 <= y <= 1: R >= 1 - y, P; over t as about_one P/t = R^(3/2)
+        singular(P + 1, second_wave::at_top);                // y >= 1: y - P + 1 >= 3/2
     }
     else {
-        if (ends_->P_near <= 2) singular(P * P / 4, 0.36 * std::sqrt((1 + 2 / P) / 5)); // R >= P
-        if (P > 1.25) singular(P - 1, 0.32);   // 1/(u v)^(1/2) <= u^(-1/2) + v^(-1/2), u + v = 2
-        else sum += 0.38;
-        singular(P + 1, 0.32);
+        const auto d = second_wave::bound(P);
+        for (const auto& [at, factor] : d.roots) singular(at, factor);
+        sum += d.elsewhere;
     }
     return margin * sum;
 }

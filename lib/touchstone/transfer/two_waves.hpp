@@ -21,8 +21,27 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace touchstone::transfer {
+
+/// What of d(y) and of k(x, y) TwoWaves::weight_on counts with.
+namespace second_wave {
+struct Root {
+    double at, factor; ///< factor |y - at|^(-1/2)
+};
+struct Bound {
+    std::vector<Root> roots;
+    double elsewhere; ///< is to be added
+};
+/// d(y) is at most the sum of these, all over the support of the second wave, for P >= 1/2.
+Bound bound(double P);
+/// For P < 1/2: d(y) <= at_lower P |y - P^2/4|^(-1/2) up to y = 3/2 (P^2/4), below_half P |y - P^2/4|^(-1/2) up to 1/2,
+/// about_one P R^(-3/2) up to 1, and at_top |y - P - 1|^(-1/2) beyond.
+inline constexpr double at_lower = 0.2, below_half = 0.52, about_one = 0.434, at_top = 0.26;
+/// k(x, y) <= this |y - e|^(-1/2), e the end of the first wave next to y, for y >= s/2.
+double first_wave(double G, double x, double s);
+} // namespace second_wave
 
 class TwoWaves {
 public:

@@ -3,12 +3,15 @@
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/recursion/first_steps/area_by_slope.hpp"
 #include "touchstone/recursion/first_steps/area_slope.hpp"
+#include "touchstone/recursion/first_steps/first_wave.hpp"
 #include "touchstone/recursion/first_steps/nested.hpp"
+#include "touchstone/recursion/first_steps/pieces.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 #include "touchstone/transfer/contact.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -16,6 +19,7 @@
 using namespace touchstone;
 using namespace touchstone::transfer;
 using first_steps::AreaSlope;
+using first_steps::narrow;
 
 namespace {
 
@@ -161,6 +165,59 @@ TEST_CASE("A_2 with singular points that meet or nearly do, and for small loads 
     for (const char* G : {"1.5", "2"}) {
         const auto archard = evaluate(*find_quantity("archard.area"), Inputs({{"n", 2}, {"load", exactly("1e-300")}, {"G", exactly(G)}}), {.digits = 20});
         CHECK(certainly(less(abs(by_slope(2, exactly("1e-300"), exactly(G)) / archard.ball - 1), Ball(exactly("1e-15")))));
+    }
+}
+
+TEST_CASE("G known as a ball only gives what G known exactly does")
+{
+    const WorkingPrecision precision(bits);
+    for (const auto& [load, G] : {std::pair{"0.7", "1.5"}, {"3", "3.5"}}) {
+        CAPTURE(load); CAPTURE(G);
+        const Rational g = exactly(G);
+        const Ball by_ball = area_by_slope(1, {exactly(load), [g] { return Ball(g); }, {}}, 30);
+        CHECK(by_ball.overlaps(at_scale_one(exactly(load), g)));
+        CHECK(by_ball.relative_bits() > 22);
+    }
+}
+
+TEST_CASE("the bound of the first wave's share holds, and next to where nothing is above it is the share")
+{
+    const WorkingPrecision precision(bits);
+    for (const auto& [load, G] : {std::pair{"0.3", "1.5"}, {"0.9", "2.5"}, {"0.05", "4"}}) {
+        const Rational x0 = exactly(load), g = exactly(G);
+        const first_steps::FirstWave wave(x0, Ball(g), Exact(g));
+        const Ball high = narrow(wave.high().at());
+        for (const char* share : {"0.1", "0.5", "0.9", "0.9999"}) {
+            CAPTURE(load); CAPTURE(share);
+            const Ball x = high * Ball(exactly(share)), out(Rational(1 - x0)), cosine = sqrt(out * out + Ball(g * g) * x * x) - Ball(x0);
+            const Ball truth = acos(cosine) / pi<Ball>();
+            const double bound = wave.bounded_share(ComplexBall(x), ComplexBall(high - x), ComplexBall(x)).real().radius_bound();
+            CHECK(certainly(less(truth, Ball::exactly(bound))));
+            if (share == std::string("0.9999")) CHECK(certainly(less(Ball::exactly(bound), Ball(Rational(101, 100)) * truth)));
+        }
+    }
+}
+
+TEST_CASE("the trapezoidal rule between logarithms sees a pole wherever in the strip it is")
+{
+    using namespace first_steps;
+    const WorkingPrecision precision(bits);
+    const Piece piece(End::rational(0), End::rational(1), Extent::whole);
+    for (int k = 1; k <= 24; k += 4) { // 1/((x - 1/2)^2 + b^2): at Im u = 2 arctan 2b
+        const double b = std::tan((0.3 + 0.05 * k) / 2) / 2;
+        const Ball square = Ball::exactly(b) * Ball::exactly(b), half(Rational(1, 2));
+        const auto f = [&](const Piece::Point& y) {
+            const ComplexBall x = y.left, d = (x - ComplexBall(half)) * (x - ComplexBall(half)) + ComplexBall(square);
+            return acb_contains_zero(d.get()) != 0 ? ComplexBall::indeterminate() : ComplexBall(1) / d;
+        };
+        const Ball found = piece.between_logarithms(f, [](bool, const Ball& t) { return 8 * t; }, 1.25, goal);
+        Ball ends;
+        const Ball quotient = half / Ball::exactly(b);
+        arb_atan(ends.get(), quotient.get(), bits);
+        CAPTURE(b);
+        INFO(found.to_string());
+        CHECK(found.overlaps(2 * ends / Ball::exactly(b)));
+        CHECK(sharp(found));
     }
 }
 

@@ -280,7 +280,9 @@ Ball Piece::between_logarithms(const Function& f, const Rest& rest, double heigh
         const WorkingPrecision precision(64);
         for (;; height *= 0.8) {
             if (height < 0.05) throw BeyondReach("an integrand is not proved analytic next to a singular point");
-            on_line = 2 * (over_core(f, height) + rest(true, beyond(core)) + rest(false, beyond(core)));
+            on_line = over_core(f, height);
+            for (const bool left : {true, false}) on_line += rest(left, beyond(core));
+            on_line *= 2;
             if (on_line.is_finite()) break;
         }
     }
@@ -310,8 +312,10 @@ Ball Piece::between_logarithms(const Function& f, const Rest& rest, double heigh
     const long from = -static_cast<long>(left / step) - 1, to = static_cast<long>(right / step) + 1;
     for (long k = from; k <= to; ++k) sum += term(k);
     sum = h * sum;
-    const Ball discretisation = on_line / (exp(2 * pi<Ball>() * Ball::exactly(height) / h) - 1);
-    arb_add_error(sum.get(), (discretisation + rest(true, beyond(left)) + rest(false, beyond(right))).get());
+    Ball error = on_line / (exp(2 * pi<Ball>() * Ball::exactly(height) / h) - 1); // of discretisation
+    error += rest(true, beyond(left));
+    error += rest(false, beyond(right));
+    arb_add_error(sum.get(), error.get());
     return sum;
 }
 

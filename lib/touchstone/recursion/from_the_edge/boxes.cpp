@@ -128,7 +128,7 @@ double Levels::lookup(const Boxes& boxes, const PolarRange& p) const
     double most = 0;
     for (int m = 0; m < n_directions; ++m) {
         if (directions[static_cast<std::size_t>(m) + 1] < p.from || directions[static_cast<std::size_t>(m)] > p.to) continue;
-        for (int j = from; j <= to; ++j) most = std::max(most, boxes.at(j, m));
+        most = std::max(most, boxes.largest(from, to, m));
     }
     return most;
 }
@@ -220,9 +220,6 @@ void Levels::bound_boxes(const Level& from, Level& to) const
     const auto share = sector_shares(power(from.k));
     const Disc e = disc(from.edge_bound);
     const double e_d = above(from.edge_bound);
-    std::vector<double> most(n_directions, 0);
-    for (int m = 0; m < n_directions; ++m)
-        for (int j = 0; j <= shells.count(); ++j) most[static_cast<std::size_t>(m)] = std::max(most[static_cast<std::size_t>(m)], from.boxes.at(j, m));
     const double end = shells.radius(shells.count());
 
     const std::function<double(const Disc&, double, double, double, int)> kernel_over =
@@ -248,7 +245,7 @@ void Levels::bound_boxes(const Level& from, Level& to) const
             else {
                 const double near = 2 * (j == 0 ? 0 : shells.radius(j - 1)) * s0, far = 2 * outer * s1;
                 const int j0 = shells.shell(down(near)), j1 = std::min(shells.shell(up(far)), j + Shells::density); // |2 d s| <= 2 |d|
-                for (int q = j0; q <= std::min(j1, shells.count()); ++q) u = std::max(u, from.boxes.at(q, m));
+                u = from.boxes.largest(j0, std::min(j1, shells.count()), m);
                 if (far > end) u = std::max(u, from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far));
             }
             if (!std::isfinite(u)) return infinity;
@@ -265,7 +262,8 @@ void Levels::bound_boxes(const Level& from, Level& to) const
         if (cosine <= 0.001 || beta * end * cosine < 4) continue;
         const double eta = up(4 * std::exp(-2 * end * cosine) * e_d / ((1 - e_d) * (1 - e_d)));
         if (!(eta < 1e-3) || e_d > 0.99999) continue; // R^2 = (1-x)^2 (1 + eta') off its cut: 2 arcsin e + eta < pi
-        const double u = std::max(most[static_cast<std::size_t>(m)], from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end));
+        const double beyond = from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end);
+        const double u = std::max(from.boxes.largest(0, shells.count(), m), beyond);
         to.boxes.far[static_cast<std::size_t>(m)] =
             product_of_bounds({std::exp(-beta * end * cosine), up(far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) / std::sqrt(end)), u});
     }

@@ -84,6 +84,13 @@ struct Boxes {
     int disc = 0;              ///< shells up to this one form one full disc
     double& at(int j, int m) { return bound[static_cast<std::size_t>(j) * n_directions + static_cast<std::size_t>(m)]; }
     double at(int j, int m) const { return bound[static_cast<std::size_t>(j) * n_directions + static_cast<std::size_t>(m)]; }
+    /// In direction m, of the shells from one to another.
+    double largest(int from, int to, int m) const
+    {
+        double most = 0;
+        for (int j = from; j <= to; ++j) most = std::max(most, at(j, m));
+        return most;
+    }
 };
 
 struct PolarRange {

@@ -4,6 +4,8 @@
 #include "touchstone/recursion/from_the_edge/far_end.hpp"
 #include "touchstone/scalar/refusal.hpp"
 
+#include <stdexcept>
+
 #if __has_include(<flint/acb_calc.h>)
 #include <flint/acb_calc.h>
 #else
@@ -85,12 +87,12 @@ Levels::Value Levels::small_density(long n, const Ball& d)
         double weight = most(panel->a) * slope * 2 * (std::exp(panel->b / 2) - std::exp(panel->a / 2));
         if (!panel->logarithmic) weight *= std::pow(panel->b, static_cast<double>(n) / 2);
         if (panel == level.panels.back()) {
+            if (!panel->logarithmic) throw std::logic_error("the last panel of exceedances is one in log d: only the first is not");
             Ball whole_at_end;
-            const Ball xi = ((panel->logarithmic ? log(hi) : hi) - panel->mid) / panel->half;
+            const Ball xi = (log(hi) - panel->mid) / panel->half;
             arb_poly_evaluate(whole_at_end.get(), panel->polynomial, xi.get(), wide);
-            if (!panel->logarithmic) whole_at_end *= half_power(hi, n);
             sum += whole_at_end * kernel.at(C(hi), false).first.real() * exp(hi / 2);
-            weight += most(panel->b) * std::exp(panel->b / 2) * (panel->logarithmic ? 1 : std::pow(panel->b, static_cast<double>(n) / 2));
+            weight += most(panel->b) * std::exp(panel->b / 2);
         }
         interpolation += weight * panel->interpolation * (1 + 1e-6);
         carried += weight * (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst * (1 + 1e-6);

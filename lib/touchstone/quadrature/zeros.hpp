@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Zeros that a compiled formula has at the ends of the range and that its sums do not show (internal; see compiled.hpp).
+#pragma once
+
+#include "touchstone/quadrature/compiled.hpp"
+#include "touchstone/quadrature/exact_series.hpp"
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace touchstone::quadrature::compiled {
+
+class Zeros {
+public:
+    explicit Zeros(const Place& place)
+        : place_(place)
+    {
+    }
+    /// The zero that the exact expansion about the end shows and the sum of terms does not. \param expand is asked only where it is needed
+    using Expand = std::function<std::optional<ExactSeries>()>;
+    std::optional<Zero> at(const Node&, Side, const Expand& expand) const;
+    /// Of h(s) - h(-s) at the left end, which is 0.
+    std::optional<Zero> of_odd_difference(const Node&) const;
+
+private:
+    std::optional<Exponent> order_beside(const Node&, Side, double distance) const;
+    bool shows_its_order(const Node&, Side, double radius) const;
+    std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node&, Side, double radius) const;
+
+    const Place& place_;
+};
+
+} // namespace touchstone::quadrature::compiled
