@@ -164,7 +164,7 @@ class Certificates(unittest.TestCase):
                 self.assertLess(error / value, Fraction(1, 10**digits))
 
     def test_proves_limits(self):
-        for G, digits in (("2009/1000", 3), ("5/2", 7), ("1000000", 4), ("2", 3), ("3/2", 2)):
+        for G, digits in (("2009/1000", 3), ("5/2", 7), ("1000000", 4), ("2", 3), ("21/20", 2)):
             self.make("limit.area_constant", f"G={G}", "--digits", digits)
             said = check(self.path)
             with self.subTest(G=G):
@@ -270,8 +270,8 @@ class Certificates(unittest.TestCase):
                 self.seen = []
                 made.append(self)
 
-            def residual(self, p, x1, x2):
-                bound = super().residual(p, x1, x2)
+            def residual(self, p, x1, x2, inner):
+                bound = super().residual(p, x1, x2, inner)
                 self.seen.append((x1, x2, bound))
                 return bound
 
@@ -317,6 +317,43 @@ class Certificates(unittest.TestCase):
         self.assertLessEqual(abs(R(x)), float(mesh.found[0][1]))
         total = sum((b - a for a, b, _ in mesh.seen), Fraction(0)) + mesh.edges[0]
         self.assertEqual(total, mesh.edges[mesh.farthest[-1]])  # and they cover all
+
+    def test_what_inner_panels_give_is_had_once(self):
+        """(K): on intervals in one another, what is said of T V at any place is what the panels named give, to what is said."""
+        bits, chosen, seen, deepest = 128, random.Random(known.seed), 0, 0
+        one, edges = 1 << bits, [(1 << 128) * k // 256 for k in (*range(1, 16), *range(16, 384, 3))]
+        places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
+        series = [[[chosen.randrange(-one, one) >> 4 * k for k in range(6)]] for _ in places]
+        mesh = poisson.Poisson(transfer.Interval.of(3), Fraction(0), 3, bits, edges, places, [30] * len(places), series, bits, 30, 0)
+        for _ in range(100):
+            a, b = chosen.choice([(one // 64, one), (one, 3 * one)])
+            a, b = sorted(chosen.randrange(a, b) for _ in "ab")
+            inner = poisson.Inner()
+            for _ in range(4):
+                with unittest.mock.patch.object(poisson, "FEW", 1):  # the mesh is a small one
+                    inner = mesh.more(a, b, inner)
+                at = chosen.choice([a, b])
+                a, b = max(a, at - (b - a) // 5), min(b, at + (b - a) // 5)
+            deepest = max(deepest, len(inner.parts))
+            for x in (a, b) if inner.panels else ():
+                seen += 1
+                (true, ) = mesh.row(x, -1, len(mesh.series), 60, inner.panels)
+                self.assertLess(abs(mesh.inner_at(x, inner) - true), inner.off * mesh.unit, (x / one, (b - a) / one))
+                self.assertLess(inner.off, Fraction(1, 2**30))
+        self.assertGreater(seen, 100)
+        self.assertGreater(deepest, 1)
+
+    def test_one_level_is_summed_as_many_are(self):
+        """(L): Clenshaw's recurrence and the sums of Chebyshev polynomials, in the panel and where it is continued; zeros at the end of a polynomial."""
+        mesh, _ = self.poisson()
+        chosen, p = random.Random(known.seed), len(mesh.series) // 2
+        self.assertEqual([poisson.without_zeros(c) for c in ([3, 0, 1, 0, 0], [0, 0], [5])], [[3, 0, 1], [0], [5]])
+        for reach in (1, Fraction(17, 16)):
+            most = int(reach * (1 << mesh.work))
+            rule = [(chosen.randrange(-most, most), chosen.randrange(1 << mesh.work)) for _ in range(200)]
+            here, of_many = mesh.integral(p, rule)[0], full_contact.Mesh.integral(mesh, p, rule)[0]
+            self.assertLess(abs(here - of_many), mesh.round * mesh.unit)
+            self.assertGreater(abs(here), 1 << mesh.work)
 
     def test_a_residual_that_is_large_counts(self):
         """(X): the least of a + sum (R - a) share, by trying; c beside the truth by more than it says."""
