@@ -35,6 +35,7 @@ FINE = 16                   # cells are no wider than 1/FINE of the ratio; below
 MOST_PARTS = 64             # of one cell
 NARROW = 64                 # cells of which a wave has at most 1/NARROW are narrow
 DEEP = 80                   # bits more of 1/G^2, G < 2^40: it is multiplied by (1 + load)^2, a G^2-fold of the highest z
+SMALL_RULE = 4              # points: one of so few is not worth a search for one of fewer
 WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
@@ -222,11 +223,8 @@ class Mesh:
                 a = self.trig.pi if x >= self.one and p == low else self.theta(x, self.edges[p])
             before, b = p, self.theta(x, self.edges[p + 1]) if p < high else 0
             if b < a:
-                sums = [0] * self.terms
-                self.piece(x, p, b, a, sums, aim, len(self.series))
-                total += sum(map(mul, self.packed[p], sums))
-                most += sum(map(mul, self.sizes[p], map(abs, sums)))
-                a = b
+                here, size = self.integral(p, self.rule(x, p, b, a, aim, len(self.series)))
+                total, most, a = total + here, most + size, b
         if most >> self.lane - 1:
             raise Refused("the sums of a row are too large")
         return [(t << self.bits) // self.trig.pi for t in self.unpacked(total)]
@@ -241,8 +239,13 @@ class Mesh:
         low = self.panel(self.least(x)) if x > self.one else -1
         return self.row(x, low, self.panel(self.most(x)), self.accuracy)
 
-    def piece(self, x, p, a, b, sums, aim, parts):
-        """adds the integrals of T_k over a <= theta <= b, one of so many parts of a wave"""
+    def integral(self, p, rule):
+        """of V_m, all m, packed; and a bound of each"""
+        sums = list(map(sum, zip(*(chebyshev(at, weight, self.terms, self.work) for at, weight in rule))))
+        return sum(map(mul, self.packed[p], sums)), sum(map(mul, self.sizes[p], map(abs, sums)))
+
+    def rule(self, x, p, a, b, aim, parts):
+        """places on the panel and weights, in units 2^-work, for the integral over a <= theta <= b, one of so many parts of a wave"""
         bits, one, trig, (middle, half), work = self.bits, self.one, self.trig, self.places[p], self.work
         eta, at = (b - a) >> 1, (a + b) >> 1
         K = 99
@@ -252,10 +255,8 @@ class Mesh:
         if K > 32:
             if eta < one >> 40:
                 raise Refused("a panel's polynomial grows too fast")
-            self.piece(x, p, a, at, sums, aim, 2 * parts)
-            self.piece(x, p, at, b, sums, aim, 2 * parts)
-            return
-        full, inverse, deep, all_rows = x >= one, self.inverse, self.deep, [sums]
+            return self.rule(x, p, a, at, aim, 2 * parts) + self.rule(x, p, at, b, aim, 2 * parts)
+        full, inverse, deep, places = x >= one, self.inverse, self.deep, []
         self.nodes += K
         if self.nodes > MOST_NODES:
             raise Refused("a row has too many points")
@@ -265,12 +266,11 @@ class Mesh:
             even, odd = cosine_at * ct, sine_at * st
             for c in ((even - odd) >> bits, (even + odd) >> bits):
                 square = (x + c) ** 2 if full else (one + c) * (2 * x - one + c)
-                local = (((square >> bits) * inverse >> deep) - middle << work) // half
-                all_rows.append(chebyshev(local, wide, self.terms, work))
-        sums[:] = map(sum, zip(*all_rows))
+                places.append(((((square >> bits) * inverse >> deep) - middle << work) // half, wide))
+        return places
 
     def order(self, x, p, eta, cosine_at, sine_at, aim, parts):
-        """(I): the least number of points, an even one, with which Gauss's rule is good enough on one of so many parts; by
+        """(I): a number of points, an even one, with which Gauss's rule is good enough on one of so many parts; by
         |cos(t + d) - cos t| <= |cos t| (cosh |d| - 1) + sin t sinh |d|"""
         one, middle, half = self.one, *self.places[p]
         square = (x + cosine_at) ** 2 if x >= one else (one + cosine_at) * (2 * x - one + cosine_at)
@@ -290,6 +290,8 @@ class Mesh:
                 continue
             K = -(-(self.lg[p][j] + accuracy) // (2 * power))
             least = min(least, max(2, K + (K & 1)))
+            if least <= SMALL_RULE:
+                break
         return least
 
     # ---- the defects
@@ -403,16 +405,20 @@ class Mesh:
         size.append(self.continued(p, at, at, (2 * at * r + r * r >> bits) + 1))
         return low, high, max([self.largest, *size]) + 4  # 5 sup|V| + 2 A + 2 A + A <= 10 times the largest
 
-    def wave(self, x1, x2, low, high, count, wanted):
-        """(K): T V_m, all m, at so many points of J = [x1, x2], in units 2^-(work + kept), and how far off: what panels far from the ends of the
-        wave give is interpolated from fewer points"""
-        (_, near), *shells = self.shells(x1, x2, low, high)
+    def fewer(self, size, wanted, power):
+        """(K): how many points are enough for what is below 2^size on the ellipse 2^power"""
+        return max(3, -(-(size - wanted + 6) // power) + 1)
+
+    def wave(self, x1, x2, low, high, count, wanted, but=range(0)):
+        """(K): T V_m, all m, at so many points of J = [x1, x2], in units 2^-(work + kept), but for what some panels give, and how far off: what
+        panels far from the ends of the wave give is interpolated from fewer points"""
+        (_, near), *shells = [(power, [p for p in panels if p not in but]) for power, panels in self.shells(x1, x2, low, high)]
         rows = [self.row(x, low, high, -wanted, near) for x in self.chebyshev_points(x1, x2, count)]
         one = self.round + Fraction(2) ** (wanted - 6)
         each, beyond = one, Fraction(0)
         for power, panels in shells:
             size = self.largest + 3  # 5 sup |V|
-            fewer = max(3, -(-(size + max(self.up, default=0) - wanted + 6) // power) + 1)
+            fewer = self.fewer(size + max(self.up, default=0), wanted, power)
             levels = list(zip(*(self.row(x, low, high, -wanted, panels) for x in self.chebyshev_points(x1, x2, fewer))))
             for row, weights in zip(rows, self.weights(fewer, count)):
                 row[:] = [a + (sum(map(mul, weights, level)) >> self.bits) for a, level in zip(row, levels)]

@@ -4,19 +4,41 @@
 V = G Phi is data: polynomials of z = y^2 on the panels of a mesh (full_contact.py), 0 beside them. This program bounds R = B_0 - c x - V/G + T V on
 intervals J that it chooses itself, and |C(G) - c| <= G^3 sup (T|R|)(x) follows from that.
 """
+from bisect import bisect_left
 from fractions import Fraction
 from math import isqrt
+from operator import mul
+from typing import NamedTuple
 
-from full_contact import REACH, Far, Mesh, lebesgue
-from transfer import Refused
+from full_contact import MOST_POINTS, REACH, Far, Mesh, lebesgue
+from transfer import Refused, chebyshev
 
 MOST_INTERVALS = 20000   # in all
 MANY = 8                 # log2: so many narrow intervals may each leave as much as a wide one
-NARROWEST = 4            # bits below 2^-accuracy: no interval is halved beyond
+NARROWEST = 4            # bits below 2^-accuracy/sup|V|, as a hole has R in proportion: no interval is halved beyond
+INNER = 3                # an ellipse 2^INNER about an interval: what panels give that are far from the ends of its waves is had once for all intervals in it
+FEW = 8                  # panels for which that is not worth while
+DEEPER = 4               # bits that it is more accurate, as it is added up over intervals in one another
+
+
+def without_zeros(c):
+    """but for those at its end; one is kept"""
+    return c[:max((k + 1 for k, a in enumerate(c) if a), default=1)]
+
+
+class Inner(NamedTuple):
+    """Of T V on an interval: what the panels give that are named, sums of polynomials about a middle, on so much either side, off by so much at most."""
+    panels: range = range(0)
+    parts: list = []
+    off: Fraction = Fraction(0)
 
 
 class Poisson(Mesh):
     """Level 0 of the mesh is V."""
+
+    def __init__(self, *arguments):
+        super().__init__(*arguments)
+        self.falling = [[k << self.work for k in reversed(without_zeros(levels[0]))] for levels in self.series]
 
     def off_by(self, c, progress=lambda done: None):
         """(W), (X): above |C(G) - c|"""
@@ -25,30 +47,75 @@ class Poisson(Mesh):
             raise Refused("the mesh is not one of this kind, or does not reach as far as ratios do")
         self.c = -(-c * self.one // 1)
         self.c_off = Fraction(4 + (self.edges[panels] >> self.bits), self.one) + Fraction(2, self.unit)  # of c x
-        self.found = [(self.edges[0], self.below())]
-        for p in range(panels):
-            progress(f"panel {p + 1} of {panels}")
-            self.cover_panel(p)
+        self.found, self.progress = [(self.edges[0], self.below())], lambda p: progress(f"panel {p + 1} of {panels}")
+        self.cover(panels)
         return Fraction(self.G + 1, self.one) ** 3 * self.averaged_once()
 
-    def cover_panel(self, p):
-        """widths, and |R|, of intervals that cover it, cut at 1"""
-        a, b = self.edges[p], self.edges[p + 1]
-        stack = [(self.one, b), (a, self.one)] if a < self.one < b else [(a, b)]
+    def cover(self, panels):
+        """widths, and |R|, of intervals that cover the first so many panels, cut at 1; what is known on all of an interval serves its parts"""
+        cuts = sorted({self.edges[0], self.edges[panels], *([self.one] if self.edges[panels] > self.one else [])})
+        stack = [(a, b, Inner()) for a, b in zip(cuts, cuts[1:])]
         while stack:
-            a, b = stack.pop()
+            a, b, inner = stack.pop()
             if b - a < 1 << self.bits // 2:
                 raise Refused("a panel is too narrow")  # for the rounding of points on it
+            if len(self.found) + len(stack) > MOST_INTERVALS:
+                raise Refused("the polynomials of a mesh do not solve Poisson's equation")
+            inner, p, q = self.more(a, b, inner), self.panel(a), self.panel(b - 1)
+            if p < q:
+                at = self.edges[min(max(bisect_left(self.edges, a + b >> 1), p + 1), q)]
+                stack += [(at, b, inner), (a, at, inner)]
+                continue
+            self.progress(p)
             try:
-                here = self.residual(p, a, b)
+                here = self.residual(p, a, b, inner)
             except Far:
-                if b - a > self.one >> self.accuracy + NARROWEST and b - a > 4 << self.bits // 2:
-                    stack += [(a + b >> 1, b), (a, a + b >> 1)]
+                if b - a > max(self.one >> self.accuracy + NARROWEST + max(0, self.largest), 4 << self.bits // 2):
+                    stack += [(a + b >> 1, b, inner), (a, a + b >> 1, inner)]
                     continue
                 here = self.hole(p, a, b)
             self.found.append((b - a, here))
-            if len(self.found) + len(stack) > MOST_INTERVALS:
-                raise Refused("the polynomials of a mesh do not solve Poisson's equation")
+
+    def integral(self, p, rule):
+        """(L): by Clenshaw's recurrence, there being one level, which needs no bound to be told from others; in units 2^-(work + kept)"""
+        work, (*later, first), total = self.work, self.falling[p], 0
+        for at, weight in rule:
+            twice, u, before = 2 * at, 0, 0
+            for c in later:
+                u, before = c + (twice * u >> work) - before, u
+            total += weight * (first + (at * u >> work) - before) >> work
+        return total, 0
+
+    def unpacked(self, total):
+        return [total]
+
+    def more(self, a, b, inner):
+        """(K): `inner`, and what more panels give that are far from the ends of all waves on J = [a, b]"""
+        h, middle = (b - a >> 1) + 1, a + b >> 1
+        try:
+            y_low, y_high = self.inner(a, b, (h * (4**INNER + 1) >> INNER + 1) + 1)
+        except Far:
+            return inner
+        first, last = self.panel(y_low) + 1, self.panel(y_high)
+        panels = [p for p in range(first, last) if p not in inner.panels]
+        if len(panels) < FEW or not first <= inner.panels.start <= inner.panels.stop <= last and inner.panels:
+            return inner
+        size, wanted = self.largest + 3, self.wanted(a, b) - DEEPER  # 5 sup |V|
+        count, one = self.fewer(size, wanted, INNER), self.round + Fraction(2) ** (wanted - 6)
+        if count > MOST_POINTS:
+            return inner
+        values = [self.row(x, -1, len(self.series), -wanted, panels)[0] for x in self.chebyshev_points(a, b, count)]
+        off = lebesgue(count) * one + (1 + lebesgue(count)) * 2 * Fraction(2) ** (size - INNER * (count - 1)) / (2**INNER - 1)
+        return Inner(range(first, last), [*inner.parts, (middle, h, self.coefficients(values))], inner.off + off)
+
+    def coefficients(self, values):
+        """of the polynomial in Chebyshev's T_k with these values at as many Chebyshev points"""
+        T = [chebyshev(t, self.one, len(values), self.bits) for t in self.cosines(len(values))]
+        return [(sum(map(mul, values, column)) << (k > 0)) // (len(values) << self.bits) for k, column in enumerate(zip(*T))]
+
+    def inner_at(self, x, inner):
+        """what it says of T V at x, in units 2^-(work + kept)"""
+        return sum(sum(map(mul, c, chebyshev(((x - middle) << self.bits) // h, self.one, len(c), self.bits))) >> self.bits for middle, h, c in inner.parts)
 
     def share(self, width):
         """(H): above what a wave has of ratios between two that are so far apart"""
@@ -75,7 +142,7 @@ class Poisson(Mesh):
         size = max(Fraction(2) ** (self.lg[p][0] + 1) for p in range(max(0, self.panel(self.most(y) + 4)) + 1))
         return Fraction(isqrt(y << self.bits) + 1, self.one) * (1 + size) + Fraction((y * self.c >> self.bits) + 2, self.one)
 
-    def residual(self, p, x1, x2):
+    def residual(self, p, x1, x2, inner):
         """(K), (W): |R| on J = [x1, x2] in the panel p"""
         wanted, at, h = self.wanted(x1, x2), x1 + x2 >> 1, (x2 - x1 >> 1) + 1
         r, radius = h * REACH.numerator // REACH.denominator + 1, self.first_disc(at, x1, x2)
@@ -87,9 +154,11 @@ class Poisson(Mesh):
         (off, ) = self.mismatch(low, high, x1, x2)
         if off > Fraction(2) ** wanted:
             raise Far
-        rows, off_by = self.wave(x1, x2, low, high, count, wanted)
-        worst = max(abs(row[0] + self.rest(p, x)) for x, row in zip(self.chebyshev_points(x1, x2, count), rows))
-        return lebesgue(count) * (Fraction(worst, self.unit) + 4 * self.round + off_by + self.c_off) + beyond + off
+        if inner.panels and not low < inner.panels.start <= inner.panels.stop <= high:
+            inner = Inner()
+        rows, off_by = self.wave(x1, x2, low, high, count, wanted, inner.panels)
+        worst = max(abs(row[0] + self.inner_at(x, inner) + self.rest(p, x)) for x, row in zip(self.chebyshev_points(x1, x2, count), rows))
+        return lebesgue(count) * (Fraction(worst, self.unit) + 4 * self.round + off_by + inner.off + self.c_off) + beyond + off
 
     def load_term(self, x, y):
         """B_0(x) - c y, in units 2^-(work + kept)"""

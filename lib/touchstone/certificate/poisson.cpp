@@ -6,13 +6,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace touchstone::certificate {
 namespace {
 
-constexpr long spare_bits = 6;         ///< the checker adds up what some hundred narrow intervals leave
-constexpr double spare_tolerance = 6;  ///< polynomials leave that much less than what is claimed
+constexpr long spare_bits = 6;     ///< the checker adds up what some hundred narrow intervals leave
+constexpr double least_spare = 6;  ///< polynomials leave that much less than what is claimed
+
+/// The same, where G is near 1: what is left next to each singular point adds up, and ratios reach as far as (G - 1)^-1.
+double spare_tolerance(double G) { return std::max(least_spare, 1 / (G - 1)); }
 
 Rational rounded_above(double x)
 {
@@ -29,7 +33,7 @@ void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t
     const double g = nearest(G), goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double least_C = 0.2;                                                // at G = 1.02
     const double residual = goal * least_C * std::sqrt(std::min(25.0, (g - 1) * 50)) / (g * g * g); // C grows like the root of G - 1
-    const limit::PoissonSearch found = limit::search_poisson(G, residual / spare_tolerance);
+    const limit::PoissonSearch found = limit::search_poisson(G, residual / spare_tolerance(g));
     const long accuracy = static_cast<long>(std::ceil(-std::log2(residual))) + spare_bits, bits = 2 * accuracy + 64, kept = accuracy + 26;
     Rational load = rounded_above(1 / (g - 1)); // no ratio of the limit is above
     load.canonicalize();
