@@ -34,7 +34,7 @@ CERTIFIED = {"contact_area": (12, ""), "segments_count": (12, ""), "limit_ratio"
              "contact_area_heavy": (8, ""), "contact_area_full": (8, ""),
              "contact_exceedance": (8, ""), "contact_density": (8, ""), "segments_density": (8, ""),
              "contact_exceedance_full": (8, ""), "limit_scale": (8, ""), "limit_gap": (8, ""), "limit_distance": (7, *(f"n={n}" for n in (1, 2, 3, 5, 10))),
-             "limit_constant_full": (8, *(f"G={G}" for G in (1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 1.95, 2))),
+             "limit_constant_full": (8, *(f"G={G}" for G in (1.05, 1.0837983867343681, 1.1, 1.1220184543019633, 1.15, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 1.95, 2))),
              **dict.fromkeys(("limit_exceedance", "limit_force", "limit_density", "limit_segments"), (10, ""))}  # to so many digits, by certificates of these rows
 
 

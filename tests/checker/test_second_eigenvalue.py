@@ -177,8 +177,9 @@ class SecondEigenvalue(unittest.TestCase):
             plain = self.plain.mean(s, lambda psi, beta, t: abs(psi) * apart(t)).real, self.plain.mean(s, lambda psi, beta, t: abs(psi)**2 * W(t.real - self.plain.start) + abs(beta) * apart(t)).real
             for above, at in zip((coupling, remainder), plain):
                 self.assertTrue(at <= above <= 1.03 * at, (sigma, float(above), at))
-            for above, at in zip(self.w.row(a, b, 3), plain):  # of wide boxes, the last where V is infinite
-                self.assertLessEqual(at, above)
+            for boxes in (1, 3):  # wide ones, the last where V is infinite
+                for above, at in zip(self.w.row(a, b, boxes), plain):
+                    self.assertLessEqual(at, above)
             self.assertTrue(0.99 <= float(se.least_weight(a, b)) / W(sigma) <= 1)
             slope = abs(self.plain.series(s)[1]) / self.plain.series(self.plain.start + PLACE)[0].real
             self.assertTrue(slope <= self.w.steepness(a, b) <= 1.01 * slope + 1e-6, sigma)
@@ -211,6 +212,19 @@ class SecondEigenvalue(unittest.TestCase):
         w.octaves = 2
         with unittest.mock.patch.object(se.Integrand, "__call__", lambda integrand, e: Disc.of(1)):
             self.assertGreaterEqual(w.size_of_defect(s, zero), Fraction(3, 4) + se.top(w.cut_off(True)))
+
+    def test_what_the_defect_may_be(self):
+        """gd/(3 tau), or d^2/(6 tau), d = lambda/4 here, of w(place) = 2 twice as much; and slopes are those of w/w(place)"""
+        high, centre, radius, exponent, c = self.arguments
+        double, tau, seen = se.Eigenfunction(Interval.of(G), high, centre, radius, exponent + 1, c), float(self.w.row(Fraction(PLACE), Fraction(PLACE), se.FINE)[0]), []
+        self.assertAlmostEqual(float(double.steepness(Fraction(1), Fraction(1)) / self.w.steepness(Fraction(1), Fraction(1))), 1)
+        value = self.w.ratio(Fraction(1, 10**6)).middle()
+        for w, factor in ((self.w, 1), (double, 2)):
+            for error in (Fraction(1, 100), Fraction(1, 3)):
+                with unittest.mock.patch.object(w, "remainder_is_below", return_value=True), unittest.mock.patch.object(w, "defect", side_effect=lambda ratio, aim, _: seen.append(aim) or 0):
+                    self.assertTrue(w.is_within(value, error, lambda part: None))
+                d = float(value) / 4
+                self.assertLessEqual(float(seen[-1]) * se.SPARE * 3 * tau, 1.0001 * factor * min(float(error) * d, d * d / 2))
 
     def test_far_out(self):
         """What is said from s_0 + high on, there and further on, of w that ends soon and of w = 1 too; the mass that is cut off"""
