@@ -89,6 +89,12 @@ class Interval:
         return (self.low + self.high) * Fraction(2) ** (self.exponent - 1)
 
 
+def hull(x, y):
+    e = min(x.exponent, y.exponent)
+    (a, b), (c, d) = ((z.low << z.exponent - e, z.high << z.exponent - e) for z in (x, y))
+    return Interval(min(a, c), max(b, d), e)
+
+
 def error_term(size):
     """[-size, size] for an interval of sizes"""
     top = max(abs(size.low), abs(size.high))
@@ -177,10 +183,12 @@ def _log_of_ratio(x, c):
 
 
 def log(x):
-    """x > 0; accurate relative to the result, next to x = 1 too."""
+    """x > 0; accurate relative to the result, to 512 bits next to x = 1 too."""
     x = Interval.of(x)
     if x.low <= 0:
         raise ValueError("logarithm of an interval that reaches 0")
+    if 2 * x.low < x.high:  # so wide that the series would end too soon; log increases
+        return hull(*(log(Interval(end, end, x.exponent)) for end in (x.low, x.high)))
     power = x.high.bit_length() + x.exponent  # x < 2**power
     x = x.scaled(-power)
     if x.high * 4 < 3 << -x.exponent if x.exponent < 0 else False:  # x < 3/4

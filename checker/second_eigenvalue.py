@@ -9,21 +9,20 @@ from fractions import Fraction
 
 import intervals as iv
 from distributions import Polynomial, interpolated, need, top
-from full_contact import lebesgue
 from intervals import Interval
-from scale_one import Disc, Outside, largest, off_by, points
+from scale_one import Disc, Outside, by_gauss, largest, off_by
 
 PLACE = Fraction(7, 10)         # sigma = s - s_0 where w is 1 and k is 0 (theorem 8)
 GROWING = Fraction(1, 10000)    # of the weight W = 1 + r + 3/2 r^4 + GROWING/r, r = exp(-2 sigma)
 COARSE = 64                     # bits of bounds
 POWERS = 9, 6, 4, 3, 2          # rho = 2^power of the ellipses on which integrands are bounded
-RHO, DISC = 4, Fraction(17, 8)  # of the ellipse about an interval of sigma; the disc that it is in, in half widths
+RHO = 4                         # of the ellipse about an interval of sigma
+DISC = Fraction(RHO * RHO + 1, 2 * RHO)  # that it is in, in half widths
 MOST_POINTS, MOST_PARTS, DEEPEST = 64, 1000, 14
 BOXES, FINE = 24, 500           # of the noise's angle: on the first intervals of sigma, for tau
 FIRST, HALVINGS = 16, 12        # intervals of sigma for theta; how often one is halved
 APART = 4, 8, 16, 32, 64, 128   # lambda/(lambda - theta): the first that is had
-SPARE = 8                       # the defect is more than what is left open of it
-
+SPARE = 8                       # so much less is aimed at than the defect may be: Lebesgue's constant counts too
 
 
 def log(x):
@@ -41,11 +40,6 @@ def exp(x):
 
 def at(polynomial, place):
     return Disc(Interval.of(0), polynomial.bound(place.centre, place.radius)) if isinstance(place, Disc) else polynomial.value(place)
-
-
-def hull(x, y):
-    e = min(x.exponent, y.exponent)
-    return Interval(min(x.low << x.exponent - e, y.low << y.exponent - e), max(x.high << x.exponent - e, y.high << y.exponent - e), e)
 
 
 def twice_the_slope(c):
@@ -145,10 +139,10 @@ class Eigenfunction:
         return found, off
 
     def order(self, bound, a, b, allowed):
-        at, half = (a + b) / 2, (b - a) / 2
+        middle, half = (a + b) / 2, (b - a) / 2
         for power in POWERS:
             try:
-                M = top(bound(Disc(Interval.of(at), Interval.of(half * Fraction(4**power + 1, 2**(power + 1))))).reach())
+                M = top(bound(Disc(Interval.of(middle), Interval.of(half * Fraction(4**power + 1, 2**(power + 1))))).reach())
             except Outside:
                 continue
             for K in range(2, MOST_POINTS + 1, 2):
@@ -158,14 +152,8 @@ class Eigenfunction:
 
     def integral(self, s, slope, rule):
         """but for what is cut off, and the rule's error"""
-        f, total = Integrand(Interval.of, s, slope, self), Interval.of(0)
-        for a, b, K in rule:
-            middle, half, part = Interval.of((a + b) / 2), Interval.of((b - a) / 2), Interval.of(0)
-            for t, w in points(self.bits, K):
-                off = half * Interval(t, t, -self.bits)
-                part = part + (f(middle - off) + f(middle + off)) * w
-            total = total + part.scaled(-self.bits) * half
-        return total
+        f = Integrand(Interval.of, s, slope, self)
+        return sum((by_gauss(f, *part) for part in rule), Interval.of(0))
 
     def ratio(self, allowed):
         """lambda = (D w)/w at the place"""
@@ -238,12 +226,12 @@ class Eigenfunction:
     @at_coarse_bits
     def row(self, a, b, boxes):
         """(Z): above E[|psi| |V - V(place)|] and E[psi^2 W] + E[beta |V - V(place)|] at s' for all sigma from a to b"""
-        rho = hull(iv.exp(Interval.of(-b)), iv.exp(Interval.of(-a)))
+        rho = iv.hull(iv.exp(Interval.of(-b)), iv.exp(Interval.of(-a)))
         x, coupling, remainder, edge = self.xi * rho, Interval.of(0), Interval.of(0), Interval.of(0)
         for j in range(1, boxes + 1):
             before, edge = edge, iv.sin_pi(Fraction(j, 2 * boxes)).square()
-            square = hull(before, edge)
-            cosine = 1 - square if j < boxes else hull(Interval.of(0), 1 - before)
+            square = iv.hull(before, edge)
+            cosine = 1 - square if j < boxes else iv.hull(Interval.of(0), 1 - before)
             m = 1 - x * square
             half, r, growing = 1 / (2 * m), rho * cosine * m, GROWING / (rho * m)  # cos^2/r = 1/(rho m)
             psi, beta = 1 - half, half * (2 * half - 1)
@@ -277,7 +265,7 @@ class Eigenfunction:
 
     def steepness(self, a, b):
         """above |w'|/w(place) from a to b, by Taylor's formula"""
-        place = hull(iv.log(self.start + a), iv.log(self.start + b))
+        place = iv.hull(iv.log(self.start + a), iv.log(self.start + b))
         middle = Interval.of(place.middle())
         off = largest(place - middle) / self.radius
         first, second = (largest(p.value(middle)) for p in self.derivatives[1:3])

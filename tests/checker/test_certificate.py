@@ -747,7 +747,7 @@ class Certificates(unittest.TestCase):
         borrowed["distributions"] = borrowed["transfer"] | {("full_contact", part) for part in ("Far", "Trigonometry", "lebesgue", "")}
         by_levels = {"on_interval", "between", "cover", "first_on", "first_between", "defects", "errors", "shares", "parted", "averaged", "value", "jumps"}
         borrowed["poisson"] = borrowed["transfer"] | {part for part in code if part[0] == "full_contact" and part[1] not in by_levels}
-        borrowed["second_eigenvalue"] = {("scale_one", part) for part in ("", "of", "__add__", "__neg__", "__sub__", "__rsub__", "__mul__", "square", "reach", "least", "__rtruediv__", "__truediv__", "largest", "off_by", "points", "trigonometry")}
+        borrowed["second_eigenvalue"] = {("scale_one", part) for part in ("", "of", "__add__", "__neg__", "__sub__", "__rsub__", "__mul__", "square", "reach", "least", "__rtruediv__", "__truediv__", "largest", "off_by", "by_gauss", "points", "trigonometry")}
         borrowed["second_eigenvalue"] |= {("distributions", part) for part in ("", "__init__", "value", "largest", "bound", "interpolated", "spread_of", "need", "top")}
         trigonometry = {"__init__", "small", "cos_sin", "angle", "of_cosine", "gauss"}
         total = {}

@@ -270,9 +270,11 @@ class SecondEigenvalue(unittest.TestCase):
             with self.subTest(wrong=[*map(float, wrong)]), self.assertRaises((full_contact.Far, ValueError)):
                 se.Eigenfunction(Interval.of(G), *wrong, exponent, c)
 
-    def test_other_eigenvalues_are_to_be_further_away(self):
-        """G = 2.17: there the second and the third eigenvalue meet, so that no theta is below the second"""
-        self.assertEqual(program("certificate", "limit.gap", "G=2.19").returncode, 2)
+    def test_no_certificate_is_written_where_none_is_known_to_hold(self):
+        """Below G = 2.2: next to 2.17 the second and the third eigenvalue meet, and theta is less than the second no more; beyond 2^20"""
+        for G in ("2.19", "1048577"):
+            said = program("certificate", "limit.gap", f"G={G}")
+            self.assertEqual((said.returncode, "2.2 <= G <= 2^20" in said.stderr), (2, True), said.stderr)
 
 
 if __name__ == "__main__":

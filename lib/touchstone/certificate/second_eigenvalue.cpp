@@ -25,13 +25,12 @@ void write(const Root& root, long digits, std::size_t claim, std::string& head, 
     const Ball G = number(root);
     const Accuracy accuracy{digits + spare_digits};
     const limit::Eigenfunction w = limit::approximate_eigenfunction(G, accuracy);
-    const Ball s = 2 * log(G / 2) + Ball(Rational(7, 10)), at_place = limit::chebyshev_sum(w.value, w.place(s));
     const Ball lambda = limit::prove_eigenvalue(G, w, accuracy).lambda;
 
     const Rational last = exact_rational(std::floor(limit::highest_sigma(accuracy) / inside - 1) * inside);
     const Rational low = exact_rational(w.low), high = exact_rational(w.high);
     std::string data = fmt::format("claim={} high={} centre={} radius={} exponent={}", claim, dyadic(last), dyadic((low + high) / 2), dyadic((high - low) / 2), -kept_bits);
-    for (const Ball& c : w.value) data += ' ' + hex(units(c / at_place, kept_bits));
+    for (const Ball& c : w.value) data += ' ' + hex(units(c, kept_bits));
     const std::size_t first = lines.add("steady", {}, fmt::format("G={} bits={:x}", named(root), bits_for_checker));
     lines.add("eigenvalue", {first}, data);
     const Rational error = rounded_up(nearest(lambda) * std::pow(10.0, -static_cast<double>(digits)) / 2);
