@@ -469,7 +469,7 @@ class Replay:
     def eigenvalue(self, below, claim, high, centre, radius, exponent, coefficients):
         """(Z)"""
         law, _, value, error = self.claimed("limit.gap", below, claim)
-        need(law[0] == "steady" and len(below) == 1 and 0 < high <= 1000 and 0 < radius <= 64 and 2 < len(coefficients) <= MOST["terms"], "not a function of s", Refused)
+        need(law[0] == "steady" and len(below) == 1 and error * 2 ** law[2][1] > 1 and 0 < high <= 1000 and 0 < radius <= 64 and 2 < len(coefficients) <= MOST["terms"], "not a function of s", Refused)
         if self.proving():
             (base, degree), Interval.bits = law[2]
             w = second_eigenvalue.Eigenfunction(root_of(base, degree), high, centre, radius, exponent, coefficients)
@@ -509,6 +509,8 @@ def main():
     parser.add_argument("file")
     arguments = parser.parse_args()
     memory.bound()
+    if hasattr(sys, "set_int_max_str_digits"):  # numbers of a certificate are bounded by its text
+        sys.set_int_max_str_digits(0)
     try:
         certificate = Certificate(arguments.file)
         first, last = span(arguments.lines) if arguments.lines else (1, certificate.count)

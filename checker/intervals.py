@@ -128,6 +128,8 @@ def _series(first, following):
 
 def _arctan_or_artanh(t, sign):
     """t + sign t^3/3 + t^5/5 + sign t^7/7 ...: artanh t, or with sign = -1 arctan t, |t| <= 1/2"""
+    if (t.low or t.high) and _magnitude(t) > -1:
+        raise ValueError("an interval too wide for a series")
     square = t.square() * sign
     return _series(t, lambda term, k: term * square * (2 * k - 1) / (2 * k + 1))
 

@@ -19,6 +19,7 @@ POWERS = 9, 6, 4, 3, 2          # rho = 2^power of the ellipses on which integra
 RHO = 4                         # of the ellipse about an interval of sigma
 DISC = Fraction(RHO * RHO + 1, 2 * RHO)  # that it is in, in half widths
 MOST_POINTS, MOST_PARTS, DEEPEST = 64, 1000, 14
+MOST_WORK = 1 << 21             # points in all: some five times what G = 2.2 takes
 BOXES, FINE = 24, 500           # of the noise's angle: on the first intervals of sigma, for tau
 FIRST, HALVINGS = 16, 12        # intervals of sigma for theta; how often one is halved
 APART = 4, 8, 16, 32, 64, 128   # lambda/(lambda - theta): the first that is had
@@ -96,7 +97,7 @@ class Eigenfunction:
         self.most, self.steepest = self.value.largest(None), self.slope.largest(None) / (self.start * self.radius)
         self.at_place, self.here = self.value.value(iv.log(self.start + PLACE)), integral_of_weight(iv.exp(Interval.of(-2 * PLACE)))
         need(self.at_place.low > 0)
-        self.octaves = self.cut()
+        self.octaves, self.work = self.cut(), 0
 
     def derivative(self, s):
         return self.slope.value(iv.log(s)) / (s * self.radius)
@@ -129,7 +130,7 @@ class Eigenfunction:
         stack = [(Fraction(1, 2**k), Fraction(2, 2**k)) for k in range(self.octaves, 0, -1)]
         while stack:
             a, b = stack.pop()
-            need(len(found) < MOST_PARTS)
+            need(len(found) < MOST_PARTS and (b - a) * 2**DEEPEST >= a)
             K, error = self.order(bound, a, b, allowed / (2 * self.octaves))
             off += error
             if K:
@@ -152,6 +153,8 @@ class Eigenfunction:
 
     def integral(self, s, slope, rule):
         """but for what is cut off, and the rule's error"""
+        self.work += sum(K for *_, K in rule)
+        need(self.work < MOST_WORK)
         f = Integrand(Interval.of, s, slope, self)
         return sum((by_gauss(f, *part) for part in rule), Interval.of(0))
 
@@ -163,10 +166,10 @@ class Eigenfunction:
 
     # ---- delta: f = (D w)' - lambda w'
 
-    def defect(self, ratio, aim, progress):
-        """above |f|/W"""
+    def defect(self, ratio, aim, progress, most=None):
+        """above |f|/W, or some number beyond `most` if that is"""
         worst, stack = top(self.defect_beyond()), [(Fraction(0), self.high)]
-        while stack:
+        while stack and (most is None or worst < most):
             a, b = stack.pop()
             progress(f"sigma from {float(a):.3f}")
             found = self.defect_on(a, b, ratio, aim)
@@ -281,7 +284,7 @@ class Eigenfunction:
             return False
         apart = next((least / n for n in APART if self.remainder_is_below(least - least / n, coupling, progress)), 0)
         allowed = min(room * apart, apart**2 / 2) / (3 * coupling) * self.at_place.ends()[0]  # eta <= room, and < apart/2
-        return allowed > 0 and self.defect(self.ratio(allowed / SPARE**2), allowed / SPARE, progress) < allowed
+        return allowed > 0 and self.defect(self.ratio(allowed / SPARE**2), allowed / SPARE, progress, allowed) < allowed
 
 
 def integral_of_weight(r):

@@ -79,36 +79,37 @@ def signed(text):
     return body + f"sha256 {hashlib.sha256(body.encode()).hexdigest()}\n"
 
 
+DIGITS = {"contact.area": 30, "limit.area_constant": 8, "limit.gap": 8}  # of values to compare with; of other limits and of distributions:
+DIGITS_OF_LIMITS, DIGITS_OF_DISTRIBUTIONS = 7, 20
+
+
 @functools.lru_cache(None)
-def area(n, load, G, digits=30):
-    """A_n/lambda_0 by the program, which the checker knows nothing of"""
-    said = program("eval", "contact.area", f"n={n}", f"load={load}", f"G={G}", "--digits", digits, "--json")
+def true_value(quantity, inputs, G, digits=None):
+    """by the program, which the checker knows nothing of"""
+    names = certificate.CLAIMS[quantity].split()[:-3]
+    digits = digits or DIGITS.get(quantity, DIGITS_OF_LIMITS if quantity.startswith("limit") else DIGITS_OF_DISTRIBUTIONS)
+    said = program("eval", quantity, *(f"{name}={x}" for name, x in zip(names, inputs, strict=True)), f"G={G}", *(["--digits", digits] if quantity != "limit.scale" else []), "--json")
     return Fraction(json.loads(said.stdout)["value"])
 
 
-@functools.lru_cache(None)
-def distribution(quantity, n, at, load, G, digits=20):
+def area(n, load, G, digits=None):
+    """A_n/lambda_0"""
+    return true_value("contact.area", (n, load), G, digits)
+
+
+def distribution(quantity, n, at, load, G):
     """a share above the pressure `at`, a density there, or that of segments of half-width `at`"""
-    name = "a" if quantity == "segments.density" else "p"
-    return Fraction(json.loads(program("eval", quantity, f"n={n}", f"{name}={at}", f"load={load}", f"G={G}", "--digits", digits, "--json").stdout)["value"])
+    return true_value(quantity, (n, at, load), G)
 
 
-@functools.lru_cache(None)
-def limit(G, digits=8):
-    """C(G) by the program"""
-    return Fraction(json.loads(program("eval", "limit.area_constant", f"G={G}", "--digits", digits, "--json").stdout)["value"])
+def limit(G, digits=None):
+    """C(G)"""
+    return true_value("limit.area_constant", (), G, digits)
 
 
-@functools.lru_cache(None)
-def gap(G, digits=8):
-    """the second eigenvalue by the program"""
-    return Fraction(json.loads(program("eval", "limit.gap", f"G={G}", "--digits", digits, "--json").stdout)["value"])
-
-
-@functools.lru_cache(None)
-def limiting(quantity, at, G, digits=7):
-    """the limit of a share or density by the program, which has it from a function on a mesh"""
-    return Fraction(json.loads(program("eval", quantity, f"{'a' if quantity == 'limit.segments' else 'p'}={at}", f"G={G}", "--digits", digits, "--json").stdout)["value"])
+def limiting(quantity, at, G):
+    """the limit of a share or density, which the program has from a function on a mesh"""
+    return true_value(quantity, (at,), G)
 
 
 # What is changed in many ways, and how often: partial contact, full contact without and with a wave between, shares above a pressure, the limit.
@@ -1075,8 +1076,7 @@ class Certificates(unittest.TestCase):
         """Whether all that an accepted mutant says is true, by the program: its claims, and its polynomials at some points."""
         for *inputs, (base, degree), value, error in read.claims.values():
             G = f"({base})^(1/{degree})"
-            true = gap(G) if read.quantity == "limit.gap" else limit(G) if not inputs else limiting(read.quantity, *inputs, G) if read.quantity.startswith("limit") else area(*inputs, G) if read.quantity == "contact.area" else distribution(read.quantity, *inputs, G)
-            if abs(value - true) > error:
+            if abs(value - true_value(read.quantity, tuple(inputs), G)) > error:
                 return False
         for words in read.lines:
             if words[1] == "piece" and not self.true_piece(words, read.lines[0]):

@@ -72,6 +72,12 @@ class Intervals(unittest.TestCase):
             with self.assertRaises(ValueError):
                 iv.log(reaches_0)
 
+    def test_what_is_too_wide_for_a_series_is_refused(self):
+        Interval.bits = 64
+        for form, x in ((iv.arctan, Interval(1, 6400, -6)), (iv.arctan, Interval(-1, 1, 9))):
+            with self.assertRaises(ValueError):
+                form(x)
+
     def test_angles(self):
         """Angles of points on rays that are known: sin and cos of multiples of pi/96, and the other way round"""
         for bits in (64, 192):

@@ -2,14 +2,17 @@
 """Lemma Z of docs/certificate.md, part by part, against sums and random complex points in binary64; and what the program says, and says wrongly, about limit.gap."""
 import argparse
 import cmath
+import hashlib
 import itertools
 import json
 import math
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import unittest.mock
 from fractions import Fraction
@@ -221,7 +224,7 @@ class SecondEigenvalue(unittest.TestCase):
         value = self.w.ratio(Fraction(1, 10**6)).middle()
         for w, factor in ((self.w, 1), (double, 2)):
             for error in (Fraction(1, 100), Fraction(1, 3)):
-                with unittest.mock.patch.object(w, "remainder_is_below", return_value=True), unittest.mock.patch.object(w, "defect", side_effect=lambda ratio, aim, _: seen.append(aim) or 0):
+                with unittest.mock.patch.object(w, "remainder_is_below", return_value=True), unittest.mock.patch.object(w, "defect", side_effect=lambda ratio, aim, *_: seen.append(aim) or 0):
                     self.assertTrue(w.is_within(value, error, lambda part: None))
                 d = float(value) / 4
                 self.assertLessEqual(float(seen[-1]) * se.SPARE * 3 * tau, 1.0001 * factor * min(float(error) * d, d * d / 2))
@@ -269,6 +272,23 @@ class SecondEigenvalue(unittest.TestCase):
         for wrong in ((2 * high, centre, radius), (Fraction(1, 2), centre, radius), (high, centre + radius / 50, radius), (high, centre, radius * Fraction(99, 100))):
             with self.subTest(wrong=[*map(float, wrong)]), self.assertRaises((full_contact.Far, ValueError)):
                 se.Eigenfunction(Interval.of(G), *wrong, exponent, c)
+
+    def test_what_would_take_forever_is_refused(self):
+        """An error below what the bits give; coefficients that no rule follows; more work than any proof takes"""
+        self.make(64, 1)
+        text, begun = self.path.read_text(), time.process_time()
+        for was, now in (("error=[0-9a-f]+:-[0-9]+", "error=1:-16384"), (r"( exponent=-64( [-0-9a-f]+)+)\n", r"\1 " + "0 " * 60 + "4" + "0" * 3000 + "\n"), (r"( exponent=-64( [-0-9a-f]+)+)\n", r"\1 -4" + "0" * 3000 + "\n")):
+            changed = re.sub(was, now, text, count=1).rpartition("sha256 ")[0]
+            self.assertNotEqual(changed, text.rpartition("sha256 ")[0])
+            self.path.write_text(changed + f"sha256 {hashlib.sha256(changed.encode()).hexdigest()}\n")
+            with self.subTest(now=now[:30]), self.assertRaises(certificate.Refused):
+                certificate.Replay(certificate.Certificate(self.path), 1, 2)
+        self.assertLess(time.process_time() - begun, 20)
+        with unittest.mock.patch.object(se, "MOST_WORK", 100), self.assertRaises(full_contact.Far):
+            self.w.defect(self.w.ratio(Fraction(1, 10**6)), Fraction(1, 10**6), lambda part: None)
+        with unittest.mock.patch.object(self.w, "defect_beyond", return_value=Interval.of(1)), unittest.mock.patch.object(self.w, "defect_on") as asked:
+            self.assertEqual(self.w.defect(Interval.of(1), Fraction(1), lambda part: None, Fraction(1, 2)), 1)
+        asked.assert_not_called()
 
     def test_no_certificate_is_written_where_none_is_known_to_hold(self):
         """Below G = 2.2: next to 2.17 the second and the third eigenvalue meet, and theta is less than the second no more; beyond 2^20"""
