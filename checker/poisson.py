@@ -18,6 +18,7 @@ MANY = 8                 # log2: so many narrow intervals may each leave as much
 NARROWEST = 4            # bits below 2^-accuracy/sup|V|, as a hole has R in proportion: no interval is halved beyond
 INNER = 3                # an ellipse 2^INNER about an interval: what panels give that are far from the ends of its waves is had once for all intervals in it
 FEW = 8                  # panels for which that is not worth while
+LEAST_PRESSURE = Fraction(1, 1024)  # of a force: its angle at a small pressure is less accurate
 DEEPER = 4               # bits that it is more accurate, as it is added up over intervals in one another
 
 
@@ -149,7 +150,7 @@ class Poisson(Mesh):
         if radius and r > radius:
             raise Far
         low, high, log_size = self.disc(p, x1, x2)
-        log_size = max(log_size, ((self.c * (at + r) >> 2 * self.bits) + 3).bit_length()) + 1  # |B_0| <= 1, c x, and the rest
+        log_size = max(log_size, ((self.c * (at + r) >> 2 * self.bits) + 2 + self.first_size(at + r)).bit_length()) + 1  # B_0, c x, and the rest
         count, beyond = self.interpolation(log_size, wanted)
         (off, ) = self.mismatch(low, high, x1, x2)
         if off > Fraction(2) ** wanted:
@@ -159,6 +160,10 @@ class Poisson(Mesh):
         rows, off_by = self.wave(x1, x2, low, high, count, wanted, inner.panels)
         worst = max(abs(row[0] + self.inner_at(x, inner) + self.rest(p, x)) for x, row in zip(self.chebyshev_points(x1, x2, count), rows))
         return lebesgue(count) * (Fraction(worst, self.unit) + 4 * self.round + off_by + inner.off + self.c_off) + beyond + off
+
+    def first_size(self, x):
+        """(M): above |B_0| on a disc where it is analytic, whose points are no larger than x"""
+        return 1 + (((2 * self.P + 4 * x >> self.bits) + 4).bit_length() // 4 + 1 if self.P else 0)
 
     def load_term(self, x, y):
         """B_0(x) - c y, in units 2^-(work + kept)"""
@@ -177,3 +182,27 @@ class Poisson(Mesh):
         (off, ) = self.furthest(p, x1, x2, lambda z: ends)
         moved = Fraction(2) ** (self.largest + 1) * Fraction(isqrt(32 * h << self.bits) + 1, self.one)
         return off + moved + 4 * self.round + self.quadrature + 2 * self.c_off
+
+
+class Force(Poisson):
+    """The force F_P that one wave carries above the pressure P for B_0."""
+
+    def first_wave(self, x):
+        """(W): in units 2^-work"""
+        one, bits, trig, P = self.one, self.bits, self.trig, self.P
+        if x >= one:
+            less, more = max(0, one - P + x), max(0, one + P - x)
+            total = (x * trig.of_cosine(less, more) >> bits) + isqrt(less * more)
+        else:
+            w = isqrt((one - x) ** 2 + P**2) - x
+            less, more = max(0, one - w), max(0, 2 * x - one + w)
+            total = isqrt(less * more) + 2 * (x * trig.angle(isqrt(less * (one + w)), P) >> bits)
+        return (total << self.work) // trig.pi
+
+    def first_size(self, x):
+        """(W)"""
+        return (2 * self.P + (6 + super().first_size(x)) * x >> self.bits) + 5
+
+    def rounding(self):
+        """(W)"""
+        return super().rounding() * 16 * (3 + (self.edges[-1] >> self.bits))

@@ -4,6 +4,7 @@
 #include "touchstone/certificate/contact.hpp"
 #include "touchstone/certificate/distributions.hpp"
 #include "touchstone/certificate/law_pieces.hpp"
+#include "touchstone/certificate/limit_quotients.hpp"
 #include "touchstone/certificate/text.hpp"
 #include "touchstone/scalar/refusal.hpp"
 
@@ -234,13 +235,15 @@ std::size_t write_section(const std::vector<LimitClaim>& claims, long digits, st
     return number - first_claim;
 }
 
+/// With full contact in the limit a law has singular points inside, and means are found without it.
+bool is_partial(const Root& G) { return power(Rational(41, 20), static_cast<long>(G.degree)) <= G.base; }
+
 } // namespace
 
 std::string refusal_of_limit_distribution(const LimitClaim& c)
 {
     const WorkingPrecision precision(256);
-    if (power(Rational(41, 20), static_cast<long>(c.G.degree)) > c.G.base)
-        return "limiting distributions have certificates where G >= 2.05";
+    if (!is_partial(c.G)) return refusal_of_quotient(c);
     if (power(Rational(1 << 20), static_cast<long>(c.G.degree)) < c.G.base) return "G > 2^20: certificates are made where G <= 2^20";
     if (c.at <= 0) return "at 0 the checker needs no certificate";
     const bool wider = c.of == LimitClaim::Of::segments && 2 * c.at >= 1;
@@ -264,7 +267,13 @@ std::string limit_distributions(const std::vector<LimitClaim>& all, Accuracy wan
     Lines lines;
     std::size_t claims = 0, written = 0;
     for (const auto& members : sections) {
-        claims += write_section(members, std::min(wanted.digits, most_digits_of_limit_distributions), claims + 1, ++written, head, lines);
+        if (is_partial(members.front().G)) {
+            claims += write_section(members, std::min(wanted.digits, most_digits_of_limit_distributions), claims + 1, ++written, head, lines);
+        }
+        else {
+            write_quotients(members, std::min(wanted.digits, most_digits_of_quotients), claims + 1, ++written, head, lines);
+            claims += members.size();
+        }
     }
     return certificate_text(std::string(quantity(all.front().of)), claims, written, head, lines);
 }

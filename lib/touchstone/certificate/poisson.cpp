@@ -2,17 +2,20 @@
 #include "touchstone/certificate/poisson.hpp"
 
 #include "touchstone/certificate/full_contact.hpp"
-#include "touchstone/limit/poisson.hpp"
+#include "touchstone/certificate/law_pieces.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace touchstone::certificate {
 namespace {
 
 constexpr long spare_bits = 6;     ///< the checker adds up what some hundred narrow intervals leave
+constexpr double least_mean = 1e-6;
 constexpr double least_spare = 6;  ///< polynomials leave that much less than what is claimed
 
 /// The same, where G is near 1: what is left next to each singular point adds up, and ratios reach as far as (G - 1)^-1.
@@ -24,21 +27,31 @@ Rational rounded_above(double x)
     return {static_cast<long>(std::ceil(x * unit)) + 1, unit};
 }
 
+/// The largest residual with which E[f/x] = c is known to `goal` of itself.
+double residual_for(double goal, double c, double G) { return goal * c / (G * G * G); }
+
+/// C(G), about: it grows like the root of G - 1 from 0.2 at G = 1.02 on.
+double about_C(double G) { return 0.2 * std::sqrt(std::min(25.0, (G - 1) * 50)); }
+
 } // namespace
 
-void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t section, std::string& head, Lines& lines)
+WrittenMean write_mean(const limit::Question& q, const Rational& p, const Root& root, double goal, Lines& lines)
 {
     const WorkingPrecision precision(256);
     const Ball G = number(root);
-    const double g = nearest(G), goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
-    constexpr double least_C = 0.2;                                                // at G = 1.02
-    const double residual = goal * least_C * std::sqrt(std::min(25.0, (g - 1) * 50)) / (g * g * g); // C grows like the root of G - 1
-    const limit::PoissonSearch found = limit::search_poisson(G, residual / spare_tolerance(g));
+    const double g = nearest(G);
+    double residual = residual_for(goal, about_C(g), g);
+    limit::PoissonSearch found = limit::search_poisson(q, G, residual / spare_tolerance(g));
+    if (found.c.high < about_C(g) / 2) { // the mean is a smaller one
+        if (!(found.c.high > least_mean)) throw BeyondReach(fmt::format("means below {:g} have no certificate", least_mean));
+        residual = residual_for(goal, found.c.high, g);
+        found = limit::search_poisson(q, G, residual / spare_tolerance(g));
+    }
     const long accuracy = static_cast<long>(std::ceil(-std::log2(residual))) + spare_bits, bits = 2 * accuracy + 64, kept = accuracy + 26;
     Rational load = rounded_above(1 / (g - 1)); // no ratio of the limit is above
     load.canonicalize();
 
-    std::string mesh = fmt::format("G={} p=0 scale=0 load={} bits={:x} kept={:x} accuracy={:x} rise=0", named(root), load.get_str(), bits, kept, accuracy);
+    std::string mesh = fmt::format("G={} p={} scale=0 load={} bits={:x} kept={:x} accuracy={:x} rise=0", named(root), p.get_str(), load.get_str(), bits, kept, accuracy);
     for (const auto& panel : found.panels) mesh += ' ' + hex(units(panel.y0, bits));
     mesh += ' ' + hex(units(found.panels.back().y1, bits));
     std::vector<std::size_t> rests_on{lines.add("mesh", {}, mesh)};
@@ -49,10 +62,15 @@ void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t
         for (const auto& c : panel.coefficients) data += ' ' + hex(units(c, kept));
         rests_on.push_back(lines.add("polynomials", {rests_on.front()}, data));
     }
-    lines.add("share", rests_on, fmt::format("claim={}", claim));
-    const Ball c = Ball::exactly(found.c.high);
-    head += fmt::format("claim {} G={} value={} error={}\n", claim, named(root), dyadic_midpoint(c), dyadic(rounded_up(goal * found.c.high)));
-    head += section_line(section, rests_on.front(), lines.count(), {{"meshes", 1}, {"polynomials", found.panels.size()}, {"shares", 1}});
+    return {std::move(rests_on), exactly(found.c.high), goal * found.c.high};
+}
+
+void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t section, std::string& head, Lines& lines)
+{
+    const WrittenMean mean = write_mean({}, 0, root, std::pow(10.0, -static_cast<double>(digits)) / 2, lines);
+    lines.add("share", mean.lines, fmt::format("claim={}", claim));
+    head += fmt::format("claim {} G={} value={} error={}\n", claim, named(root), dyadic(mean.value), dyadic(rounded_up(mean.error)));
+    head += section_line(section, mean.lines.front(), lines.count(), {{"meshes", 1}, {"polynomials", mean.lines.size() - 1}, {"shares", 1}});
 }
 
 } // namespace touchstone::certificate

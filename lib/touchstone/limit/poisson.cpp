@@ -335,12 +335,12 @@ double end_of_mesh(const Ball& G)
 
 } // namespace
 
-PoissonSearch search_poisson(const Ball& G, double tolerance)
+PoissonSearch search_poisson(const Question& q, const Ball& G, double tolerance)
 {
     const WorkingPrecision precision(256);
     const double highest = end_of_mesh(G);
     const Rules rules(tolerance);
-    const Function function = function_of({}, G, tolerance);
+    const Function function = function_of(q, G, tolerance);
     const Found found = search(rules, *function.f, function.singular, G, function.lowest, highest, tolerance, {});
     PoissonSearch result{{}, found.c};
     for (std::size_t i = 0; i < found.steps->panels.size(); ++i) {

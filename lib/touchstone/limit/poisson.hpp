@@ -39,7 +39,7 @@ Ball mean_by_poisson(const Question&, const std::function<Ball()>& G, Accuracy);
 /// What bounds its error.
 std::string mean_by_poisson_certificate(const Question&, const std::function<Ball()>& G, Accuracy);
 
-/// What the search finds for B_0, of which nothing is proven: G Phi on panels, and c. A certificate says it (docs/certificate.md).
+/// What the search finds, of which nothing is proven: G Phi on panels, and c. A certificate says it (docs/certificate.md).
 struct PoissonSearch {
     using Real = DoubleDouble<double>;
     struct Panel {
@@ -49,7 +49,8 @@ struct PoissonSearch {
     std::vector<Panel> panels; ///< up to beyond the highest ratio of the limit law
     Real c;
 };
-PoissonSearch search_poisson(const Ball& G, double tolerance);
+/// \pre of a contact, a pressure or the force
+PoissonSearch search_poisson(const Question&, const Ball& G, double tolerance);
 
 /// For tests: what Phi is made worse by on the panel y0 <= y <= y1. Phi may be anything; the proof has to see it.
 using SpoiledPhi = std::function<double(double y0, double y1)>;
