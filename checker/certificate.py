@@ -82,16 +82,16 @@ FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "
          "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
          "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim",
          "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim", "settling": "claim m",
-         "eigenvalue": "claim high centre radius exponent", "mean": "value error", "portion": "n load value error", "quotient": "claim"}
+         "eigenvalue": "claim high centre radius exponent", "mean": "value error", "quotient": "claim"}
 COUNTED = dict(zip(FORMS, "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings settlings eigenvalues "
-                          "means portions quotients".split()))
+                          "means quotients".split()))
 WITH_INTEGERS = ("level", "limit", "mesh", "polynomials", "piece", "part", "eigenvalue")
 PROVES_A_CLAIM = ("value", "limit", "share", "reading", "tending", "settling", "eigenvalue", "quotient")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
           "contact.density": "n p load G value error", "segments.density": "n a load G value error",
           "limit.exceedance": "p G value error", "limit.force": "p G value error", "limit.density": "p G value error", "limit.segments": "a G value error",
           "limit.distance": "n p load G value error", "limit.scale": "load tolerance G value error", "limit.gap": "G value error"}
-QUOTIENTS = "limit.exceedance limit.force limit.segments limit.distance"
+QUOTIENTS = "limit.exceedance limit.force limit.segments"
 
 
 def fields(words, names, what):
@@ -270,7 +270,7 @@ class Replay:
         """the grid, inputs, value and error of a claim that is proved here"""
         need(self.certificate.quantity in quantities.split() and claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
         *inputs, G, value, error = self.certificate.claims[claim]
-        need(below and below[0][0] in ("grid", "mesh", "law", "steady", "mean", "portion") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
+        need(below and below[0][0] in ("grid", "mesh", "law", "steady", "mean") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
         self.proved.add(claim)
         return below[0], inputs, value, error
 
@@ -287,12 +287,16 @@ class Replay:
         quantity = "limit.area_constant" if self.certificate.quantity[:5] == "limit" else "contact.area contact.exceedance"
         mesh, inputs, value, error = self.claimed(quantity, below, claim)
         panels = self.all_panels(below)
-        n, *pressure, load = inputs or (1, 1)
-        need((pressure or [0]) == [mesh[2][1]] and (not pressure or mesh[2][2] == n), "does not rest on a mesh of its pressure", Refused)
-        if inputs:
-            self.is_share(mesh, panels, n, load, value, error)
-        else:
+        need(inputs or mesh[2][1] == 0, "does not rest on a mesh in contact", Refused)
+        if not inputs:
             self.is_mean(poisson.Poisson, mesh, panels, value, error)
+            return "share", self.number
+        n, *pressure, load = inputs
+        need((pressure or [0]) == [mesh[2][1]] and (not pressure or mesh[2][2] == n), "does not rest on a mesh of its pressure", Refused)
+        need(n <= len(panels[0][5]) and load <= mesh[2][3], "the mesh does not reach so far", Refused)
+        if self.proving():
+            low, high = self.share_of(mesh, panels, n, load)
+            need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
         return "share", self.number
 
     def all_panels(self, below):
@@ -302,13 +306,6 @@ class Replay:
         as_many = len({(len(b[5]), len(b[5][0])) for b in panels}) == 1
         need([b[2] for b in panels] == list(range(len(mesh[2][-1]) - 1)) and as_many, "polynomials are missing", Refused)
         return panels
-
-    def is_share(self, mesh, panels, n, load, value, error):
-        """(G to M)"""
-        need(0 < n <= len(panels[0][5]) and load <= mesh[2][3], "the mesh does not reach so far", Refused)
-        if self.proving():
-            low, high = self.share_of(mesh, panels, n, load)
-            need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
 
     def is_mean(self, kind, mesh, panels, value, error):
         """(W): of B_0 or what stands for it, where loads up to 1/(G - 1) count"""
@@ -326,26 +323,15 @@ class Replay:
         self.is_mean(poisson.Force if force else poisson.Poisson, below[0], panels, value, error)
         return "mean", self.number, (G, p), value, error
 
-    def portion(self, below, n, load, value, error):
-        """the share of lambda_0 above the pressure p p*_n of a mesh"""
-        panels, (G, p, scale, *_) = self.all_panels(below), below[0][2]
-        need(self.certificate.quantity == "limit.distance" and scale == 0 and value > error >= 0, "no share of a distance", Refused)
-        self.is_share(below[0], panels, n, load, value, error)
-        return "portion", self.number, (G, p, n, load), value, error
-
     def quotient(self, below, claim):
-        """(W): a limit is a mean over that of p = 0, a distance a share of A_n less that; of the force a mean is a share"""
-        _, inputs, value, error = self.claimed(QUOTIENTS, below, claim)
-        n, place, load = inputs if len(inputs) == 3 else (0, *inputs, 1)
-        G, over = below[0][2][0], [] if self.certificate.quantity == "limit.force" else [0]
-        means = [("mean", (G, p)) for p in (place, *over)]
-        shares = [("portion", (G, p, n, load)) for p in (place, *over) if n]
-        need([(b[0], b[2]) for b in below] == shares + means, "does not rest on the means and shares that it is made of", Refused)
+        """(W): the share of the force is a mean, others are one over that in contact"""
+        _, (place, ), value, error = self.claimed(QUOTIENTS, below, claim)
+        pressures = [place] if self.certificate.quantity == "limit.force" else [0, place]
+        need([(b[0], b[2]) for b in below] == [("mean", (below[0][2][0], p)) for p in pressures], "does not rest on the means that it is made of", Refused)
         if self.proving():
-            low, high = quotient_of(below[len(shares):])
-            if n:
-                least, most = quotient_of(below[:len(shares)])
-                low, high = least - high, most - low
+            *under, (low, high) = [(mean - off, mean + off) for *_, mean, off in below]
+            for least, most in under:
+                low, high = low / most, high / least
             need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
         return "quotient", self.number
 
@@ -529,15 +515,6 @@ class Replay:
         need(below[0][0] == "law" and below[0][2][:2] == (G, load), "does not rest on the law of its G and load", Refused)
         pieces, off = self.all_pieces(below[0], below[1:], n)
         return self.laws(below[0]).share_of_area(n, place, pieces, off, error / 64)
-
-
-def quotient_of(proved):
-    """the least and the largest that the first can be over the second, if there is one, each (..., value, error)"""
-    (*_, value, error), *under = proved
-    low, high = value - error, value + error
-    for *_, value, error in under:
-        low, high = low / (value + error), high / (value - error)
-    return low, high
 
 
 def root_of(base, degree):

@@ -109,12 +109,19 @@ def with_certificates(forms, paths):
     def ratio(G):
         return None if constant(G) is None else constant(G) / (closed_forms.K_inf() * G)
 
+    def distance(n, p, load, G):
+        """the share of A_n above p p*_n, p*_n = G^n p*_0, less that of the limit: of the table, or of three claims"""
+        proved = certified("limit.distance")(n, p, load, G)
+        of = ("contact.exceedance", n, p * G ** int(n), load, G), ("contact.area", n, load, G), ("limit.exceedance", p, G)
+        above, area, limit = (certified(quantity)(*inputs) for quantity, *inputs in of)
+        return above / area - limit if proved is None and None not in (above, area, limit) else proved
+
     def both(quantity, proved):
         return {quantity: lambda *inputs: proved(*inputs) if forms[quantity](*inputs) is None else forms[quantity](*inputs)}
     return {**forms, **both("segments.count", segments), **both("contact.area", certified("contact.area")),
             **both("contact.exceedance", certified("contact.exceedance")), **both("contact.density", certified("contact.density")),
             **both("segments.density", certified("segments.density")), "limit.area_constant": constant, "limit.area_ratio": ratio,
-            **{f"limit.{name}": certified(f"limit.{name}") for name in ("exceedance", "force", "density", "segments", "distance", "scale", "gap")}}
+            "limit.distance": distance, **{f"limit.{name}": certified(f"limit.{name}") for name in ("exceedance", "force", "density", "segments", "scale", "gap")}}
 
 
 def with_patience(seconds):

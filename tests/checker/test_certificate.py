@@ -740,7 +740,8 @@ class Certificates(unittest.TestCase):
             owner = {k: part.name for part in parts if hasattr(part, "name") for k in range(part.lineno, part.end_lineno + 1)}
             for k in lines:
                 code[name, owner.get(k, "")] = code.get((name, owner.get(k, "")), 0) + 1
-        kinds = {"transfer": ("grid", "rule", "panel", "whole", "row", "level", "value", "limit"), "full_contact": ("mesh", "polynomials", "share", "share_of", "made"), "poisson": ("mesh", "polynomials", "share", "mean", "made"),
+        kinds = {"transfer": ("grid", "rule", "panel", "whole", "row", "level", "value", "limit"), "full_contact": ("mesh", "polynomials", "all_panels", "share", "share_of", "made"),
+                 "poisson": ("mesh", "polynomials", "all_panels", "share", "is_mean", "mean", "quotient", "made"),
                  "distributions": ("law", "laws", "all_pieces", "piece", "reading"), "limits": ("steady", "part", "limit_law", "balance", "tending", "at_scale"), "second_eigenvalue": ("steady", "eigenvalue")}
         needed = {kind: {kind} for kind in kinds} | {"limits": {"limits", "distributions"}}
         of_others = {part for parts in kinds.values() for part in parts}

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
 
 namespace touchstone::certificate {
 
@@ -73,12 +72,11 @@ long aim(const transfer::levels::Layer& V, std::size_t panel, long levels, doubl
 }
 
 /// The numbers of the lines mesh and polynomials.
-std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Root& root, const Pressure& p, const Rational& load, long levels, const Choices& c,
-                                    Lines& lines)
+std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Claim& a, const Rational& load, long levels, const Choices& c, Lines& lines)
 {
-    std::string mesh = fmt::format("G={} p={} scale={:x} load={} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(root), p.at.get_str(), p.scale,
-                                   load.get_str(), c.bits(), c.kept(), c.accuracy, c.rise);
-    const double G = nearest(number(root));
+    std::string mesh = fmt::format("G={} p={} scale={:x} load={} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(a.G), a.at.get_str(),
+                                   a.at == 0 ? 0 : a.n, load.get_str(), c.bits(), c.kept(), c.accuracy, c.rise);
+    const double G = nearest(number(a.G));
     const std::size_t panels = panels_below(load.get_d(), G, levels, V);
     for (std::size_t i = 0; i < panels; ++i) mesh += ' ' + hex(units(V.panels[i].y0, c.bits()));
     mesh += ' ' + hex(units(V.panels[panels - 1].y1, c.bits()));
@@ -97,30 +95,33 @@ std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Root
     return numbers;
 }
 
-/// The levels of an area, or of a share above a pressure.
-transfer::ProvenLevels levels_of(const Root& root, const Pressure& p, double highest, double tolerance, int scales)
+/// The levels of an area, or of a share above the pressure p = P p*_n, p*_n = G^n p*_0.
+transfer::ProvenLevels levels_of(const Claim& a, double highest, double tolerance, int scales)
 {
-    const Ball G = number(root);
-    if (p.at == 0) return {G, highest, tolerance, scales};
-    return {G, Ball(p.at) / pow(G, Ball(p.scale)), highest, tolerance, scales};
+    const Ball G = number(a.G);
+    if (a.at == 0) return {G, highest, tolerance, scales};
+    return {G, Ball(a.at) / pow(G, Ball(a.n)), highest, tolerance, scales};
 }
 
 } // namespace
 
-WrittenShares write_shares(const std::vector<Claim>& areas, const Pressure& p, double goal, Lines& lines)
+void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_t first_claim, std::size_t section, std::string& head,
+                        Lines& lines)
 {
     const WorkingPrecision precision(256);
-    const Root& root = areas.front().G;
     long levels = 1;
     Rational load = areas.front().load, lightest = load;
     for (const Claim& a : areas) levels = std::max(levels, a.n), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
+    const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
     const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
     double tolerance = std::min(goal, transfer::ProvenLevels::coarsest_tolerance);
+    std::vector<Ball> values;
+    const std::size_t first = lines.count() + 1;
     for (int attempt = 0;; ++attempt) {
-        const transfer::ProvenLevels V = levels_of(root, p, std::max(1.0, load.get_d()), tolerance, static_cast<int>(levels));
-        std::vector<Ball> values;
-        const double G = nearest(number(root));
+        const transfer::ProvenLevels V = levels_of(areas.front(), std::max(1.0, load.get_d()), tolerance, static_cast<int>(levels));
+        values.clear();
+        const double G = nearest(number(areas.front().G));
         Choices choices{0, 0, 2 * std::sqrt(std::min(1.0, lightest.get_d())) / G, static_cast<long>(16 * std::log2(G))};
         double worst = 0, least = 1;
         for (const Claim& a : areas) {
@@ -138,25 +139,17 @@ WrittenShares write_shares(const std::vector<Claim>& areas, const Pressure& p, d
         }
         choices.accuracy = static_cast<long>(std::ceil(-std::log2(goal * least))) + spare_bits;
         choices.relative = static_cast<long>(std::ceil(-std::log2(goal))) + spare_bits;
-        return {write_mesh(V.layer(), root, p, load, levels, choices, lines), std::move(values)};
+        const std::vector<std::size_t> rests_on = write_mesh(V.layer(), areas.front(), load, levels, choices, lines);
+        for (std::size_t i = 0; i < areas.size(); ++i) {
+            lines.add("share", rests_on, fmt::format("claim={}", first_claim + i));
+            const double error = goal * nearest(values[i]);
+            const std::string p = areas[i].at == 0 ? "" : fmt::format(" p={}", areas[i].at.get_str());
+            head += fmt::format("claim {} n={:x}{} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, p,
+                                areas[i].load.get_str(), named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
+        }
+        head += section_line(section, first, lines.count(), {{"meshes", 1}, {"polynomials", rests_on.size() - 1}, {"shares", areas.size()}});
+        return;
     }
-}
-
-void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_t first_claim, std::size_t section, std::string& head,
-                        Lines& lines)
-{
-    const WorkingPrecision precision(256);
-    const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
-    const Claim& one = areas.front();
-    const auto [rests_on, values] = write_shares(areas, {one.at, one.at == 0 ? 0 : one.n}, goal, lines);
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-        lines.add("share", rests_on, fmt::format("claim={}", first_claim + i));
-        const double error = goal * nearest(values[i]);
-        const std::string p = areas[i].at == 0 ? "" : fmt::format(" p={}", areas[i].at.get_str());
-        head += fmt::format("claim {} n={:x}{} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, p, areas[i].load.get_str(),
-                            named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
-    }
-    head += section_line(section, rests_on.front(), lines.count(), {{"meshes", 1}, {"polynomials", rests_on.size() - 1}, {"shares", areas.size()}});
 }
 
 } // namespace touchstone::certificate
