@@ -5,6 +5,7 @@ import argparse
 import cmath
 import functools
 import hashlib
+import itertools
 import json
 import math
 import pathlib
@@ -12,7 +13,9 @@ import random
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
+import unittest.mock
 from fractions import Fraction
 
 parser = argparse.ArgumentParser()
@@ -21,6 +24,7 @@ parser.add_argument("--program", required=True)
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
+import check  # noqa: E402
 import poisson  # noqa: E402
 from intervals import Interval  # noqa: E402
 
@@ -185,6 +189,24 @@ class Quotients(unittest.TestCase):
             value, error = line.split("value=")[1].split(" error=")
             with self.subTest(quantity):
                 self.no(text.replace(line, line.replace(value, certificate_number(value, error))), line.split(" ")[0] + "-" + line.split(" ")[0], why="not proved")
+
+    def test_a_distance_is_made_of_three_claims(self):
+        """0.75/0.9 - 0.8 at n = 2, p = 3, and G = 3/2, where p is 27/4 in p*_0; of two of them, or of another pressure, there is none"""
+        G, load, half = (Fraction(3, 2), 1), Fraction(1, 5), Fraction(1, 1000)
+        claims = {"contact.exceedance": (2, Fraction(27, 4), load, G, Fraction(3, 4), half), "contact.area": (2, load, G, Fraction(9, 10), half),
+                  "limit.exceedance": (Fraction(3), G, Fraction(4, 5), half)}
+
+        def forms(quantities):
+            made = [types.SimpleNamespace(quantity=q, count=1, claims={1: claims[q]}) for q in quantities]
+            with unittest.mock.patch.object(check.certificate, "Certificate", lambda path: made[int(path)]), unittest.mock.patch.object(check.certificate, "Replay"):
+                return check.with_certificates(check.scale_one.FORMS, [str(k) for k in range(len(made))])["limit.distance"]
+        Interval.bits = 64
+        low, high = forms(claims)(Fraction(2), Fraction(3), load, Fraction(3, 2)).ends()
+        self.assertTrue(low <= (Fraction(3, 4) - half) / (Fraction(9, 10) + half) - Fraction(4, 5) - half and high >= (Fraction(3, 4) + half) / (Fraction(9, 10) - half) - Fraction(4, 5) + half)
+        self.assertLess(high - low, 7 * half)
+        self.assertIsNone(forms(claims)(Fraction(2), Fraction(2), load, Fraction(3, 2)))
+        for fewer in itertools.combinations(claims, 2):
+            self.assertIsNone(forms(fewer)(Fraction(2), Fraction(3), load, Fraction(3, 2)))
 
     def test_what_has_no_certificate(self):
         for arguments, why in ((("limit.density", "p=1", "G=3/2"), "density"), (("limit.exceedance", "p=1", "G=101/100"), "1.02"), (("limit.force", "p=1/2000", "G=3/2"), "1/1024"),

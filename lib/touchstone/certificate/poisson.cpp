@@ -27,8 +27,15 @@ Rational rounded_above(double x)
     return {static_cast<long>(std::ceil(x * unit)) + 1, unit};
 }
 
+/// What the checker leaves of a residual near G = 1: ratios reach far, and next to their many singular points it adds up.
+double added_up(double G)
+{
+    constexpr double near_one = 1.05, grows_like = 2.6; // from there on nothing is lost; below, as 1.03 and 1.02 had it
+    return G < near_one ? std::pow((near_one - 1) / (G - 1), grows_like) : 1;
+}
+
 /// The largest residual with which E[f/x] = c is known to `goal` of itself.
-double residual_for(double goal, double c, double G) { return goal * c / (G * G * G); }
+double residual_for(double goal, double c, double G) { return goal * c / (G * G * G * added_up(G)); }
 
 /// C(G), about: it grows like the root of G - 1 from 0.2 at G = 1.02 on.
 double about_C(double G) { return 0.2 * std::sqrt(std::min(25.0, (G - 1) * 50)); }
