@@ -12,6 +12,7 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
+from fractions import Fraction
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--checker", required=True, type=pathlib.Path)
@@ -33,9 +34,10 @@ RECURSION = ["contact_area", "contact_area_full", "contact_area_heavy", "contact
 CERTIFIED = {"contact_area": (12, ""), "segments_count": (12, ""), "limit_ratio": (8, ""), "limit_constant": (8, ""),
              "contact_area_heavy": (8, ""), "contact_area_full": (8, ""),
              "contact_exceedance": (8, ""), "contact_density": (8, ""), "segments_density": (8, ""),
-             "contact_exceedance_full": (8, ""), "limit_scale": (8, ""), "limit_gap": (8, ""), "limit_distance": (7, *(f"n={n}" for n in (1, 2, 3, 5, 10))),
-             "limit_constant_full": (8, *(f"G={G}" for G in (1.05, 1.0837983867343681, 1.1, 1.1220184543019633, 1.15, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 1.95, 2))),
-             **dict.fromkeys(("limit_exceedance", "limit_force", "limit_density", "limit_segments"), (10, ""))}  # to so many digits, by certificates of these rows
+             "contact_exceedance_full": (8, ""), "limit_scale": (8, ""), "limit_gap": (8, ""), "limit_distance": (7, *(f"n={n} G=3.1622776601683795" for n in (1, 2, 3, 5, 10)), "limit.exceedance p=1 G=3/2", *(
+                 f"contact.{what} load={Fraction(0.1)} G=3/2 n={n}{p}" for n in (2, 5) for what, p in (("area", ""), ("exceedance", f" p={Fraction(3, 2) ** n}")))),
+             "limit_constant_full": (8, *(f"G={G}" for G in (1.02, 1.03, 1.05, 1.0837983867343681, 1.1, 1.1220184543019633, 1.15, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 1.95, 2))),
+             **dict.fromkeys(("limit_exceedance", "limit_force", "limit_density", "limit_segments"), (10, ""))}  # to so many digits, by certificates of these rows, or of other claims
 
 
 def run(*arguments, **more):
@@ -79,7 +81,8 @@ class Checker(unittest.TestCase):
                 if name in kept:
                     files = [pathlib.Path(folder) / f"certificate{k}" for k in range(len(parts))]
                     for file, part in zip(files, parts):
-                        subprocess.run([known.program, "certificate", name, *part.split(), "--digits", str(digits), "--out", file], check=True)
+                        what = part.split() if "." in part.partition("=")[0] else [name, *part.split()]
+                        subprocess.run([known.program, "certificate", *what, "--digits", str(digits), "--out", file], check=True)
                     named = [word for file in files for word in ("--certificate", file)]
                     self.assertEqual(run(*named, "--coverage", path, *self.tables([name])).returncode, 0, name)
             found = self.entries(path)
