@@ -19,7 +19,7 @@ REACH = Fraction(5, 4)         # half axis, in half widths, of the ellipse rho =
 BELOW = Fraction(1, 2)         # so many half widths below J the piece of J is continued: past that ellipse
 BREAK = Fraction(4, 5), Fraction(3, 5)  # v goes from 0 to 4/5; from there on s = sqrt(1 - v^2), from 3/5 to 0
 RULES = (16, 10), (4, 16)      # rho of ellipses of rules of Gauss, and the most points on one part
-MOST_POINTS, MOST_INTERVALS, MOST_HALVINGS, MOST_PARTS = 60, 2000, 32, 4000
+MOST_POINTS, MOST_INTERVALS, MOST_HALVINGS, MOST_PARTS = 96, 2000, 32, 4000
 
 
 def half_power(z, k):
@@ -303,28 +303,31 @@ class Laws:
 
     # ---- defects
 
-    def mismatch(self, official, used, low, high):
-        """(K): above |V - W|/V for two pieces V and W on low <= T <= high"""
+    def mismatch(self, official, used, low, high, target):
+        """(K): above |V - W|/V for two pieces V and W on low <= T <= high, from so many points that what lies between them makes little of the target"""
         at, half, more = (low + high) / 2, (high - low) / 2, used.power - official.power
         off, count = Interval.of(half * Fraction(17, 8)), max(30, used.terms, official.terms)
-        size = power_bound(Interval.of(at), off, more) * used.bound(at, off) + official.bound(at, off)
+        size = top(power_bound(Interval.of(at), off, more) * used.bound(at, off) + official.bound(at, off))
+        aim = target * official.value(Interval.of(at)).ends()[0] / 8
+        while count < MOST_POINTS and (1 + lebesgue(count)) * size > aim * 4**(count - 1):
+            count += 1
         points = [at + half * Fraction(t, 2**self.bits) for t in self.cosines(count)]
         here = [official.value(Interval.of(T)) for T in points]
         floor = least(here)
         need(floor > 0)
-        return interpolated([half_power(Interval.of(T), more) * used.value(Interval.of(T)) - v for T, v in zip(points, here)], top(size), 4) / floor
+        return interpolated([half_power(Interval.of(T), more) * used.value(Interval.of(T)) - v for T, v in zip(points, here)], size, 4) / floor
 
     def cosines(self, count):
         return [self.trig.cos_sin(self.trig.pi * (2 * j + 1) // (2 * count))[0] for j in range(count)]
 
-    def continued(self, m, pieces, used, a, half, V):
+    def continued(self, m, pieces, used, a, half, V, target):
         """(Q): what it changes at most that the piece of J is continued, and a bound on the ellipse about J of what follows then"""
         p, W, Y, at, reach, start = len(used) - 1, used[-1][0], self.top(m), a + half, REACH * half, a - BELOW * half
         bottom, z = Interval.of(at - reach), (4 * Y * (1 - at - reach), 4 * Y * (1 - at + reach))
         changed, beyond = Fraction(0), (at + half) * (2 - at - half)
         if beyond > W.high:
             need(p + 1 < len(pieces) and beyond <= pieces[p + 1].high)
-            changed += self.mismatch(pieces[p + 1], W, W.high, beyond)
+            changed += self.mismatch(pieces[p + 1], W, W.high, beyond, target)
         factor = self.gain * iv.sqrt(Y) / (2 * iv.pi())
         if start <= 0:
             need(p == 0 and W.low == 0)
@@ -335,7 +338,7 @@ class Laws:
             return changed, factor * size
         if start * (2 - start) < W.low:
             need(p > 0 and start * (2 - start) >= pieces[p - 1].low)
-            changed += self.mismatch(pieces[p - 1], W, start * (2 - start), W.low)
+            changed += self.mismatch(pieces[p - 1], W, start * (2 - start), W.low, target)
         total = self.size(W, Interval.of(at), Interval.of(at - start)) * Y * (1 - start + 2 * half) * iv.sqrt(Interval.of(at + reach - start))
         total = total * wave_near(Y * (1 - at), Y * (at - start), *z)[0]
         for U, r in used:
@@ -351,7 +354,7 @@ class Laws:
         start, used = a - BELOW * half, of_ratios([U for U in pieces if U.low < at * (2 - at)])
         if 0 < start and start * (2 - start) < used[-1][0].low:
             used[-1] = used[-1][0], Interval.of(start)
-        changed, size = self.continued(m, pieces, used, a, half, V)
+        changed, size = self.continued(m, pieces, used, a, half, V, target)
         size = top(size + V.bound(at, Interval.of(REACH * half)))
         floor = V.value(Interval.of(at)).ends()[0]
         need(floor > 0 and changed < target)
