@@ -18,7 +18,8 @@ from transfer import Refused, chebyshev
 REACH = Fraction(5, 4)         # half axis, in half widths, of the ellipse rho = 2 about an interval J of T' on which a defect is bounded
 BELOW = Fraction(1, 2)         # so many half widths below J the piece of J is continued: past that ellipse
 BREAK = Fraction(4, 5), Fraction(3, 5)  # v goes from 0 to 4/5; from there on s = sqrt(1 - v^2), from 3/5 to 0
-RULES = (16, 10), (4, 16)      # rho of ellipses of rules of Gauss, and the most points on one part
+RULES = (16, 12), (4, 24)      # rho of ellipses of rules of Gauss, and the most points on one part
+SLIVER = Fraction(1, 2**45)    # of a piece: a cut of the level below so near to its end is at its end but for rounding, and what it cuts off costs as much as a piece
 MOST_POINTS, MOST_INTERVALS, MOST_HALVINGS, MOST_PARTS = 96, 2000, 32, 4000
 
 
@@ -104,7 +105,7 @@ class Polynomial:
         if half <= 0 or max(abs(low - middle), abs(high - middle)) > half:
             raise Refused("a polynomial is of another piece")
         self.low, self.high, self.middle, self.half, self.power, self.exponent, self.coefficients = low, high, middle, half, power, exponent, coefficients
-        self.sizes, self.terms = [Interval.of(abs(c)) for c in coefficients], len(coefficients)
+        self.sizes, self.terms = [abs(c) for c in coefficients], len(coefficients)
         self.rounding, self.inverse = sum(map(abs, coefficients)) * self.terms**2, 1 / Interval.of(half)
 
     def value(self, T):
@@ -118,17 +119,17 @@ class Polynomial:
 
     def largest(self, _):
         """of those on the piece"""
-        return sum(self.sizes, Interval.of(0)).scaled(self.exponent)
+        return Interval.of(sum(self.sizes)).scaled(self.exponent)
 
     def bound(self, T, off):
         """|T_k| <= rho^k on the ellipse rho; points so far from a real one of modulus t are within those of half axes max(1, t) + off and ((t + off)^2 + 1)^(1/2) (I)"""
         t, off = (T - self.middle) * self.inverse, off * self.inverse
         far = Interval.of(max(map(abs, t.ends())))
         axis = Interval.of(max(1, top(min(Interval.of(max(1, top(far))) + off, iv.sqrt((far + off).square() + 1), key=top))))
-        rho, total = axis + iv.sqrt(axis.square() - 1), Interval.of(0)
+        rho, total = -(-top(axis + iv.sqrt(axis.square() - 1)) * 2**32 // 1), 0
         for size in reversed(self.sizes):
-            total = total * rho + size
-        return total.scaled(self.exponent)
+            total = (total * rho >> 32) + 1 + size
+        return Interval.of(total).scaled(self.exponent)
 
 
 def interpolated(values, size, rho):
@@ -375,9 +376,10 @@ class Laws:
 
     def prove(self, m, pieces, V, target, progress):
         """|phi_(m+1) - V| <= target V on V's piece, where the pieces of level m are taken for phi_m"""
-        cuts = [r.ends()[0] for _, r in of_ratios(pieces)]
-        cuts = [V.low, *(r for r in cuts if V.low < r < V.high), V.high]
-        stack = [(Fraction(a), Fraction(b), 0) for a, b in zip(cuts, cuts[1:])]
+        cuts = [r for r in (r.ends()[0] for _, r in of_ratios(pieces)) if V.low < r < V.high]
+        sliver = (V.high - V.low) * SLIVER
+        ends = [V.low, *(r for r in cuts if V.low + sliver < r < V.high - sliver), V.high]
+        stack = [(Fraction(a), Fraction(b), 0) for a, b in zip(ends, ends[1:])]
         for _ in range(MOST_INTERVALS):
             if not stack:
                 return
@@ -390,7 +392,8 @@ class Laws:
                     continue
             except Far:
                 pass
-            stack += [((a + b) / 2, b, halvings + 1), (a, (a + b) / 2, halvings + 1)]
+            c = next((r for r in cuts if a < r < b), (a + b) / 2)
+            stack += [(c, b, halvings + 1), (a, c, halvings + 1)]
         raise Refused("a piece is no approximation")
 
 
