@@ -2,6 +2,7 @@
 #include "touchstone/certificate/law_pieces.hpp"
 
 #include "touchstone/certificate/text.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <fmt/format.h>
@@ -20,6 +21,8 @@ template <class Real>
 constexpr int terms = std::is_same_v<Real, double> ? 24 : 46;
 constexpr double lower_overlap = 0.4; ///< of its width: a piece is continued below its end where an interval of the checker begins
 constexpr slong bits_of_constants = 160;
+template <class Real>
+constexpr double least_weight = std::is_same_v<Real, double> ? 1e-300 : 1e-260; ///< below which a number keeps too few of its digits
 
 double arcsine(double x) { return std::asin(x); }
 Wide arcsine(const Wide& x)
@@ -189,7 +192,9 @@ Piece<Real> fitted(double least, double low, double high, int power, const std::
     std::vector<Real> values(count), c(count, Real(0));
     for (int j = 0; j < count; ++j) {
         const Real T = p.centre + p.radius * cosine<Real>(1, j);
-        values[static_cast<std::size_t>(j)] = density(T) / half_power(T, power);
+        const Real weight = half_power(T, power);
+        if (!(weight > least_weight<Real>)) throw BeyondReach("next to where it begins the law of so many scales is below the numbers of binary64");
+        values[static_cast<std::size_t>(j)] = density(T) / weight;
     }
     for (int k = 0; k < count; ++k)
         for (int j = 0; j < count; ++j)

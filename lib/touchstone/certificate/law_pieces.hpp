@@ -47,6 +47,7 @@ template <class Real>
 Real over_pieces(const Real& Y, const std::vector<Real>& cuts, const std::function<Real(const Place<Real>&)>& phi, const Place<Real>&, Read);
 
 /// A piece for low <= T <= high, continued a little below where `least` < low, and shortened.
+/// \throws BeyondReach where T^(power/2) is below the numbers of binary64, from level 42 on, or 38 in pairs
 template <class Real>
 Piece<Real> fitted(double least, double low, double high, int power, const std::function<Real(const Real& T)>& density, double small);
 /// Without the coefficients at its end that are below `small` of the first.
