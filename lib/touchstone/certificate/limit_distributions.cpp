@@ -190,7 +190,7 @@ struct Found {
 
 /// A law in these numbers is known to so many digits, and distances from it so well.
 template <class Real>
-constexpr long digits_known = std::is_same_v<Real, double> ? 10 : 17;
+constexpr long digits_known = std::is_same_v<Real, double> ? most_digits_of_limit_distributions : 17;
 template <class Real>
 constexpr double distances_known_to = std::is_same_v<Real, double> ? 1.6e-11 : 1.6e-17;
 
@@ -204,15 +204,14 @@ LimitLaw<Real> law_for(const std::vector<LimitClaim>& claims, long digits)
 }
 
 /// Appends the law of the limit, and the claims that rest on it.
-template <class Real>
 Written write_limits(const std::vector<LimitClaim>& claims, long digits, double accuracy, std::vector<Found>& all, Lines& lines)
 {
-    const auto law = law_for<Real>(claims, digits);
+    const auto law = law_for<double>(claims, digits);
     const Written w = write_law(law, claims.front().G, digits, lines);
     for (const LimitClaim& c : claims) {
-        const Real v = value(c, law);
+        const double v = value(c, law);
         if (!(v > std::numeric_limits<double>::min())) throw BeyondReach("what is below the numbers of binary64 has no certificate");
-        all.push_back({c, exactly(v), accuracy * static_cast<double>(v), w.all()});
+        all.push_back({c, exactly(v), accuracy * v, w.all()});
     }
     return w;
 }
@@ -266,16 +265,18 @@ Written write_distances(const std::vector<LimitClaim>& claims, const Distances<R
 {
     constexpr double known_to = distances_known_to<Real>, of_use = 100;
     long levels = 0;
+    double least_error = 1;
     for (std::size_t i = 0; i < claims.size(); ++i) {
         const double size = std::fabs(static_cast<double>(found.values[i]));
         if (size < of_use * known_to) continue;
         all.push_back({claims[i], exactly(found.values[i]), std::max(accuracy * size, known_to), {}});
         levels = std::max(levels, claims[i].n);
+        least_error = std::min(least_error, all.back().error);
     }
     if (all.empty()) throw BeyondReach("distances below 2 10^-15 have no certificate");
     constexpr Aim in_binary64{digits_known<double>, 42};
-    const Aim aim = std::is_same_v<Real, double> ? in_binary64 : aim_for(std::max(found.least_error(accuracy), known_to), levels);
-    Written w = write_law(found.limit, claims.front().G, aim.digits, lines);
+    const Aim aim = std::is_same_v<Real, double> ? in_binary64 : aim_for(least_error, levels);
+    const Written w = write_law(found.limit, claims.front().G, aim.digits, lines);
     const std::size_t before = lines.count();
     const auto numbers = found.of_load.write(levels, aim.level_bits, lines);
     pieces = lines.count() - before - 1;
@@ -299,10 +300,7 @@ std::size_t write_section(const std::vector<LimitClaim>& claims, long digits, st
     std::size_t number = first_claim, pieces = 0;
     std::vector<Found> all;
     const Written w = [&] {
-        if (!distances) {
-            return digits <= digits_known<double> ? write_limits<double>(claims, digits, accuracy, all, lines)
-                                                  : write_limits<Wide>(claims, digits, accuracy, all, lines);
-        }
+        if (!distances) return write_limits(claims, digits, accuracy, all, lines);
         const Distances<double> found(claims);
         if (found.least_error(accuracy) >= distances_known_to<double>) return write_distances(claims, found, accuracy, all, pieces, lines);
         return write_distances(claims, Distances<Wide>(claims), accuracy, all, pieces, lines);

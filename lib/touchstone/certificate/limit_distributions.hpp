@@ -25,7 +25,7 @@ struct LimitClaim {
     Rational load = 0;
 };
 
-constexpr long most_digits_of_limit_distributions = 16;
+constexpr long most_digits_of_limit_distributions = 10;
 /// 41/20 <= G <= 2^20, and `at` neither at its end nor beyond. \returns why not; empty: there is a certificate
 std::string refusal_of_limit_distribution(const LimitClaim&);
 
