@@ -27,10 +27,14 @@ def half_power(z, k):
     """z^(k/2)"""
     if k < 0:
         return 1 / half_power(z, -k)
-    root = iv.sqrt(z) if k % 2 else Interval.of(1)
-    for _ in range(k // 2):
-        root = root * z
-    return root
+    total = iv.sqrt(z) if k % 2 else Interval.of(1)
+    k //= 2
+    while k:
+        if k % 2:
+            total = total * z
+        k //= 2
+        z = z * z if k else z
+    return total
 
 
 def log2_of(x):
