@@ -425,6 +425,8 @@ class Certificates(unittest.TestCase):
         for quantity, place, G, why in (("limit.density", "p=4/3", "3", "largest pressure"), ("limit.force", "p=1/3", "2", "G >= 2.05"), ("limit.segments", "a=1/2", "3", "largest pressure")):
             said = program("certificate", quantity, place, f"G={G}")
             self.assertEqual((said.returncode, why in said.stderr), (2, True), said.stderr)
+        said = program("certificate", "contact.exceedance", "n=60", "p=1/2", "load=1/10", "G=3", "--digits", 3)
+        self.assertEqual((said.returncode, "below the numbers of binary64" in said.stderr), (65, True), said.stderr)
 
     def law(self):
         """the certificate of a density at scale 3: its text, its lines by number and those of level 3"""
