@@ -18,18 +18,23 @@ from transfer import Refused, chebyshev
 REACH = Fraction(5, 4)         # half axis, in half widths, of the ellipse rho = 2 about an interval J of T' on which a defect is bounded
 BELOW = Fraction(1, 2)         # so many half widths below J the piece of J is continued: past that ellipse
 BREAK = Fraction(4, 5), Fraction(3, 5)  # v goes from 0 to 4/5; from there on s = sqrt(1 - v^2), from 3/5 to 0
-RULES = (16, 10), (4, 16)      # rho of ellipses of rules of Gauss, and the most points on one part
-MOST_POINTS, MOST_INTERVALS, MOST_HALVINGS, MOST_PARTS = 60, 2000, 32, 4000
+RULES = (16, 12), (4, 24)      # rho of ellipses of rules of Gauss, and the most points on one part
+SLIVER = Fraction(1, 2**45)    # of a piece: a cut of the level below so near to its end is at its end but for rounding, and what it cuts off costs as much as a piece
+MOST_POINTS, MOST_INTERVALS, MOST_HALVINGS, MOST_PARTS = 96, 2000, 32, 4000
 
 
 def half_power(z, k):
     """z^(k/2)"""
     if k < 0:
         return 1 / half_power(z, -k)
-    root = iv.sqrt(z) if k % 2 else Interval.of(1)
-    for _ in range(k // 2):
-        root = root * z
-    return root
+    total = iv.sqrt(z) if k % 2 else Interval.of(1)
+    k //= 2
+    while k:
+        if k % 2:
+            total = total * z
+        k //= 2
+        z = z * z if k else z
+    return total
 
 
 def log2_of(x):
@@ -104,7 +109,7 @@ class Polynomial:
         if half <= 0 or max(abs(low - middle), abs(high - middle)) > half:
             raise Refused("a polynomial is of another piece")
         self.low, self.high, self.middle, self.half, self.power, self.exponent, self.coefficients = low, high, middle, half, power, exponent, coefficients
-        self.sizes, self.terms = [Interval.of(abs(c)) for c in coefficients], len(coefficients)
+        self.sizes, self.terms = [abs(c) for c in coefficients], len(coefficients)
         self.rounding, self.inverse = sum(map(abs, coefficients)) * self.terms**2, 1 / Interval.of(half)
 
     def value(self, T):
@@ -118,17 +123,17 @@ class Polynomial:
 
     def largest(self, _):
         """of those on the piece"""
-        return sum(self.sizes, Interval.of(0)).scaled(self.exponent)
+        return Interval.of(sum(self.sizes)).scaled(self.exponent)
 
     def bound(self, T, off):
         """|T_k| <= rho^k on the ellipse rho; points so far from a real one of modulus t are within those of half axes max(1, t) + off and ((t + off)^2 + 1)^(1/2) (I)"""
         t, off = (T - self.middle) * self.inverse, off * self.inverse
         far = Interval.of(max(map(abs, t.ends())))
         axis = Interval.of(max(1, top(min(Interval.of(max(1, top(far))) + off, iv.sqrt((far + off).square() + 1), key=top))))
-        rho, total = axis + iv.sqrt(axis.square() - 1), Interval.of(0)
+        rho, total = -(-top(axis + iv.sqrt(axis.square() - 1)) * 2**32 // 1), 0
         for size in reversed(self.sizes):
-            total = total * rho + size
-        return total.scaled(self.exponent)
+            total = (total * rho >> 32) + 1 + size
+        return Interval.of(total).scaled(self.exponent)
 
 
 def interpolated(values, size, rho):
@@ -303,28 +308,31 @@ class Laws:
 
     # ---- defects
 
-    def mismatch(self, official, used, low, high):
-        """(K): above |V - W|/V for two pieces V and W on low <= T <= high"""
+    def mismatch(self, official, used, low, high, target):
+        """(K): above |V - W|/V for two pieces V and W on low <= T <= high, from so many points that what lies between them makes little of the target"""
         at, half, more = (low + high) / 2, (high - low) / 2, used.power - official.power
         off, count = Interval.of(half * Fraction(17, 8)), max(30, used.terms, official.terms)
-        size = power_bound(Interval.of(at), off, more) * used.bound(at, off) + official.bound(at, off)
+        size = top(power_bound(Interval.of(at), off, more) * used.bound(at, off) + official.bound(at, off))
+        aim = target * official.value(Interval.of(at)).ends()[0] / 8
+        while count < MOST_POINTS and (1 + lebesgue(count)) * size > aim * 4**(count - 1):
+            count += 1
         points = [at + half * Fraction(t, 2**self.bits) for t in self.cosines(count)]
         here = [official.value(Interval.of(T)) for T in points]
         floor = least(here)
         need(floor > 0)
-        return interpolated([half_power(Interval.of(T), more) * used.value(Interval.of(T)) - v for T, v in zip(points, here)], top(size), 4) / floor
+        return interpolated([half_power(Interval.of(T), more) * used.value(Interval.of(T)) - v for T, v in zip(points, here)], size, 4) / floor
 
     def cosines(self, count):
         return [self.trig.cos_sin(self.trig.pi * (2 * j + 1) // (2 * count))[0] for j in range(count)]
 
-    def continued(self, m, pieces, used, a, half, V):
+    def continued(self, m, pieces, used, a, half, V, target):
         """(Q): what it changes at most that the piece of J is continued, and a bound on the ellipse about J of what follows then"""
         p, W, Y, at, reach, start = len(used) - 1, used[-1][0], self.top(m), a + half, REACH * half, a - BELOW * half
         bottom, z = Interval.of(at - reach), (4 * Y * (1 - at - reach), 4 * Y * (1 - at + reach))
         changed, beyond = Fraction(0), (at + half) * (2 - at - half)
         if beyond > W.high:
             need(p + 1 < len(pieces) and beyond <= pieces[p + 1].high)
-            changed += self.mismatch(pieces[p + 1], W, W.high, beyond)
+            changed += self.mismatch(pieces[p + 1], W, W.high, beyond, target)
         factor = self.gain * iv.sqrt(Y) / (2 * iv.pi())
         if start <= 0:
             need(p == 0 and W.low == 0)
@@ -335,7 +343,7 @@ class Laws:
             return changed, factor * size
         if start * (2 - start) < W.low:
             need(p > 0 and start * (2 - start) >= pieces[p - 1].low)
-            changed += self.mismatch(pieces[p - 1], W, start * (2 - start), W.low)
+            changed += self.mismatch(pieces[p - 1], W, start * (2 - start), W.low, target)
         total = self.size(W, Interval.of(at), Interval.of(at - start)) * Y * (1 - start + 2 * half) * iv.sqrt(Interval.of(at + reach - start))
         total = total * wave_near(Y * (1 - at), Y * (at - start), *z)[0]
         for U, r in used:
@@ -351,7 +359,7 @@ class Laws:
         start, used = a - BELOW * half, of_ratios([U for U in pieces if U.low < at * (2 - at)])
         if 0 < start and start * (2 - start) < used[-1][0].low:
             used[-1] = used[-1][0], Interval.of(start)
-        changed, size = self.continued(m, pieces, used, a, half, V)
+        changed, size = self.continued(m, pieces, used, a, half, V, target)
         size = top(size + V.bound(at, Interval.of(REACH * half)))
         floor = V.value(Interval.of(at)).ends()[0]
         need(floor > 0 and changed < target)
@@ -372,9 +380,10 @@ class Laws:
 
     def prove(self, m, pieces, V, target, progress):
         """|phi_(m+1) - V| <= target V on V's piece, where the pieces of level m are taken for phi_m"""
-        cuts = [r.ends()[0] for _, r in of_ratios(pieces)]
-        cuts = [V.low, *(r for r in cuts if V.low < r < V.high), V.high]
-        stack = [(Fraction(a), Fraction(b), 0) for a, b in zip(cuts, cuts[1:])]
+        cuts = [r for r in (r.ends()[0] for _, r in of_ratios(pieces)) if V.low < r < V.high]
+        sliver = (V.high - V.low) * SLIVER
+        ends = [V.low, *(r for r in cuts if V.low + sliver < r < V.high - sliver), V.high]
+        stack = [(Fraction(a), Fraction(b), 0) for a, b in zip(ends, ends[1:])]
         for _ in range(MOST_INTERVALS):
             if not stack:
                 return
@@ -387,7 +396,8 @@ class Laws:
                     continue
             except Far:
                 pass
-            stack += [((a + b) / 2, b, halvings + 1), (a, (a + b) / 2, halvings + 1)]
+            c = next((r for r in cuts if a < r < b), (a + b) / 2)
+            stack += [(c, b, halvings + 1), (a, c, halvings + 1)]
         raise Refused("a piece is no approximation")
 
 

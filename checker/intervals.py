@@ -16,7 +16,7 @@ class Interval:
     __slots__ = ("low", "high", "exponent")
 
     def __init__(self, low, high, exponent=0):
-        excess = max(low.bit_length(), high.bit_length()) - Interval.bits
+        excess = (high if low >= 0 or high > -low else low).bit_length() - Interval.bits
         if excess > 0:
             low, high, exponent = low >> excess, -(-high >> excess), exponent + excess
         self.low, self.high, self.exponent = low, high, exponent
@@ -35,7 +35,7 @@ class Interval:
         return Interval((n << shift) // d, -((-n << shift) // d), -shift)
 
     def __add__(self, other):
-        x, y = self, Interval.of(other)
+        x, y = self, other if type(other) is Interval else Interval.of(other)
         if x.exponent > y.exponent:
             x, y = y, x
         # What lies far below the last bit of the other is rounded there, so that no shift grows without bound.
@@ -49,13 +49,16 @@ class Interval:
         return Interval(-self.high, -self.low, self.exponent)
 
     def __sub__(self, other):
-        return self + -Interval.of(other)
+        other = other if type(other) is Interval else Interval.of(other)
+        return self + Interval(-other.high, -other.low, other.exponent)
 
     def __rsub__(self, other):
         return Interval.of(other) + -self
 
     def __mul__(self, other):
-        other = Interval.of(other)
+        other = other if type(other) is Interval else Interval.of(other)
+        if self.low >= 0 and other.low >= 0:
+            return Interval(self.low * other.low, self.high * other.high, self.exponent + other.exponent)
         ends = (self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high)
         return Interval(min(ends), max(ends), self.exponent + other.exponent)
 
@@ -66,6 +69,8 @@ class Interval:
         if other.low <= 0 <= other.high:
             raise ZeroDivisionError("an interval that holds 0 as divisor")
         shift = Interval.bits + max(abs(other.low), abs(other.high)).bit_length()
+        if self.low >= 0 and other.low > 0:
+            return Interval((self.low << shift) // other.high, -((-self.high << shift) // other.low), self.exponent - other.exponent - shift)
         ends = [(a << shift, d) for a in (self.low, self.high) for d in (other.low, other.high)]
         return Interval(min(a // d for a, d in ends), max(-(-a // d) for a, d in ends), self.exponent - other.exponent - shift)
 
@@ -82,8 +87,8 @@ class Interval:
         return Interval(self.low, self.high, self.exponent + power)
 
     def ends(self):
-        unit = Fraction(2) ** self.exponent
-        return self.low * unit, self.high * unit
+        up, unit = max(0, self.exponent), 1 << max(0, -self.exponent)
+        return Fraction(self.low << up, unit), Fraction(self.high << up, unit)
 
     def middle(self):
         return (self.low + self.high) * Fraction(2) ** (self.exponent - 1)

@@ -9,62 +9,64 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace touchstone::certificate {
-namespace {
 
 /// What follows, level by level, from one load.
+template <class Real>
 class Laws {
 public:
-    Laws(double G, double load, long levels) : G_(G), tops_{load}
+    /// \param small of a piece's first coefficient: smaller ones at its end are left out
+    Laws(const Root& G, const Rational& load, long levels, double small) : G_(rounded<Real>(number(G))), tops_{rounded<Real>(load)}, small_(small)
     {
-        for (long m = 0; m <= levels; ++m) tops_.push_back(2 / G * std::sqrt(tops_.back()));
+        for (long m = 0; m <= levels; ++m) tops_.push_back(2 / G_ * root(tops_.back()));
         for (long m = 1; m < levels; ++m) pieces_.push_back(pieces_of(m));
     }
     /// phi_(m+1)
-    double density(long m, Place at) const { return G_ * G_ / std::numbers::pi * std::sqrt(top(m) * at.T) * over(m, at, Read::density); }
+    Real density(long m, const Place<Real>& at) const { return G_ * G_ / pi_number<Real>() * root(top(m) * at.T) * over(m, at, Read::density); }
     /// The share of p_m above the pressure where T_(m+1) is at this place.
-    double share(long m, Place at) const { return 2 * top(m) * at.T * over(m, at, Read::share); }
+    Real share(long m, const Place<Real>& at) const { return 2 * top(m) * at.T * over(m, at, Read::share); }
     /// phi_m, m >= 1
-    double phi(long m, Place at) const
+    Real phi(long m, const Place<Real>& at) const
     {
         if (m == 1) {
-            const double load = tops_[0], R = std::sqrt((1 - load) * (1 - load) + 4 * load * at.rest);
-            return G_ * G_ / (2 * std::numbers::pi * std::sqrt(load * at.T)) * std::sqrt((1 + load + R) / (1 - load + R)) / R;
+            const Real load = tops_[0], R = root((1 - load) * (1 - load) + 4 * load * at.rest);
+            return G_ * G_ / (2 * pi_number<Real>() * root(load * at.T)) * root((1 + load + R) / (1 - load + R)) / R;
         }
         const auto& all = pieces_[static_cast<std::size_t>(m - 2)];
-        return (*std::find_if(all.begin(), all.end() - 1, [&](const Piece& p) { return at.T <= p.high; }))(at.T);
+        return (*std::find_if(all.begin(), all.end() - 1, [&](const Piece<Real>& p) { return at.T <= p.high; }))(at.T);
     }
-    const std::vector<Piece>& pieces(long m) const { return pieces_[static_cast<std::size_t>(m - 2)]; } ///< m >= 2
+    const std::vector<Piece<Real>>& pieces(long m) const { return pieces_[static_cast<std::size_t>(m - 2)]; } ///< m >= 2
 
 private:
-    double G_;
-    std::vector<double> tops_;
-    std::vector<std::vector<Piece>> pieces_; ///< of level 2, 3 ...
+    Real G_;
+    std::vector<Real> tops_;
+    double small_;
+    std::vector<std::vector<Piece<Real>>> pieces_; ///< of level 2, 3 ...
 
-    double top(long m) const { return tops_[static_cast<std::size_t>(m)]; }
+    const Real& top(long m) const { return tops_[static_cast<std::size_t>(m)]; }
 
     /// V_m's pieces, as r = 1 - x/Y_m.
-    std::vector<double> ends(long m) const
+    std::vector<Real> ends(long m) const
     {
-        std::vector<double> r{0};
+        std::vector<Real> r{Real(0)};
         if (m > 1)
-            for (const Piece& p : pieces(m)) r.push_back(ratio_cut(p.high));
+            for (const Piece<Real>& p : pieces(m)) r.push_back(ratio_cut(Real(p.high)));
         else
-            r.push_back(1);
+            r.push_back(Real(1));
         return r;
     }
 
-    double over(long m, Place place, Read read) const
+    Real over(long m, const Place<Real>& place, Read read) const
     {
-        return over_pieces(top(m), ends(m), [&](Place p) { return phi(m, p); }, place, read);
+        return over_pieces<Real>(top(m), ends(m), [&](const Place<Real>& p) { return phi(m, p); }, place, read);
     }
 
     /// Where V_(m+1) is cut: where V_m's cuts come to lie, so often between that pieces are narrow, and towards T = 1, next to which R vanishes.
     std::vector<double> cuts(long m) const
     {
-        std::vector<double> E = ends(m);
+        std::vector<double> E;
+        for (const Real& r : ends(m)) E.push_back(static_cast<double>(r));
         const double first = std::ldexp(1, static_cast<int>(1 - m));
         if (E.size() == 2 && m > 1) E.insert(E.begin() + 1, first);
         while (m > 1 && E[1] > 1.3 * first) E.insert(E.begin() + 1, E[1] / 2);
@@ -72,25 +74,27 @@ private:
             if (E[i + 1] > widest * E[i])
                 E.insert(E.begin() + static_cast<std::ptrdiff_t>(i) + 1, E[i + 1] < widest * widest * E[i] ? std::sqrt(E[i] * E[i + 1]) : 2 * E[i]);
         const auto distance = [](double Y) { return (1 - Y) * (1 - Y) / (4 * Y); };
-        const double room = std::min(distance(top(m)), std::sqrt(distance(top(m - 1))));
+        const double room = std::min(distance(static_cast<double>(top(m))), std::sqrt(distance(static_cast<double>(top(m - 1)))));
         while (1 - E[E.size() - 2] > widest * room && E.size() < most_pieces) E.insert(E.end() - 1, (1 + E[E.size() - 2]) / 2);
         if (E.size() >= most_pieces) throw BeyondReach("the law of the load ratio has no certificate there: its pieces would be too many");
         return E;
     }
 
-    std::vector<Piece> pieces_of(long m) const
+    std::vector<Piece<Real>> pieces_of(long m) const
     {
         const std::vector<double> E = cuts(m);
-        std::vector<Piece> found;
+        std::vector<Piece<Real>> found;
         for (std::size_t i = 0; i + 1 < E.size(); ++i) {
-            const auto here = [&](double T) { return density(m, {T, 1 - T}); };
+            const std::function<Real(const Real&)> here = [&](const Real& T) { return density(m, {T, 1 - T}); };
             const double low = E[i], high = E[i + 1];
-            found.push_back(i == 0 ? fitted(0, low, high, static_cast<int>(m - 1), here)
-                                   : fitted(least_of(low, high), low, high, power_between(low, high, here), here));
+            found.push_back(i == 0 ? fitted(0, low, high, static_cast<int>(m - 1), here, small_)
+                                   : fitted(least_of(low, high), low, high, power_between(low, high, here), here, small_));
         }
         return found;
     }
 };
+
+namespace {
 
 /// From which level a claim is read, 1 - T there, and what the integral is multiplied by.
 struct Reading {
@@ -114,10 +118,10 @@ Reading reading(const Claim& c)
     return {c.n, P * P / (4 * Y), c.of == Claim::Of::share ? Ball(1) : P / pow(G, Ball(c.n + 2))};
 }
 
-double value(const Claim& c, const Laws& laws)
+double value(const Claim& c, const Laws<double>& laws)
 {
     const Reading r = reading(c);
-    const Place place{nearest(1 - r.rest), nearest(r.rest)};
+    const Place<double> place{nearest(1 - r.rest), nearest(r.rest)};
     return c.of == Claim::Of::share ? laws.share(r.level, place) : nearest(r.factor) * laws.density(r.level, place);
 }
 
@@ -134,15 +138,19 @@ long interval_bits(const std::vector<Claim>& claims)
 }
 
 /// The numbers of the lines of pieces, level 2 first.
-std::vector<std::vector<std::size_t>> write_pieces(const Laws& laws, long levels, int bits, std::size_t law, Lines& lines)
+template <class Real>
+std::vector<std::vector<std::size_t>> write_pieces(const Laws<Real>& laws, long levels, int bits, std::size_t law, Lines& lines)
 {
+    constexpr double beside_the_error = 0x1p-5;
     std::vector<std::vector<std::size_t>> numbers{{}};
     for (long m = 2; m <= levels; ++m) {
         std::vector<std::size_t> rests_on{law}, here;
         rests_on.insert(rests_on.end(), numbers.back().begin(), numbers.back().end());
         const Rational error = exactly(std::ldexp(static_cast<double>(m - 1), -bits));
-        for (const Piece& p : laws.pieces(m))
+        for (const Piece<Real>& whole : laws.pieces(m)) {
+            const Piece<Real> p = shortened(whole, std::min(smallest_coefficient, std::ldexp(beside_the_error, -bits)));
             here.push_back(lines.add("piece", rests_on, fmt::format("m={:x} {} error={}{}", m, shape(p), dyadic(error), coefficients(p))));
+        }
         numbers.push_back(std::move(here));
     }
     return numbers;
@@ -170,7 +178,7 @@ void write_distributions(const std::vector<Claim>& claims, long digits, std::siz
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double share = 2; // of the goal, for the levels
     const int bits = static_cast<int>(std::ceil(std::log2(share * static_cast<double>(levels) / goal)));
-    const Laws laws(nearest(number(any.G)), any.load.get_d(), levels);
+    const Laws<double> laws(any.G, any.load, levels, smallest_coefficient);
     const std::size_t first = lines.count() + 1;
     const std::size_t law = lines.add("law", {}, fmt::format("G={} load={} bits={:x}", named(any.G), any.load.get_str(), interval_bits(claims)));
     const auto numbers = write_pieces(laws, levels, bits, law, lines);
@@ -198,27 +206,30 @@ Ball rest_at_level(const Root& G, const Rational& load, long n, const Rational& 
     return Ball(P) * Ball(P) / (4 * Y);
 }
 
-std::vector<double> level_shares(const Root& G, const Rational& load, const std::vector<std::pair<long, Rational>>& places)
+template <class Real>
+LawOfLoad<Real>::LawOfLoad(const Root& G, const Rational& load, long levels)
+    : G_(G), load_(load), laws_(std::make_shared<const Laws<Real>>(G, load, levels, std::is_same_v<Real, double> ? smallest_coefficient : 0))
 {
-    long levels = 1;
-    for (const auto& [n, P] : places) levels = std::max(levels, n);
-    const Laws laws(nearest(number(G)), load.get_d(), levels);
-    std::vector<double> shares;
-    for (const auto& [n, P] : places) {
-        const Ball rest = rest_at_level(G, load, n, P);
-        shares.push_back(laws.share(n, {nearest(1 - rest), nearest(rest)}) / laws.share(n, {1, 0}));
-    }
-    return shares;
 }
 
-std::vector<std::vector<std::size_t>> write_law_of_load(const Root& G, const Rational& load, long levels, int bits, Lines& lines)
+template <class Real>
+Real LawOfLoad<Real>::share(long n, const Rational& P) const
+{
+    const Ball rest = rest_at_level(G_, load_, n, P);
+    return laws_->share(n, {rounded<Real>(1 - rest), rounded<Real>(rest)}) / laws_->share(n, {1, 0});
+}
+
+template <class Real>
+std::vector<std::vector<std::size_t>> LawOfLoad<Real>::write(long levels, int bits, Lines& lines) const
 {
     constexpr int bits_of_intervals = 128;
-    const Laws laws(nearest(number(G)), load.get_d(), levels);
-    const std::size_t law = lines.add("law", {}, fmt::format("G={} load={} bits={:x}", named(G), load.get_str(), bits_of_intervals));
-    auto numbers = write_pieces(laws, levels, bits, law, lines);
+    const std::size_t law = lines.add("law", {}, fmt::format("G={} load={} bits={:x}", named(G_), load_.get_str(), bits_of_intervals));
+    auto numbers = write_pieces(*laws_, levels, bits, law, lines);
     for (auto& level : numbers) level.insert(level.begin(), law);
     return numbers;
 }
+
+template class LawOfLoad<double>;
+template class LawOfLoad<Wide>;
 
 } // namespace touchstone::certificate

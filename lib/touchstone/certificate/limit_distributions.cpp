@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 
 namespace touchstone::certificate {
@@ -23,50 +22,67 @@ constexpr int waves = 60; ///< what is left of the law begun with falls by about
 constexpr int interval_bits = 128;
 
 /// The law that one wave leaves as it is, 0 below its first piece, as if the force were 1.
+template <class Real>
 class LimitLaw {
 public:
-    LimitLaw(double G, int halvings, double small)
-        : G_(G)
-        , Y_(4 / (G * G))
+    LimitLaw(const Root& G, int halvings, double small)
+        : G_(rounded<Real>(number(G)))
+        , Y_(4 / (G_ * G_))
         , small_(small)
-        , cuts_(cuts(halvings))
     {
-        for (std::size_t i = 0; i + 1 < cuts_.size(); ++i)
-            pieces_.push_back(between(i, [&](double T) { return std::pow(T, halvings / 2.0); }));
-        for (int k = 0; k < waves + 2 * halvings; ++k) {
-            std::vector<Piece> next;
-            for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) next.push_back(between(i, [&](double T) { return density({T, 1 - T}); }));
-            pieces_ = std::move(next);
-            const double force = read({1, 0}, Read::force);
-            for (Piece& p : pieces_)
-                for (double& c : p.coefficients) c /= force;
+        if constexpr (std::is_same_v<Real, double>) {
+            cuts_ = cuts(halvings);
+            for (std::size_t i = 0; i + 1 < cuts_.size(); ++i)
+                pieces_.push_back(between(i, [&](double T) { return std::pow(T, halvings / 2.0); }));
+            follow(waves + 2 * halvings);
+        } else { // binary64 has most of it at little cost
+            const LimitLaw<double> start(G, halvings, smallest_coefficient);
+            cuts_ = start.cuts_;
+            for (const Piece<double>& p : start.pieces_)
+                pieces_.push_back({p.low, p.high, p.centre, p.radius, p.power, {p.coefficients.begin(), p.coefficients.end()}});
+            follow(waves / 2 + halvings);
         }
     }
-    const std::vector<Piece>& pieces() const { return pieces_; }
+    const std::vector<Piece<Real>>& pieces() const { return pieces_; }
     /// What one wave makes of it.
-    double density(Place at) const { return G_ * G_ * G_ / std::numbers::pi * std::sqrt(Y_ * at.T) * over(at, Read::density); }
-    double read(Place at, Read what) const { return 2 * Y_ * at.T * over(at, what); }
+    Real density(const Place<Real>& at) const { return G_ * G_ * G_ / pi_number<Real>() * root(Y_ * at.T) * over(at, Read::density); }
+    Real read(const Place<Real>& at, Read what) const { return 2 * Y_ * at.T * over(at, what); }
 
 private:
-    double G_, Y_, small_;
-    std::vector<double> cuts_;
-    std::vector<Piece> pieces_;
+    template <class>
+    friend class LimitLaw;
 
-    template <class F>
-    Piece between(std::size_t i, F&& density) const
+    Real G_, Y_;
+    double small_;
+    std::vector<double> cuts_;
+    std::vector<Piece<Real>> pieces_;
+
+    void follow(int many)
+    {
+        for (int k = 0; k < many; ++k) {
+            std::vector<Piece<Real>> next;
+            for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) next.push_back(between(i, [&](const Real& T) { return density({T, 1 - T}); }));
+            pieces_ = std::move(next);
+            const Real force = read({1, 0}, Read::force);
+            for (Piece<Real>& p : pieces_)
+                for (Real& c : p.coefficients) c /= force;
+        }
+    }
+
+    Piece<Real> between(std::size_t i, const std::function<Real(const Real&)>& density) const
     {
         const double low = cuts_[i], high = cuts_[i + 1];
         return fitted(i == 0 ? low : least_of(low, high), low, high, power_between(low, high, density), density, small_);
     }
 
-    double over(Place place, Read read) const
+    Real over(const Place<Real>& place, Read read) const
     {
-        std::vector<double> r;
-        for (const double T : cuts_) r.push_back(ratio_cut(T));
-        const auto phi = [&](Place p) {
-            return (*std::find_if(pieces_.begin(), pieces_.end() - 1, [&](const Piece& q) { return p.T <= q.high; }))(p.T);
+        std::vector<Real> r;
+        for (const double T : cuts_) r.push_back(ratio_cut(Real(T)));
+        const auto phi = [&](const Place<Real>& p) {
+            return (*std::find_if(pieces_.begin(), pieces_.end() - 1, [&](const Piece<Real>& q) { return p.T <= q.high; }))(p.T);
         };
-        return over_pieces(Y_, r, phi, place, read);
+        return over_pieces<Real>(Y_, r, phi, place, read);
     }
 
     /// From 2^-halvings on, each twice the one before, or less next to where the law begins, and towards T = 1, next to which R vanishes
@@ -78,7 +94,7 @@ private:
             E.push_back(std::ldexp(1, -k));
             if (halvings - k < 2) E.push_back(std::ldexp(1.5, -k));
         }
-        const double room = (1 - Y_) * (1 - Y_) / (4 * Y_);
+        const double room = static_cast<double>((1 - Y_) * (1 - Y_) / (4 * Y_));
         while (1 - E[E.size() - 2] > widest * std::min(room, std::sqrt(room)) && E.size() < most_pieces)
             E.insert(E.end() - 1, (1 + E[E.size() - 2]) / 2);
         if (E.size() >= most_pieces) throw BeyondReach("the law of the load ratio has no certificate there: its pieces would be too many");
@@ -99,13 +115,14 @@ Ball rest_at(const LimitClaim& c)
     return P * P * G * G / 16;
 }
 
-double value(const LimitClaim& c, const LimitLaw& law)
+template <class Real>
+Real value(const LimitClaim& c, const LimitLaw<Real>& law)
 {
     const Ball rest = rest_at(c);
-    const Place place{nearest(1 - rest), nearest(rest)};
+    const Place<Real> place{rounded<Real>(1 - rest), rounded<Real>(rest)};
     if (c.of == LimitClaim::Of::force) return law.read(place, Read::force) / law.read({1, 0}, Read::force);
-    const double area = law.read({1, 0}, Read::share);
-    if (c.of == LimitClaim::Of::density) return c.at.get_d() / std::pow(nearest(number(c.G)), 3) * law.density(place) / area;
+    const Real area = law.read({1, 0}, Read::share);
+    if (c.of == LimitClaim::Of::density) return rounded<Real>(c.at) / half_power(rounded<Real>(number(c.G)), 6) * law.density(place) / area;
     return law.read(place, Read::share) / area;
 }
 
@@ -120,11 +137,9 @@ std::string_view quantity(LimitClaim::Of of)
     }
 }
 
-std::vector<std::size_t> joined(std::size_t first, const std::vector<std::size_t>& more, const std::vector<std::size_t>& most = {})
+std::vector<std::size_t> joined(std::vector<std::size_t> all, const std::vector<std::size_t>& more)
 {
-    std::vector<std::size_t> all{first};
     all.insert(all.end(), more.begin(), more.end());
-    all.insert(all.end(), most.begin(), most.end());
     return all;
 }
 
@@ -141,67 +156,133 @@ int halvings_for(long digits) { return static_cast<int>(std::ceil(2 * std::sqrt(
 struct Written {
     std::size_t law;
     std::vector<std::size_t> parts, balances;
+
+    std::vector<std::size_t> all() const { return joined(joined({law}, parts), balances); }
 };
 
-Written write_law(const LimitLaw& law, const Root& G, long digits, Lines& lines)
+/// Of the first coefficient of a part.
+double smallest_for(long digits)
+{
+    constexpr double beside_the_error = 0x1p-5;
+    return beside_the_error * balance_error(digits).get_d();
+}
+
+template <class Real>
+Written write_law(const LimitLaw<Real>& law, const Root& G, long digits, Lines& lines)
 {
     Written w{lines.add("steady", {}, fmt::format("G={} bits={:x}", named(G), interval_bits)), {}, {}};
-    for (const Piece& p : law.pieces()) w.parts.push_back(lines.add("part", {w.law}, shape(p) + coefficients(p)));
+    for (const Piece<Real>& whole : law.pieces()) {
+        const Piece<Real> p = shortened(whole, smallest_for(digits));
+        w.parts.push_back(lines.add("part", {w.law}, shape(p) + coefficients(p)));
+    }
     for (std::size_t i = 0; i < w.parts.size(); ++i)
         w.balances.push_back(
-            lines.add("balance", joined(w.law, w.parts), fmt::format("part={} error={}", i, dyadic(balance_error(digits)))));
+            lines.add("balance", joined({w.law}, w.parts), fmt::format("part={} error={}", i, dyadic(balance_error(digits)))));
     return w;
 }
 
 /// What a section says of one claim.
 struct Found {
-    double value, error;
+    LimitClaim claim;
+    Rational value;
+    double error;
     std::vector<std::size_t> rests_on;
 };
 
-LimitLaw law_for(const std::vector<LimitClaim>& claims, long digits)
+/// A law in these numbers is known to so many digits, and distances from it so well.
+template <class Real>
+constexpr long digits_known = std::is_same_v<Real, double> ? most_digits_of_limit_distributions : 17;
+template <class Real>
+constexpr double distances_known_to = std::is_same_v<Real, double> ? 1.6e-11 : 1.6e-17;
+
+template <class Real>
+LimitLaw<Real> law_for(const std::vector<LimitClaim>& claims, long digits)
 {
     int halvings = halvings_for(digits);
     constexpr int above_the_first_piece = 6; // what lies below it would count next to the largest pressure
     for (const LimitClaim& c : claims) halvings = std::max(halvings, above_the_first_piece - std::ilogb(nearest(1 - rest_at(c))));
-    constexpr double beside_the_error = 0x1p-5;
-    return {nearest(number(claims.front().G)), halvings, beside_the_error * balance_error(digits).get_d()};
+    return {claims.front().G, halvings, smallest_for(digits)};
 }
 
-/// Those of the section that have a certificate, each with its claim; and how many pieces of the law of a load there are.
-std::vector<std::pair<LimitClaim, Found>> find(const std::vector<LimitClaim>& claims, const LimitLaw& law, const Written& w,
-                                               double accuracy, std::size_t& pieces, Lines& lines)
+/// Appends the law of the limit, and the claims that rest on it.
+Written write_limits(const std::vector<LimitClaim>& claims, long digits, double accuracy, std::vector<Found>& all, Lines& lines)
 {
-    std::vector<std::pair<LimitClaim, Found>> all;
-    if (claims.front().of != LimitClaim::Of::distance) {
-        for (const LimitClaim& c : claims) {
-            const double v = value(c, law);
-            if (!(v > std::numeric_limits<double>::min())) throw BeyondReach("what is below the numbers of binary64 has no certificate");
-            all.push_back({c, {v, accuracy * v, joined(w.law, w.parts, w.balances)}});
-        }
-        return all;
+    const auto law = law_for<double>(claims, digits);
+    const Written w = write_law(law, claims.front().G, digits, lines);
+    for (const LimitClaim& c : claims) {
+        const double v = value(c, law);
+        if (!(v > std::numeric_limits<double>::min())) throw BeyondReach("what is below the numbers of binary64 has no certificate");
+        all.push_back({c, exactly(v), accuracy * v, w.all()});
     }
-    constexpr int level_bits = 42; // the pieces are in binary64
-    constexpr double known_to = 1.6e-11, of_use = 100;
-    std::vector<std::pair<long, Rational>> places;
-    for (const LimitClaim& c : claims) places.emplace_back(c.n, c.at);
-    const std::vector<double> shares = level_shares(claims.front().G, claims.front().load, places);
+    return w;
+}
+
+/// Two laws, of the limit and of a load, and how far what is read off one is from what is read off the other.
+template <class Real>
+struct Distances {
+    LimitLaw<Real> limit;
+    LawOfLoad<Real> of_load;
+    std::vector<Real> values;
+
+    explicit Distances(const std::vector<LimitClaim>& claims)
+        : limit(law_for<Real>(claims, digits_known<Real>)), of_load(claims.front().G, claims.front().load, last_level(claims))
+    {
+        for (const LimitClaim& c : claims) values.push_back(of_load.share(c.n, c.at) - value(c, limit));
+    }
+    /// The least error that a claim has, where each is to be known to `accuracy` of itself.
+    double least_error(double accuracy) const
+    {
+        double least = 1;
+        for (const Real& v : values) least = std::min(least, accuracy * std::fabs(static_cast<double>(v)));
+        return least;
+    }
+
+private:
+    static long last_level(const std::vector<LimitClaim>& claims)
+    {
+        long n = 1;
+        for (const LimitClaim& c : claims) n = std::max(n, c.n);
+        return n;
+    }
+};
+
+/// How well the two laws are to be proved for distances to be within `error`: each may have about a quarter of it.
+struct Aim {
+    long digits;
+    int level_bits;
+};
+Aim aim_for(double error, long levels)
+{
+    constexpr double parts = 4, both_shares = 2;
+    return {static_cast<long>(std::ceil(-std::log10(error / 2))),
+            static_cast<int>(std::ceil(std::log2(parts * both_shares * static_cast<double>(levels) / error)))};
+}
+
+/// Appends both laws, and the claims that rest on them, each at least a hundred times its error.
+/// \param pieces how many the law of the load has
+template <class Real>
+Written write_distances(const std::vector<LimitClaim>& claims, const Distances<Real>& found, double accuracy, std::vector<Found>& all,
+                        std::size_t& pieces, Lines& lines)
+{
+    constexpr double known_to = distances_known_to<Real>, of_use = 100;
     long levels = 0;
+    double least_error = 1;
     for (std::size_t i = 0; i < claims.size(); ++i) {
-        const double v = shares[i] - value(claims[i], law);
-        if (std::fabs(v) < of_use * known_to) continue;
-        all.push_back({claims[i], {v, std::max(accuracy * std::fabs(v), known_to), joined(w.law, w.parts, w.balances)}});
+        const double size = std::fabs(static_cast<double>(found.values[i]));
+        if (size < of_use * known_to) continue;
+        all.push_back({claims[i], exactly(found.values[i]), std::max(accuracy * size, known_to), {}});
         levels = std::max(levels, claims[i].n);
+        least_error = std::min(least_error, all.back().error);
     }
-    if (all.empty()) throw BeyondReach("distances below 2 10^-9 have no certificate");
+    if (all.empty()) throw BeyondReach("distances below 2 10^-15 have no certificate");
+    constexpr Aim in_binary64{digits_known<double>, 42};
+    const Aim aim = std::is_same_v<Real, double> ? in_binary64 : aim_for(least_error, levels);
+    const Written w = write_law(found.limit, claims.front().G, aim.digits, lines);
     const std::size_t before = lines.count();
-    const auto numbers = write_law_of_load(claims.front().G, claims.front().load, levels, level_bits, lines);
+    const auto numbers = found.of_load.write(levels, aim.level_bits, lines);
     pieces = lines.count() - before - 1;
-    for (auto& [c, found] : all) {
-        const auto& level = numbers[static_cast<std::size_t>(c.n - 1)];
-        found.rests_on.insert(found.rests_on.end(), level.begin(), level.end());
-    }
-    return all;
+    for (Found& f : all) f.rests_on = joined(w.all(), numbers[static_cast<std::size_t>(f.claim.n - 1)]);
+    return w;
 }
 
 std::string named_inputs(const LimitClaim& c)
@@ -215,15 +296,20 @@ std::size_t write_section(const std::vector<LimitClaim>& claims, long digits, st
                           std::string& head, Lines& lines)
 {
     const bool distances = claims.front().of == LimitClaim::Of::distance;
-    const long of_the_law = distances ? most_digits_of_limit_distributions : digits;
-    const LimitLaw law = law_for(claims, of_the_law);
+    const double accuracy = std::pow(10.0, -static_cast<double>(digits)) / 2;
     const std::size_t first = lines.count() + 1;
-    const Written w = write_law(law, claims.front().G, of_the_law, lines);
     std::size_t number = first_claim, pieces = 0;
-    for (const auto& [c, found] : find(claims, law, w, std::pow(10.0, -static_cast<double>(digits)) / 2, pieces, lines)) {
-        lines.add("tending", found.rests_on, fmt::format("claim={}", number));
-        head += fmt::format("claim {} {} G={} value={} error={}\n", number++, named_inputs(c), named(c.G), dyadic(exactly(found.value)),
-                            dyadic(rounded_up(found.error)));
+    std::vector<Found> all;
+    const Written w = [&] {
+        if (!distances) return write_limits(claims, digits, accuracy, all, lines);
+        const Distances<double> found(claims);
+        if (found.least_error(accuracy) >= distances_known_to<double>) return write_distances(claims, found, accuracy, all, pieces, lines);
+        return write_distances(claims, Distances<Wide>(claims), accuracy, all, pieces, lines);
+    }();
+    for (const Found& f : all) {
+        lines.add("tending", f.rests_on, fmt::format("claim={}", number));
+        head += fmt::format("claim {} {} G={} value={} error={}\n", number++, named_inputs(f.claim), named(f.claim.G), dyadic(f.value),
+                            dyadic(rounded_up(f.error)));
     }
     head += section_line(section, first, lines.count(),
                          {{"laws", distances ? 1 : 0},

@@ -2,7 +2,7 @@
 /// \file
 /// Why shares and densities in the limit n -> infinity are what they are: a certificate (docs/certificate.md), in partial contact.
 ///
-/// The law of the load ratio that a wave leaves as it is, by pieces in binary64; how near it is to the limit the checker finds. Nobody has
+/// The law of the load ratio that a wave leaves as it is, by pieces; how near it is to the limit the checker finds. Nobody has
 /// to trust it.
 #pragma once
 
@@ -30,7 +30,7 @@ constexpr long most_digits_of_limit_distributions = 10;
 std::string refusal_of_limit_distribution(const LimitClaim&);
 
 /// A certificate of claims of one kind, to so many digits, a section for each G (and load) in the order in which they first come.
-/// Distances are known to 2 10^-11 or so, whatever the digits are; those of which that leaves nothing are left out.
+/// Distances are known to 2 10^-17 or so, whatever the digits are; those of which that leaves nothing are left out.
 /// \pre refusal_of_limit_distribution() is empty for each \throws BeyondReach where the pieces would be too many
 std::string limit_distributions(const std::vector<LimitClaim>&, Accuracy);
 
