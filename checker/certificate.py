@@ -12,6 +12,7 @@ import sys
 import time
 from fractions import Fraction
 
+import density
 import distributions
 import full_contact
 import intervals as iv
@@ -281,15 +282,16 @@ class Replay:
         return "polynomials", self.number, panel, (middle, half), aim, [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
 
     def share(self, below, claim):
-        mesh, (*inputs, load), value, error = self.claimed("contact.area contact.exceedance", below, claim) if self.certificate.quantity[:5] != "limit" else self.mean(below, claim)
+        mesh, (*inputs, load), value, error = self.claimed("contact.area contact.exceedance contact.density", below, claim) if self.certificate.quantity[:5] != "limit" else self.mean(below, claim)
         need(mesh[0] == "mesh", "a share rests on a mesh", Refused)
         p, scale, highest = mesh[2][1:4]
         n, *pressure = inputs or [1]
+        of_density = self.certificate.quantity == "contact.density"  # level 0 of a mesh is scale 1
         need((pressure or [0]) == [p] and (not p or scale == n), "does not rest on a mesh of its pressure", Refused)
         below = below[1:]
         need(all(b[0] == "polynomials" and b[-1] is mesh for b in below), "does not rest on a mesh and its polynomials", Refused)
         need([b[2] for b in below] == list(range(len(mesh[2][-1]) - 1)) and len({(len(b[5]), len(b[5][0])) for b in below}) == 1, "polynomials are missing", Refused)
-        need(n <= len(below[0][5]) and load <= highest, "the mesh does not reach so far", Refused)
+        need(n <= len(below[0][5]) + of_density and load <= highest, "the mesh does not reach so far", Refused)
         if self.proving():
             if inputs:
                 low, high = self.share_of(mesh, below, n, load)
@@ -309,7 +311,7 @@ class Replay:
     def share_of(self, mesh, below, n, load):
         key = mesh[1], tuple(b[1] for b in below)
         if key not in self.rules:
-            made = self.made(full_contact.Mesh, mesh, below)
+            made = self.made(density.Density if self.certificate.quantity == "contact.density" else full_contact.Mesh, mesh, below)
             self.rules = {key: (made, made.errors(self.progress))}  # of one mesh at a time
         made, errors = self.rules[key]
         return made.value(n, load, errors)
