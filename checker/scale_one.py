@@ -126,7 +126,7 @@ class Integrand:
         t = self.end + square * self.sign
         total = 2 * self.H if self.own else 2 * self.H * v
         for shift, sign in self.inverse:
-            total = total / root_of(shift + square * sign)
+            total = total / distance_root(shift, sign, v, square)
         if self.partial:
             total = total * partial(self.one, self.load, t)[0]
         if self.slope is None:
@@ -139,6 +139,16 @@ class Integrand:
     def roots(self, v, square, slope):
         """s, and 1 - s if that is linear too: as root or, where this is not at hand, square"""
         return [(v * root_of(slope), None) if own else (None, (shift + square * sign) * slope) for shift, sign, own in self.second]
+
+
+def distance_root(shift, sign, v, square):
+    """sqrt(shift + sign v^2); of a disc of v far from 0 the square would be too wide, but v can be taken out"""
+    try:
+        return root_of(shift + square * sign)
+    except Outside:
+        if sign < 0:
+            raise
+    return v * root_of(1 + shift * (1 / v).square())
 
 
 def arcsine(both):
