@@ -105,7 +105,7 @@ class Half:
     shift + sign v^2, and the shift is found to be 0 where it is."""
 
     def __init__(self, two, second, end, sign, length):
-        self.two, self.end, self.sign, self.wide = two, end, sign, root_of(length * Fraction(1, 2))
+        self.two, self.end, self.sign, self.wide = two, end, sign, root(length / 2)
         self.first, self.second = ([(Fraction(0) if end is place else (end - place) * side, sign * side) for place, side in places] for places in (two.first, second))
         self.slope = 1 / (second[1][0] - second[0][0]) if len(second) > 1 else None  # (2.14): s = slope (t - place)
 
@@ -114,7 +114,7 @@ class Integrand:
     """Over u, but for a factor of 2/pi^2 for shares, 1/pi^2 for densities. All numbers are of one kind: Interval.of or Disc.of."""
 
     def __init__(self, half, share, of):
-        self.share, self.sign, self.slope, self.partial = share, half.sign, half.slope, half.two.partial
+        self.share, self.sign, self.slope, self.partial = share, half.sign, half.slope, half.two.load < 1
         self.H, self.end, self.G, self.p, self.load, self.one = map(of, (half.wide, half.end, half.two.G, half.two.p, half.two.load, 1))
         roots = half.first if share else half.first + half.second
         self.inverse, self.own = [(of(shift), sign) for shift, sign in roots if shift != 0], sum(shift == 0 for shift, _ in roots)
@@ -126,7 +126,7 @@ class Integrand:
         t = self.end + square * self.sign
         total = 2 * self.H if self.own else 2 * self.H * v
         for shift, sign in self.inverse:
-            total = total / distance_root(shift, sign, v, square)
+            total = total / root_of(shift + square * sign)
         if self.partial:
             total = total * partial(self.one, self.load, t)[0]
         if self.slope is None:
@@ -139,16 +139,6 @@ class Integrand:
     def roots(self, v, square, slope):
         """s, and 1 - s if that is linear too: as root or, where this is not at hand, square"""
         return [(v * root_of(slope), None) if own else (None, (shift + square * sign) * slope) for shift, sign, own in self.second]
-
-
-def distance_root(shift, sign, v, square):
-    """sqrt(shift + sign v^2); of a disc of v far from 0 the square would be too wide, but v can be taken out"""
-    try:
-        return root_of(shift + square * sign)
-    except Outside:
-        if sign < 0:
-            raise
-    return v * root_of(1 + shift * (1 / v).square())
 
 
 def arcsine(both):
@@ -171,7 +161,7 @@ class TwoWaves:
     def __init__(self, p, load, G):
         if not (p >= 0 and load > 0 and G > 1):
             raise ValueError("outside the domain")
-        self.p, self.load, self.G, self.partial, self.halves = p, load, G, load < 1, []
+        self.p, self.load, self.G, self.halves = p, load, G, []
         low, top = (load - 1, load + 1) if load >= 1 else (Fraction(0), 2 * root(load))
         self.first = [(low, 1), (top, -1)] if load >= 1 else [(top, -1), (-top, 1)]  # (2.15), (2.19): where q_0 has roots, and to which side they are real
         least = p * p / (4 * G)                                                      # (2.17), (2.19)
