@@ -94,7 +94,10 @@ std::string refusal(const Claim& a)
     if (power(Rational(1 << 20), static_cast<long>(a.G.degree)) < a.G.base) return "G > 2^20: certificates are made where G <= 2^20";
     const bool density = a.of == Claim::Of::density || a.of == Claim::Of::segments;
     if (a.of == Claim::Of::segments && !only_partial(a)) return "segments have certificates in partial contact: G >= 2.05 and load <= 1";
-    if (density && !only_partial(a)) return a.n == 1 ? "n = 1 needs none with full contact: the checker finds it itself" : a.at > 0 ? "" : "a pressure of 0 is exact";
+    if (density && !only_partial(a)) {
+        if (a.n == 1) return "n = 1 needs none with full contact: the checker finds it itself";
+        return a.at > 0 ? "" : "a pressure of 0 is exact";
+    }
     if (density && !law_serves(a)) return "densities beyond scale 1 have certificates at loads up to 1 - 10^-6";
     return a.of == Claim::Of::area || !only_partial(a) ? "" : exact_end(a);
 }
@@ -102,6 +105,8 @@ std::string refusal(const Claim& a)
 bool only_partial(const Claim& a) { return a.load <= 1 && power(Rational(41, 20), static_cast<long>(a.G.degree)) <= a.G.base; }
 
 namespace {
+
+long most_digits_on_a_mesh(const Claim& a) { return a.of == Claim::Of::density ? most_digits_of_distributions : most_digits_in_full_contact; }
 
 enum class Route { levels, law, mesh };
 
@@ -144,7 +149,7 @@ std::string contact(const std::vector<Claim>& all, Accuracy wanted)
             switch (route(members.front())) {
             case Route::levels: write(accurate(members, static_cast<double>(wanted.digits)), members, claims + 1, head, lines, written + 1); break;
             case Route::law: write_distributions(members, std::min(wanted.digits, most_digits_of_distributions), claims + 1, written + 1, head, lines); break;
-            case Route::mesh: write_full_contact(members, std::min(wanted.digits, most_digits_in_full_contact), claims + 1, written + 1, head, lines); break;
+            case Route::mesh: write_full_contact(members, std::min(wanted.digits, most_digits_on_a_mesh(members.front())), claims + 1, written + 1, head, lines); break;
             }
         }
         catch (const BeyondReach&) {
