@@ -12,6 +12,7 @@ import sys
 import time
 from fractions import Fraction
 
+import density
 import distributions
 import full_contact
 import intervals as iv
@@ -284,7 +285,7 @@ class Replay:
         return "polynomials", self.number, panel, (middle, half), aim, [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
 
     def share(self, below, claim):
-        quantity = "limit.area_constant" if self.certificate.quantity[:5] == "limit" else "contact.area contact.exceedance"
+        quantity = "limit.area_constant" if self.certificate.quantity[:5] == "limit" else "contact.area contact.exceedance contact.density"
         mesh, inputs, value, error = self.claimed(quantity, below, claim)
         panels = self.all_panels(below)
         need(inputs or mesh[2][1] == 0, "does not rest on a mesh in contact", Refused)
@@ -293,7 +294,8 @@ class Replay:
             return "share", self.number
         n, *pressure, load = inputs
         need((pressure or [0]) == [mesh[2][1]] and (not pressure or mesh[2][2] == n), "does not rest on a mesh of its pressure", Refused)
-        need(n <= len(panels[0][5]) and load <= mesh[2][3], "the mesh does not reach so far", Refused)
+        of_density = self.certificate.quantity == "contact.density"  # level 0 of a mesh is scale 1
+        need(n <= len(panels[0][5]) + of_density and load <= mesh[2][3], "the mesh does not reach so far", Refused)
         if self.proving():
             low, high = self.share_of(mesh, panels, n, load)
             need(value - error <= low and high <= value + error, "the claim is not proved", Refused)
@@ -338,7 +340,7 @@ class Replay:
     def share_of(self, mesh, below, n, load):
         key = mesh[1], tuple(b[1] for b in below)
         if key not in self.rules:
-            made = self.made(full_contact.Mesh, mesh, below)
+            made = self.made(density.Density if self.certificate.quantity == "contact.density" else full_contact.Mesh, mesh, below)
             self.rules = {key: (made, made.errors(self.progress))}  # of one mesh at a time
         made, errors = self.rules[key]
         return made.value(n, load, errors)

@@ -532,18 +532,23 @@ class Mesh:
                 for c in range(bisect_left(ends, a), bisect_left(ends, b)):
                     for m, d in enumerate(of_levels):
                         defects[start + m][c] = -(-d * self.one // 1)
-        shares = [self.shares(y, ends) for y in ends]
+        shares = [self.shares(y, ends) for y in ends] if self.levels > 1 else []
         errors = []
         for m, D in enumerate(defects):
             if m:
                 parts = self.parted(errors[-1], ends)
-                carried = [self.averaged(parts, shares[c], shares[c + 1]) << self.up[m - 1] if d else 0 for c, d in enumerate(D)]
+                apart = -(-self.once() * self.one // 1) if m == 1 else 0
+                carried = [self.averaged(parts, shares[c], shares[c + 1]) + apart << self.up[m - 1] if d else 0 for c, d in enumerate(D)]
                 for a, b in self.holes:  # there monotony brings the error from the ends
                     i, j = bisect_right(ends, a) - 1, bisect_left(ends, b)
                     carried[i:j] = [max(carried[i:j])] * (j - i)
                 D = [d + e if d else 0 for d, e in zip(D, carried)]
             errors.append(D)
         return ends, errors
+
+    def once(self):
+        """what a wave makes of errors of level 0 that are no step function (AA)"""
+        return 0
 
     def shares(self, x, ends):
         """(H): of a wave of mean x above each of these ratios, in units 2^-work, up to the first that rounds to 0; their last end lies beyond all"""

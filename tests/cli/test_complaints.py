@@ -257,7 +257,7 @@ class Words(InFolder):
         self.refuses(65, "shares below 1e-14 have no certificate", "certificate", "contact.area", "n=60", "load=3", "G=2", "--out", self.folder / "f")
         self.refuses(65, "so near to pressure 0 at a load so near to 1", "certificate", "contact.density", "n=1", "p=1e-99", "load=1", "G=3", "--out", self.folder / "f")
         self.refuses(65, "below the numbers of binary64", "certificate", "contact.density", "n=1", "p=1e-999", "load=1/2", "G=3", "--out", self.folder / "f")
-        for why, *at in (("loads up to 1 - 10^-6", "n=2", "p=1", "load=1"), ("in partial contact", "n=1", "p=1", "load=2"), ("largest pressure", "n=1", "p=7", "load=0.1"), ("is of closed form", "n=0", "p=1", "load=0.1")):
+        for why, *at in (("loads up to 1 - 10^-6", "n=2", "p=1", "load=1"), ("needs none with full contact", "n=1", "p=1", "load=2"), ("largest pressure", "n=1", "p=7", "load=0.1"), ("is of closed form", "n=0", "p=1", "load=0.1")):
             self.refuses(2, why, "certificate", "contact.density", *at, "G=3", "--out", self.folder / "f")
         for code, why, *rows in ((2, "there is no such row", "n=77"), (64, "has no column 'm'", "m=1"), (65, "n=x: is not a number", "n=x"), (64, "'n' is given twice", "n=1", "n=1")):
             self.refuses(code, why, "certificate", "contact_exceedance", *rows, "--out", self.folder / "f")

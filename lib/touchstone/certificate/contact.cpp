@@ -93,7 +93,11 @@ std::string refusal(const Claim& a)
     if (power(Rational(51, 50), static_cast<long>(a.G.degree)) > a.G.base) return "G < 1.02: certificates are made where G >= 1.02";
     if (power(Rational(1 << 20), static_cast<long>(a.G.degree)) < a.G.base) return "G > 2^20: certificates are made where G <= 2^20";
     const bool density = a.of == Claim::Of::density || a.of == Claim::Of::segments;
-    if (density && !only_partial(a)) return "densities have certificates in partial contact: G >= 2.05 and load <= 1";
+    if (a.of == Claim::Of::segments && !only_partial(a)) return "segments have certificates in partial contact: G >= 2.05 and load <= 1";
+    if (density && !only_partial(a)) {
+        if (a.n == 1) return "n = 1 needs none with full contact: the checker finds it itself";
+        return a.at > 0 ? "" : "a pressure of 0 is exact";
+    }
     if (density && !law_serves(a)) return "densities beyond scale 1 have certificates at loads up to 1 - 10^-6";
     return a.of == Claim::Of::area || !only_partial(a) ? "" : exact_end(a);
 }
@@ -101,6 +105,8 @@ std::string refusal(const Claim& a)
 bool only_partial(const Claim& a) { return a.load <= 1 && power(Rational(41, 20), static_cast<long>(a.G.degree)) <= a.G.base; }
 
 namespace {
+
+long most_digits_on_a_mesh(const Claim& a) { return a.of == Claim::Of::density ? most_digits_of_distributions : most_digits_in_full_contact; }
 
 enum class Route { levels, law, mesh };
 
@@ -111,13 +117,13 @@ Route route(const Claim& a)
     return law_serves(a) ? Route::law : Route::mesh;
 }
 
-/// What one section serves: levels any load and n, a law any n and place, a mesh of areas any load and n, one of shares any load.
+/// What one section serves: levels any load and n, a law any n and place, a mesh of areas any load and n, one of shares any load, one of densities its own.
 bool in_one_section(const Claim& a, const Claim& b)
 {
     const Route r = route(a);
     if (b.G.base != a.G.base || b.G.degree != a.G.degree || r != route(b)) return false;
     if (r == Route::law) return a.load == b.load;
-    return r == Route::levels || (a.at == b.at && (a.at == 0 || a.n == b.n));
+    return r == Route::levels || (a.at == b.at && (a.at == 0 || a.n == b.n) && (a.of != Claim::Of::density || a.load == b.load));
 }
 
 std::string_view quantity(Claim::Of of)
@@ -143,7 +149,7 @@ std::string contact(const std::vector<Claim>& all, Accuracy wanted)
             switch (route(members.front())) {
             case Route::levels: write(accurate(members, static_cast<double>(wanted.digits)), members, claims + 1, head, lines, written + 1); break;
             case Route::law: write_distributions(members, std::min(wanted.digits, most_digits_of_distributions), claims + 1, written + 1, head, lines); break;
-            case Route::mesh: write_full_contact(members, std::min(wanted.digits, most_digits_in_full_contact), claims + 1, written + 1, head, lines); break;
+            case Route::mesh: write_full_contact(members, std::min(wanted.digits, most_digits_on_a_mesh(members.front())), claims + 1, written + 1, head, lines); break;
             }
         }
         catch (const BeyondReach&) {

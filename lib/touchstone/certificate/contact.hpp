@@ -38,7 +38,7 @@ struct Claim {
 
 inline constexpr long largest_n = 60;    ///< errors grow by up to 4 a level
 inline constexpr long most_digits = 120; ///< of areas in partial contact
-/// 51/50 <= G <= 2^20, 2^-40 <= load <= 1000, 1 <= n <= largest_n; densities in partial contact. \returns why not; empty: there is a certificate
+/// 51/50 <= G <= 2^20, 2^-40 <= load <= 1000, 1 <= n <= largest_n; segments in partial contact, densities with full contact from n = 2 on. \returns why not; empty: there is a certificate
 std::string refusal(const Claim&);
 /// G >= 41/20 and load <= 1: areas to any digits; with full contact there are fewer.
 bool only_partial(const Claim&);

@@ -59,6 +59,8 @@ public:
     std::size_t memory() const;
     /// The V_m and their mesh (layer.hpp), for tests.
     const levels::Layer& layer() const;
+    /// What the V_m there are to be multiplied by: a power of two, 1 but for densities.
+    double unit() const { return unit_; }
 
     struct State; ///< internal
 

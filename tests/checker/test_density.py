@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: MIT
+"""Densities with full contact: lemma AA of docs/certificate.md, part by part, and what the program says, and says wrongly, about contact.density."""
+import argparse
+import cmath
+import hashlib
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+import unittest.mock
+from fractions import Fraction
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--checker", required=True, type=pathlib.Path)
+parser.add_argument("--program", required=True)
+parser.add_argument("--seed", type=int, default=20261125)
+known, rest = parser.parse_known_args()
+sys.path.insert(0, str(known.checker))
+import certificate  # noqa: E402
+import density  # noqa: E402
+import full_contact  # noqa: E402
+import scale_one  # noqa: E402
+from intervals import Interval  # noqa: E402
+from scale_one import Disc  # noqa: E402
+
+# Few panels; a logarithm within reach of the load's own wave; two levels, of which a wave is taken.
+ROWS = (("n=2", "p=12", "load=10", "G=10^0.5", 2), ("n=2", "p=10", "load=10", "G=9/8", 1), ("n=3", "p=12", "load=2", "G=3", 1))
+BITS = 160
+# P and G: the second wave with the seam, p < 2G, near it, and without.
+WAVES = (("1/2", "3/2"), ("9/5", "13/12"), ("6/5", "3"), ("17/2", "13/12"), ("7/2", "27/25"))
+
+
+def signed(text):
+    body = text.rpartition("sha256 ")[0]
+    return body + f"sha256 {hashlib.sha256(body.encode()).hexdigest()}\n"
+
+
+def program(*arguments):
+    return subprocess.run([known.program, *map(str, arguments)], capture_output=True, text=True)
+
+
+def bare(P, G):
+    """what of a mesh D_1 needs"""
+    mesh = object.__new__(density.Density)
+    mesh.bits, mesh.one, mesh.deepest, mesh.trig = BITS, 1 << BITS, 4 << BITS // 2, full_contact.Trigonometry(BITS)
+    mesh.use_bits()
+    mesh.surface, mesh.waves = Interval.of(G), density.TwoWaves(Interval.of(P) * G, Interval.of(G))
+    mesh.of_integral, mesh.G, mesh.apart, mesh.lg = Interval.of(G) / density.iv.pi().square(), int(G * mesh.one), [], [[-BITS]]
+    return mesh
+
+
+def plain(P, G, x):
+    """D_1 by the integral of scale_one.py"""
+    Interval.bits = BITS
+    return float((scale_one.density(P * G, x, G) * G).middle())
+
+
+def continued(half, load, G, p, ends):
+    """of a complex load, pi^2 times the integral over one half by the middle rule in u, by the textbook's formulas; ends(load): end and other end of t"""
+    end, other, roots = ends(load)
+    L, sign, total, N = abs(other - end) / 2 if isinstance(load, float) else (other - end) * half.sign / 2, half.sign, 0, 400
+    for j in range(N):
+        u = math.sin(math.pi / 2 * (j + 0.5) / N)
+        t = end + sign * L * u * u
+        value = 2 * L * u
+        for place, side in roots:
+            value /= cmath.sqrt(L) * u if place == end else cmath.sqrt((t - place) * side)
+        if not half.full:
+            R = cmath.sqrt((1 - load) ** 2 + t * t)
+            value *= t / R * cmath.sqrt((1 + load + R) / (1 - load + R))
+        if half.below_seam:
+            R = cmath.sqrt((G - t) ** 2 + p * p)
+            value *= p / R * cmath.sqrt((G + t + R) / (G - t + R)) / (2 * math.sqrt(G))
+        total += value * math.cos(math.pi / 2 * (j + 0.5) / N) * math.pi / 2 / N
+    return total
+
+
+class Densities(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name) / "certificate.txt"
+        cls.texts = []
+        for row in ROWS:
+            said = program("certificate", "contact.density", *row[:-1], "--digits", row[-1], "--out", cls.path)
+            assert said.returncode == 0, said.stderr
+            cls.texts.append(cls.path.read_text())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def answer(self, text):
+        """what the checker says of it: None, or why not"""
+        self.path.write_text(signed(text))
+        try:
+            read = certificate.Certificate(self.path)
+            certificate.Replay(read, 1, read.count)
+        except (certificate.Malformed, certificate.Refused) as why:
+            return str(why)
+        return None
+
+    def test_proves_what_the_program_says(self):
+        for row, text in zip(ROWS, self.texts):
+            with self.subTest(row=row):
+                self.assertIsNone(self.answer(text))
+                ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
+                true = Fraction(json.loads(program("eval", "contact.density", *row[:-1], "--digits", 6, "--json").stdout)["value"])
+                self.assertLessEqual(abs(value - true), error)
+                self.assertLessEqual(error / value, Fraction(502, 1000 * 10 ** row[-1]))
+
+    def test_what_says_too_much_is_refused(self):
+        text = self.texts[0]
+        lines = {int(words[0]): words for words in (line.split(" ") for line in text.splitlines()) if words[0].isdigit()}
+        mesh, claim, unit = lines[1], text.splitlines()[3], 1 << int(lines[1][9].split("=")[1], 16)
+        edges = 12
+        middle = (len(mesh) - edges) // 2
+        moved = f"{(int(mesh[edges + middle], 16) + 3 * int(mesh[edges + middle + 1], 16)) // 4:x}"
+        wide = sorted(n for n, words in lines.items() if words[1] == "polynomials")[1]  # what the load's wave has
+        changed = {
+            "a coefficient": {wide: [*lines[wide][:9], f"{int(lines[wide][9], 16) + unit // 8:x}", *lines[wide][10:]]},
+            "a later coefficient": {wide: [*lines[wide][:-1], f"{int(lines[wide][-1], 16) + unit // 8:x}"]},
+            "an edge moved": {1: [*mesh[:edges + middle], moved, *mesh[edges + middle + 1:]]},
+            "a scale": {1: [w.replace("scale=2", "scale=3") for w in mesh]}, "a pressure": {1: [w.replace("p=12", "p=11") for w in mesh]},
+            "a load": {1: [w.replace("load=10", "load=11") for w in mesh]}, "a surface": {1: [w.replace("G=10^1/2", "G=9^1/2") for w in mesh]},
+            "a mesh that begins too late": {1: [*mesh[:edges], f"{(int(mesh[edges], 16) + 15 * int(mesh[edges + 1], 16)) // 16:x}", *mesh[edges + 1:]]},
+        }
+        for why, by_number in changed.items():
+            new = text
+            for number, words in by_number.items():
+                new = new.replace(" ".join(lines[number]) + "\n", " ".join(words) + "\n", 1)
+            with self.subTest(why):
+                self.assertNotEqual(new, text)
+                self.assertIsNotNone(self.answer(new))
+        value = next(word for word in claim.split(" ") if word.startswith("value="))
+        mantissa, _, exponent = value[6:].partition(":")
+        for old, new in ((value, f"value={int(mantissa, 16) * 51 // 50 | 1:x}:{exponent}"), ("n=2", "n=3"), ("load=10", "load=9"), ("p=12", "p=11")):
+            with self.subTest(new=new[:20]):
+                self.assertIsNotNone(self.answer(text.replace(claim, claim.replace(old, new, 1), 1)))
+        self.assertIsNotNone(self.answer(text.replace("contact.density", "contact.exceedance", 1)))
+
+    def test_the_first_level_is_what_scale_one_says(self):
+        """Values and bounds on intervals of loads, against the integral of scale_one.py at one load; and of complex loads, against sums."""
+        chosen, seen = random.Random(known.seed), 0
+        for P, G in ((Fraction(P), Fraction(G)) for P, G in WAVES):
+            mesh = bare(P, G)
+            for _ in range(12):
+                x = Fraction(chosen.uniform(0.01, 1)) if chosen.random() < 0.5 else Fraction(chosen.uniform(1, float(G * P + G + 3)))
+                width = x * Fraction(10 ** chosen.uniform(-5, -2))
+                x1, x2 = (int((x + side * width) * mesh.one) for side in (-1, 1))
+                if x1 < mesh.one < x2:
+                    continue
+                try:
+                    value, size, off = mesh.two_waves(x1, x2, (x2 - x1) * 17 // 16, -40)
+                except full_contact.Far:
+                    continue
+                at = x1 + int(chosen.random() * (x2 - x1))
+                low, high = value(at)
+                true = plain(P, G, Fraction(at, mesh.one))
+                self.assertLessEqual(max(float(low) - true, true - float(high)), float(off) + 1e-14)
+                self.assertGreaterEqual(float(size), true)
+                self.assertLess(off, Fraction(1, 1 << 40))
+                seen += 1
+        self.assertGreater(seen, 40)
+
+    def test_bounds_hold_at_complex_loads(self):
+        chosen, seen = random.Random(known.seed), 0
+        for P, G in ((Fraction(P), Fraction(G)) for P, G in WAVES):
+            mesh = bare(P, G)
+            p, g = float(P * G), float(G)
+            for x in (Fraction(chosen.uniform(0.05, 0.9)), Fraction(chosen.uniform(1.2, float(G * P + G)))):
+                r = x / 50
+                try:
+                    order, _ = mesh.one_order(int((x - r) * mesh.one), int((x + r) * mesh.one), Fraction(0))
+                    disc = density.Loads(mesh.waves, x >= 1, order, Disc(Interval.of(x), Interval.of(r)))
+                    bounds = [float(density.rules(half, Fraction(1, 1 << 20), BITS)[1]) for half in disc.halves]
+                except (full_contact.Far, scale_one.Outside):
+                    continue
+                for k in range(5):
+                    load = complex(x) + float(r) * cmath.exp(2j * math.pi * k / 5)
+                    low, top = load - 1, load + 1 if x >= 1 else 2 * cmath.sqrt(load)
+                    named = {"least": p * p / (4 * g), "bottom": p - g, "top": p + g, "G": g}
+                    first = [(low, 1), (top, -1)] if x >= 1 else [(top, -1), (-top, 1)]
+                    for half, bound in zip(disc.halves, bounds):
+                        at = float(half.end.centre.middle())
+                        other = float((half.end.centre + half.L.centre * (2 * half.sign)).middle())
+                        places = [*named.values(), low, top]
+                        end, far = (min(places, key=lambda place: abs(place - x)) for x in (at, other))
+                        second = [(named["least"], 1)] if half.below_seam else [(named["bottom"], 1), (named["top"], -1)]
+                        value = continued(half, load, g, p, lambda _: (end, far, first + second))  # noqa: B023
+                        self.assertLessEqual(abs(value), bound * 1.01 + 1e-9)
+                        seen += 1
+        self.assertGreater(seen, 30)
+
+    def test_one_formula_serves_beyond_the_seam(self):
+        """The difference is there, less than is said, and without what is said it would not be covered."""
+        for P, G in (("9/5", "13/12"), ("1/2", "3/2"), ("1/4", "6/5")):
+            P, G = Fraction(P), Fraction(G)
+            mesh = bare(P, G)
+            for at in ((G / 2) ** 2, G + 1):
+                w = Fraction(1, 1 << 10)
+                x1, x2 = (int((at + side * w) * mesh.one) for side in (-1, 1))
+                value, _, off = mesh.two_waves(x1, x2, (x2 - x1) * 17 // 16, 0)
+                with unittest.mock.patch.object(density.Density, "beyond_seam", lambda *at, plain=density.Density.beyond_seam: plain(*at) / 10**9):
+                    value, _, without = mesh.two_waves(x1, x2, (x2 - x1) * 17 // 16, -30)
+                differ = max(abs(float(value(x)[0]) - plain(P, G, Fraction(x, mesh.one))) for x in (x1 + 1, x2 - 1))
+                self.assertLess(differ, float(off))
+                self.assertGreater(differ, float(without) * 10)
+
+    def test_next_to_a_logarithm(self):
+        """What D_1 counts for, against the measure that gives most to what is next to it: S sqrt(l/w) to a length l."""
+        most = 0
+        for P, G in ((Fraction(17, 2), Fraction(13, 12)), (Fraction(9, 5), Fraction(13, 12)), (Fraction(1, 2), Fraction(3, 2))):
+            mesh = bare(P, G)
+            ends = [float(P * G - G), float(P * G + G)] if P >= 2 else [float(P * P * G / 4), float(P * G + G)]
+            for at in [Fraction(e + side) for e in ends for side in (-1, 1) if e + side > 1.01] + [Fraction(e * e / 4) for e in ends if e < 1.9]:
+                for w in (Fraction(1, 1 << 20), ):
+                    mesh.apart.clear()
+                    mesh.hole(0, int(at * mesh.one), int((at + w) * mesh.one))
+                    ((_, _, weight),) = mesh.apart
+                    total, N = 0.0, 6
+                    for j in range(N):  # l = w u^2, so that sqrt(l/w) = u; D_1 has log u there
+                        u = ((j + 0.5) / N) ** 2
+                        total += plain(P, G, at + w * Fraction(u * u)) * 2 * (j + 0.5) / N / N
+                    self.assertLess(total, float(weight))
+                    most = max(most, total / float(weight))
+        self.assertGreater(most, 1 / 400)
+
+    def test_shares_of_narrow_ratios_are_no_less(self):
+        chosen = random.Random(known.seed)
+        for load, G in ((Fraction(1, 3), Fraction(3, 2)), (Fraction(5), Fraction(9, 8))):
+            mesh = bare(Fraction(1), G)
+            mesh.at = int(load * mesh.one)
+            low, high = (float((load - 1) / G), float((load + 1) / G)) if load >= 1 else (0.0, float(2 * math.sqrt(load) / G))
+            for _ in range(200):
+                y, w = chosen.uniform(0.8 * low, 1.1 * high), 10 ** chosen.uniform(-9, -1)
+                said = float(mesh.share_of(int(Fraction(y) * mesh.one), int(Fraction(y + w) * mesh.one)))
+
+                def angle(y):
+                    z, x, g = y * y, float(load), float(G)
+                    c = g * y - x if x >= 1 else math.sqrt(g * g * z + (1 - x) ** 2) - x
+                    return math.acos(max(-1.0, min(1.0, c)))
+                self.assertLessEqual((angle(y) - angle(y + w)) / math.pi, said * (1 + 1e-6) + 1e-8)
+
+    def test_what_is_kept_apart_counts(self):
+        """What holes of level 0 count for is added at the load of scale 2, and to what a wave makes of level 0 where there are more levels."""
+        for text, later in ((self.texts[1], False), (self.texts[2], True)):
+            kept = []
+
+            def errors(mesh, progress, plain_errors=density.Mesh.errors):
+                kept.append((mesh, plain_errors(mesh, progress)))  # noqa: B023
+                return kept[-1][1]  # noqa: B023
+            with unittest.mock.patch.object(density.Density, "errors", errors):
+                self.assertIsNone(self.answer(text))
+            ((mesh, found),) = kept
+            n, load = mesh.levels + 1, mesh.load
+            low, high = mesh.value(n, load, found)
+            self.assertGreater(len(mesh.apart), 0)
+            mesh.apart = [(a, b, weight * 10**12) for a, b, weight in mesh.apart]
+            if later:
+                self.assertGreater(mesh.once(), 1)
+            else:
+                self.assertGreater(mesh.value(n, load, found)[1] - high, 10 * (high - low))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *rest])
