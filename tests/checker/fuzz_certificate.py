@@ -32,7 +32,7 @@ sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
 
 WRITTEN = [("contact.area", "n=2", "load=1/10", "G=16"), ("contact.area", "n=1", "load=3/2", "G=3/2"), ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2"),
-           ("limit.area_constant", "G=16"), ("contact.density", "n=2", "p=1", "load=1/10", "G=3"), ("limit.force", "p=1/10", "G=16"), ("limit.scale", "load=1/2", "tolerance=1/10", "G=16"), ("limit.gap", "G=1000")]
+           ("limit.area_constant", "G=16"), ("contact.density", "n=2", "p=1", "load=1/10", "G=3"), ("contact.density", "n=2", "p=12", "load=10", "G=10^0.5"), ("limit.force", "p=1/10", "G=16"), ("limit.scale", "load=1/2", "tolerance=1/10", "G=16"), ("limit.gap", "G=1000")]
 LONGEST_TIME = 60  # seconds: a hang
 MOST_POOL = 400
 NUMBERS = ["0", "1", "-1", "2", "3", "a", "f", "10", "40", "7f", "80", "ff", "100", "800", "801", "ffff", "-0", "00", "01", "+1", " ", "", "1/2", "1/0", "0/1", "2/4", "1/3", "1:0", "0:0", "0:1", "1:-1",
