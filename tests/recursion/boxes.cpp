@@ -525,7 +525,8 @@ TEST_CASE("a panel's errors of interpolation are the sums of what Chebyshev's se
                 CAPTURE(N);
                 CHECK(panel->interpolation >= values * (1 - 1e-12));
                 CHECK(panel->interpolation <= values * (1 + 1e-4));
-                CHECK(panel->slope >= slopes);
+                CHECK(proved >= slopes);
+                CHECK(panel->slope >= proved * (1 - 1e-9));
                 CHECK(panel->slope <= proved * (1 + 1e-4));
             }
     }
@@ -602,4 +603,47 @@ TEST_CASE("a row leaves out what lies beyond the longest distance that its rule 
         CHECK(rule.reach >= levels.delta_max * low / high * (1 - 1e-4));
     }
     CHECK(std::isinf(levels.make_rule(from, Kind::step, 0.4 * levels.delta_max, 0.45 * levels.delta_max, 0, 1e-6).reach));
+}
+
+TEST_CASE("what the polynomials' own roundings do to a row: a share of their values' errors, and n^2 times as much of a slope's")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(3);
+        const Level& from = *levels.levels[2];
+        double fewest = infinity, most = 0;
+        for (const auto& panel : from.panels) { // the row's sum of |k| is then what it says of the interpolation
+            panel->interpolation = panel->worst = 1;
+            panel->slope = 0;
+            std::fill(panel->errors.begin(), panel->errors.end(), 0);
+            fewest = std::min(fewest, static_cast<double>(panel->points));
+            most = std::max(most, static_cast<double>(panel->points));
+        }
+        for (const double d : {0.01, 0.7, 5.}) {
+            const RowRule rule = levels.make_rule(from, Kind::step, d * 0.99, d * 1.01, 0, 1e-6);
+            const Levels::Row values = levels.row(from, Kind::step, Ball::exactly(d), rule), slopes = levels.row(from, Kind::slope, Ball::exactly(d), rule);
+            CAPTURE(d);
+            CHECK(values.carried >= (at_panel_end + slack * fewest) * values.interpolation * (1 - 1e-7));
+            CHECK(values.carried <= (at_panel_end + slack * most) * values.interpolation * (1 + 1e-7));
+            CHECK(slopes.carried >= (at_panel_end + slack * fewest) * slopes.interpolation * fewest * fewest * (1 - 1e-7));
+        }
+    }
+}
+
+TEST_CASE("what the form for small pressures leaves out is what the header proves of it")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    Levels levels(Law::exceedance, Ball(3), Ball(Rational(1, 10)), 20);
+    for (const long n : {2L, 3L}) {
+        const Levels::Value found = levels.small_density(n, Ball(80));
+        const Level& level = *levels.whole[n];
+        const double e = about(level.edge), c = found.cut, w = n == 2 ? (c + 1 + 1.2) / 5.2 : 1;
+        REQUIRE(c > 4);
+        const double left_out = 0.1 / (std::pow(3., static_cast<double>(n)) * e) * std::pow(1 - e * std::exp(-c), -1.5) * 3.5 * level.tail * w * std::exp(2 - 1.5 * c);
+        CAPTURE(n);
+        CAPTURE(c);
+        CHECK(found.row.rule_error >= left_out);
+        CHECK(found.row.rule_error <= 1.0001 * left_out);
+    }
 }
