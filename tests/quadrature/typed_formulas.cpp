@@ -571,11 +571,11 @@ TEST_CASE("a range is cut at the named point where a proof stops, on every kind 
     CHECK(check("1/cbrt((x-1/3)^2)", "0", "1", 2).overlaps(3 * (cube_root(Rational(2, 3)) + cube_root(Rational(1, 3)))));
     // where it begins at no 0 and has no length of 1
     CHECK(check("1/cbrt((x-4/3)^2)", "1", "3", 2).overlaps(3 * (cube_root(Rational(5, 3)) + cube_root(Rational(1, 3)))));
-    // roots of what vanishes there, themselves finite
-    const auto from_third = [](const Rational& power) { return (pow(Ball(Rational(2, 3)), Ball(power)) + pow(Ball(Rational(1, 3)), Ball(power))) / Ball(power); };
-    CHECK(check("cbrt((x-1/3)^2)", "0", "1", 2).overlaps(from_third(Rational(5, 3))));
-    CHECK(check("sqrt((x-1/3)^2)", "0", "1", 2).overlaps(from_third(2)));
-    CHECK(check("((x-1/3)^2)^(2/5)", "0", "1", 2).overlaps(from_third(Rational(9, 5))));
+    // roots of what vanishes there, themselves finite: at 1/2, whose ball is exact
+    const auto from_half = [](const Rational& power) { return 2 * pow(Ball(Rational(1, 2)), Ball(power)) / Ball(power); };
+    CHECK(check("cbrt((x-1/2)^2)", "0", "1", 2).overlaps(from_half(Rational(5, 3))));
+    CHECK(check("sqrt((x-1/2)^2)", "0", "1", 2).overlaps(from_half(2)));
+    CHECK(check("((x-1/2)^2)^(2/5)", "0", "1", 2).overlaps(from_half(Rational(9, 5))));
     const Ball off = sqrt(Ball(Rational(1, 3000)));
     CHECK(check("(x-999/3000)^(-1/2)", "1/3", "1", 1).overlaps(2 * (sqrt(Ball(Rational(2001, 3000))) - off)));
     IntegralOptions told = with_digits(12);
