@@ -9,10 +9,10 @@ BUILD is a build of SOURCE with its tests. All changes drawn of an area (AREAS) 
 time (proofs/source_mutants/switch.hpp); these objects and the area's tests, which are compiled anew where they include a changed header, make one
 program. judge.cpp asks for each change the test cases that come by it, those of least time first and none that takes more than --dearest seconds,
 each with a limit of time (a change that makes a loop endless is found). A change that cannot be switched, or that nobody came by, is compiled alone:
-where it compiles and stands in a constant expression all tests are run, otherwise no test reaches it and it survives. Survivors are listed, unless
-library_equivalent_changes.json says why the change changes nothing that is claimed; exit code 1 if there is any. A sample of --count is drawn from
-each area, or all of it, and judged in the order drawn, which the seed decides: what is done when --seconds have passed is a fair sample too. With
---list the changes are only shown, with --listed those are judged whose lines FILE has.
+where it compiles, and could not be switched or stands in a constant expression, all tests are run, otherwise no test reaches it and it survives.
+Survivors are listed, unless library_equivalent_changes.json says why the change changes nothing that is claimed; exit code 1 if there is any. A
+sample of --count is drawn from each area, or all of it, and judged in the order drawn, which the seed decides: what is done when --seconds have
+passed is a fair sample too. With --list the changes are only shown, with --listed those are judged whose lines FILE has.
 
 The operands of && and || stay those they are: a && b && c becomes (a && b) || c and (a || b) && c. What a change of the formulas in
 lib/touchstone/paper/*.hpp and wave/*.hpp and of proofs/ does: proofs/mutate_sources.py.
@@ -306,12 +306,12 @@ class Program:
         constant = CONSTANT.search(change.text)
         if compiles and not constant and change.old.strip() not in ("+", "-", "*", "/"):
             return "survives", "no test reaches it"
-        for u in users if constant else users[:1]:
+        for u in users[:1] if compiles and not constant else users:
             made[u] = scratch / u.replace("/", "_")
             code, _ = self.compiled(u, made[u], scratch / "tree")
             if code:
                 return "does not compile", "-"
-        if not constant:
+        if not constant and compiles:
             return "survives", "no test reaches it"
         judge = self.link([self.objects / "judge.o", *made.values()], scratch / "judge")
         try:

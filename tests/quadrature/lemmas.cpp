@@ -2,6 +2,7 @@
 // Every constant of the proofs in lib/touchstone/quadrature/lemmas.hpp and endpoint_functions.cpp, held against the function that attains
 // it: the bound holds, and a bound smaller by the share named here would not. So each constant that is weakened turns a test red.
 #include "touchstone/quadrature/endpoint_functions.hpp"
+#include "touchstone/quadrature/integrand.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/quadrant.hpp"
@@ -338,6 +339,11 @@ TEST_CASE("functions with a logarithm at an end are themselves on both sides of 
     CHECK_FALSE(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), special_function(Op::bessel_k, Ball(0), v).get()));
     const ComplexBall k = special_function(Op::elliptic_k, ComplexBall(1) - v) - turn * special_function(Op::elliptic_k, v) / ComplexBall(pi<Ball>());
     CHECK(acb_overlaps(function_of(Op::elliptic_k_of_complement, r).value().get(), k.get()));
+    const ComplexBall e = special_function(Op::elliptic_e, ComplexBall(1) - v) -
+                          turn * (special_function(Op::elliptic_k, v) - special_function(Op::elliptic_e, v)) / ComplexBall(pi<Ball>());
+    const ComplexBall continued_e = function_of(Op::elliptic_e_of_complement, r).value();
+    CHECK(acb_overlaps(continued_e.get(), e.get()));
+    CHECK(acb_rel_accuracy_bits(continued_e.get()) > 40);
     for (const Op op : {Op::bessel_j, Op::bessel_i}) { // an odd half of a turn
         const ComplexBall half = exp(turn / ComplexBall(2)) * special_function(op, Ball(1) / Ball(2), v);
         const ComplexBall continued = function_of(op, Ball(1) / Ball(2), r).value();
@@ -350,6 +356,21 @@ TEST_CASE("functions with a logarithm at an end are themselves on both sides of 
     REQUIRE(arb_gt(abs(beside.logarithm(Side::right).imag()).get(), pi<Ball>().get()));
     CHECK_FALSE(function_of(Op::elliptic_k_of_complement, large).value().is_finite());
     CHECK_FALSE(function_of(Op::bessel_k, Ball(0), large).value().is_finite());
+}
+
+TEST_CASE("log(1 + v)/v about v = 0 and as far as it is taken: v < 0 attains most of what it is off 1")
+{
+    const WorkingPrecision precision(100);
+    // x = -log r, so that v = exp(-x) is r, as wide as that and no wider; where this piece begins, r is negative: E = -exp(-A)
+    Interval half_line = Interval::right_half_line(0, Decay::exponential);
+    half_line.prepare();
+    const StripPiece piece = StripPiece::at(Side::right, 0.69, std::numeric_limits<double>::infinity(), 0, 0.9293);
+    const auto at = half_line.at(Complex(&piece, {Exponent(1), {}}, {}, ComplexBall(1)), Complex(&piece, {}, {Exponent(1), {}}, ComplexBall(1)));
+    const Integrand f(parse_expression("log(1+exp(-x))"), Range{parse_limit("0"), parse_limit("inf"), Map::right_exponential});
+    const Complex logarithm = f.at(at.x, at.left, at.right);
+    REQUIRE(logarithm.right().power == Exponent(1));
+    const Ball q = size_of(Complex(nullptr, {}, {}, piece.distance(Side::right)));
+    attains(-log(Ball(1) - q) / q - Ball(1), size_of(logarithm) - Ball(1), Rational(13, 20));
 }
 
 TEST_CASE("odd difference: the identity attains it")

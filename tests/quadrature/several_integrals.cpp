@@ -60,6 +60,26 @@ TEST_CASE("several integrals: one that fails takes no other with it")
         DomainError);
 }
 
+TEST_CASE("several integrals over what is no ascending range, or with a pole that is folded, are what each is by itself")
+{
+    const auto both = [](const char* from, const char* to, const IntegralOptions& options) {
+        return integrate_several({parse_expression("1/x"), parse_expression("exp(x)/x")}, parse_limit(from), parse_limit(to), options);
+    };
+    IntegralOptions cut;
+    cut.at = {parse_limit("3/2")};
+    const auto back = both("2", "1", cut);
+    CHECK_MESSAGE(back[0].status == Status::certified, back[0].reason);
+    CHECK(back[0].value.overlaps(parse_limit("-log(2)").ball()));
+    CHECK(back[1].value.overlaps(parse_limit("ei(1)-ei(2)").ball()));
+    CHECK(back[1].parts.size() == 2);
+    IntegralOptions folded;
+    folded.principal_value = {parse_limit("0")};
+    const auto poles = both("-1", "2", folded);
+    CHECK_MESSAGE(poles[0].status == Status::certified, poles[0].reason);
+    CHECK(poles[0].value.overlaps(parse_limit("log(2)").ball()));
+    CHECK(poles[1].value.overlaps(parse_limit("ei(2)-ei(-1)").ball()));
+}
+
 TEST_CASE("the majorant of numbers u^p r^q c is at least each of them, and no more than the largest of their kind")
 {
     const WorkingPrecision precision(strip_bits);

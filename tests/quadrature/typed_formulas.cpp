@@ -308,6 +308,8 @@ TEST_CASE("tails that oscillate against their closed forms")
                  {"besselj(0,x)/sqrt(1+x^2)", "0", "inf", "besseli(0,1/2)*besselk(0,1/2)"},
                  {"besselj(1/2,x)/sqrt(x)", "1", "inf", "sqrt(2/pi)*(pi/2-si(1))"},
                  {"sin(1/x)/x", "0", "1", "pi/2-si(1)"},
+                 {"sin(1/(x-3))/(x-3)", "3", "inf", "pi/2"},
+                 {"cos(1/(3-x))/(1+(3-x)^2)", "-inf", "3", "pi/(2*e)"},
                  {"cos(x)/x", "1", "inf", "-ci(1)"},
                  {"sin(x)/(x-1)", "-inf", "0", "pi*cos(1)/2-cos(1)*si(1)+sin(1)*ci(1)"}};
     for (const auto& c : cases) {
@@ -567,12 +569,22 @@ TEST_CASE("a range is cut at the named point where a proof stops, on every kind 
         return found.value;
     };
     CHECK(check("1/cbrt((x-1/3)^2)", "0", "1", 2).overlaps(3 * (cube_root(Rational(2, 3)) + cube_root(Rational(1, 3)))));
+    // where it begins at no 0 and has no length of 1
+    CHECK(check("1/cbrt((x-4/3)^2)", "1", "3", 2).overlaps(3 * (cube_root(Rational(5, 3)) + cube_root(Rational(1, 3)))));
+    // roots of what vanishes there, themselves finite: at 1/2, whose ball is exact
+    const auto from_half = [](const Rational& power) { return 2 * pow(Ball(Rational(1, 2)), Ball(power)) / Ball(power); };
+    CHECK(check("cbrt((x-1/2)^2)", "0", "1", 2).overlaps(from_half(Rational(5, 3))));
+    CHECK(check("sqrt((x-1/2)^2)", "0", "1", 2).overlaps(from_half(2)));
+    CHECK(check("((x-1/2)^2)^(2/5)", "0", "1", 2).overlaps(from_half(Rational(9, 5))));
     const Ball off = sqrt(Ball(Rational(1, 3000)));
     CHECK(check("(x-999/3000)^(-1/2)", "1/3", "1", 1).overlaps(2 * (sqrt(Ball(Rational(2001, 3000))) - off)));
     IntegralOptions told = with_digits(12);
     told.at = {parse_limit("1/2")};
     const char* tail = "1/((1+x^2)*cbrt((x-1/2)^2))";
     CHECK(check(tail, "0", "inf", 2).overlaps(integrate(parse_expression(tail), parse_limit("0"), parse_limit("inf"), told).value));
+    told.at = {parse_limit("-1/2")};
+    const char* mirrored = "1/((1+x^2)*cbrt((x+1/2)^2))";
+    CHECK(check(mirrored, "-inf", "0", 2).overlaps(integrate(parse_expression(mirrored), parse_limit("-inf"), parse_limit("0"), told).value));
 }
 
 TEST_CASE("points where the range is cut lie inside of it, and count once")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The bounds over discs that the levels of a distribution rest on (recursion/from_the_edge/boxes.cpp, binary64), held against the functions themselves at points of
 /// those discs, in balls of 128 bits and written as forward.hpp has them. Nothing is shared but the formula.
+#include "touchstone/recursion/from_the_edge/far_end.hpp"
 #include "touchstone/recursion/from_the_edge/levels.hpp"
 
 #include <doctest/doctest.h>
@@ -501,5 +502,148 @@ TEST_CASE("Chebyshev's polynomials at their points, by value and as powers")
                 CHECK(sum.overlaps(Ball(p == k ? 1 : 0)));
                 CHECK(sum.radius_bound() < 1e-9);
             }
+    }
+}
+
+TEST_CASE("a panel's errors of interpolation are the sums of what Chebyshev's series has beyond it")
+{
+    const WorkingPrecision precision(Levels::precision_for(30));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 30);
+        levels.extend_to(3);
+        for (const long k : {2L, 3L})
+            for (const auto& panel : levels.levels[static_cast<std::size_t>(k)]->panels) {
+                const auto N = static_cast<double>(panel->points);
+                double values = 0, slopes = 0, proved = 0; // |c_k| <= 2 U rho^-k, twice for the interpolant; T_k' <= k^2, and N^2 where it is folded
+                for (double j = N; j < N + 2000; ++j) {
+                    const double c = 2 * panel->bound * std::pow(panel->rho, -j);
+                    values += 2 * c;
+                    slopes += c * (j * j + N * N);
+                    proved += 2 * c * j * j;
+                }
+                CAPTURE(panel->rho);
+                CAPTURE(N);
+                CHECK(panel->interpolation >= values * (1 - 1e-12));
+                CHECK(panel->interpolation <= values * (1 + 1e-4));
+                CHECK(proved >= slopes);
+                CHECK(panel->slope >= proved * (1 - 1e-9));
+                CHECK(panel->slope <= proved * (1 + 1e-4));
+            }
+    }
+}
+
+TEST_CASE("a bound on an ellipse is that of the boxes that it runs through, of none far from it")
+{
+    const WorkingPrecision precision(bits);
+    const Levels levels(Law::exceedance, Ball(3), Ball(Rational(1, 10)), 30);
+    Level to;
+    to.k = 2;
+    Points points;
+    Boxes& boxes = to.boxes;
+    boxes.bound.assign(static_cast<std::size_t>(levels.shells.count() + 1) * n_directions, 1);
+    for (int round = 0; round < 60; ++round) {
+        for (double& b : boxes.bound) b = std::exp(points.between(0, 12));
+        for (const bool logarithmic : {false, true})
+            for (const bool whole : {false, true}) {
+                const double a = points.scale(1e-2, 5), b = a * points.between(1.2, 3), rho = points.between(1.6, 5);
+                const double lo = logarithmic ? std::log(a) : a, hi = logarithmic ? std::log(b) : b, middle = (lo + hi) / 2, half = (hi - lo) / 2;
+                const double bound = levels.ellipse_bound(to, a, b, logarithmic, rho, whole);
+                double least = 0, most = 0;
+                bool far = false;
+                for (int i = 0; i <= 2000; ++i) {
+                    const Z w = std::polar(rho, std::numbers::pi * i / 2000), z = middle + half * (w + 1.0 / w) / 2.0;
+                    const Z d = logarithmic ? std::exp(z) : z;
+                    const double back = whole ? std::abs(std::exp(logarithmic ? (d + 2.0 * z) / 2.0 : d / 2.0)) : 1; // times d where the variable is log d
+                    const double here = std::abs(d), angle = std::fabs(std::arg(d)), near = 0.1 * half * (rho + 1 / rho) / 2, off = logarithmic ? near : std::min(3.0, near / here);
+                    far = far || (logarithmic && std::fabs(z.imag()) + near > 3) || near > 0.9 * here;
+                    least = std::max(least, back * levels.lookup(boxes, {here * (1 - 1e-9), here * (1 + 1e-9), angle, angle}));
+                    const double wide = back * std::exp(whole ? near * (logarithmic ? 1.2 * here + 1 : 0.5) : 0);
+                    most = std::max(most, wide * levels.lookup(boxes, {here * std::exp(-1.2 * off), here * std::exp(1.2 * off), std::max(0.0, angle - 1.2 * off), angle + 1.2 * off}));
+                }
+                if (far) continue;
+                CAPTURE(a);
+                CAPTURE(b);
+                CAPTURE(rho);
+                CAPTURE(logarithmic);
+                CAPTURE(whole);
+                CHECK(bound >= least * (1 - 1e-9));
+                CHECK(bound <= most);
+            }
+    }
+}
+
+TEST_CASE("what a level holds far from the edge is what both of its parts come to at delta = 4")
+{
+    const WorkingPrecision precision(bits);
+    for (const double e : {0.1, 0.5, 0.9})
+        for (const double load : {0.01, 0.3, 0.9}) {
+            const double k2 = 4 / std::numbers::pi * std::pow(1 - e, -1.5), d = 4, a = std::min(std::pow(2 * std::sqrt(load), -1.5), std::pow(1 - load, -1.5));
+            CAPTURE(e);
+            CAPTURE(load);
+            const auto is = [&](double found, double parts) {
+                CHECK(found * std::exp(-2.5 * d) >= parts);
+                CHECK(found * std::exp(-2.5 * d) <= 1.01 * parts);
+            };
+            is(next_tail(1, Ball::exactly(e), 0, load), 8 * a / std::numbers::pi * k2 * std::exp(-3 * d) * 2.02 * (d + 1.2));
+            for (const double tail : {1e-3, 1., 1e6, 1e9}) is(next_tail(2, Ball::exactly(e), tail, load), 1.01 * k2 * std::exp(6 - 3 * d) + 4.1 * tail * k2 * std::exp(-3 * d - 4));
+        }
+}
+
+TEST_CASE("a row leaves out what lies beyond the longest distance that its rule reaches")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    Levels levels(Law::density, Ball(3), Ball(Rational(1, 10)), 20);
+    levels.extend_to(3);
+    const Level& from = *levels.levels[2];
+    for (const double d : {0.6 * levels.delta_max, 0.8 * levels.delta_max, 2 * levels.delta_max}) {
+        const double low = 0.99 * d, high = 1.01 * d;
+        const RowRule rule = levels.make_rule(from, Kind::step, low, high, 0, 1e-6);
+        CAPTURE(d);
+        CHECK(rule.reach <= levels.delta_max * low / high);
+        CHECK(rule.reach >= levels.delta_max * low / high * (1 - 1e-4));
+    }
+    CHECK(std::isinf(levels.make_rule(from, Kind::step, 0.4 * levels.delta_max, 0.45 * levels.delta_max, 0, 1e-6).reach));
+}
+
+TEST_CASE("what the polynomials' own roundings do to a row: a share of their values' errors, and n^2 times as much of a slope's")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(3);
+        const Level& from = *levels.levels[2];
+        double fewest = infinity, most = 0;
+        for (const auto& panel : from.panels) { // the row's sum of |k| is then what it says of the interpolation
+            panel->interpolation = panel->worst = 1;
+            panel->slope = 0;
+            std::fill(panel->errors.begin(), panel->errors.end(), 0);
+            fewest = std::min(fewest, static_cast<double>(panel->points));
+            most = std::max(most, static_cast<double>(panel->points));
+        }
+        for (const double d : {0.01, 0.7, 5.}) {
+            const RowRule rule = levels.make_rule(from, Kind::step, d * 0.99, d * 1.01, 0, 1e-6);
+            const Levels::Row values = levels.row(from, Kind::step, Ball::exactly(d), rule), slopes = levels.row(from, Kind::slope, Ball::exactly(d), rule);
+            CAPTURE(d);
+            CHECK(values.carried >= (at_panel_end + slack * fewest) * values.interpolation * (1 - 1e-7));
+            CHECK(values.carried <= (at_panel_end + slack * most) * values.interpolation * (1 + 1e-7));
+            CHECK(slopes.carried >= (at_panel_end + slack * fewest) * slopes.interpolation * fewest * fewest * (1 - 1e-7));
+        }
+    }
+}
+
+TEST_CASE("what the form for small pressures leaves out is what the header proves of it")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    Levels levels(Law::exceedance, Ball(3), Ball(Rational(1, 10)), 20);
+    for (const long n : {2L, 3L}) {
+        const Levels::Value found = levels.small_density(n, Ball(80));
+        const Level& level = *levels.whole[n];
+        const double e = about(level.edge), c = found.cut, w = n == 2 ? (c + 1 + 1.2) / 5.2 : 1;
+        REQUIRE(c > 4);
+        const double left_out = 0.1 / (std::pow(3., static_cast<double>(n)) * e) * std::pow(1 - e * std::exp(-c), -1.5) * 3.5 * level.tail * w * std::exp(2 - 1.5 * c);
+        CAPTURE(n);
+        CAPTURE(c);
+        CHECK(found.row.rule_error >= left_out);
+        CHECK(found.row.rule_error <= 1.0001 * left_out);
     }
 }

@@ -2,6 +2,7 @@
 /// The table of methods over the whole domain of the recursion: every point is served, or refused with the reason, never both; and what is
 /// said about it elsewhere is what the table says.
 #include "touchstone/catalogue/evaluate.hpp"
+#include "touchstone/recursion/light_load.hpp"
 #include "touchstone/recursion/methods.hpp"
 
 #include <doctest/doctest.h>
@@ -153,6 +154,16 @@ TEST_CASE("light loads are a matter of seconds up to scale 12: the power series,
                 if (n == 2 || exponent == -300) CHECK(c.method->name == "power-series");
                 CHECK(observers_refusal(p).empty());
             }
+}
+
+TEST_CASE("the power series says where it would take too many terms")
+{
+    const Method series = power_series();
+    const auto refused = [&](long n, const char* load, const Rational& G) { return series.refusal(problem(Asked::area, n, exactly(load), G, 0)); };
+    CHECK(refused(14, "1e-300", exactly("2.1")).empty());
+    CHECK(refused(18, "1e-300", exactly("2.1")).find("too many terms") != std::string::npos);
+    CHECK(refused(21, "1e-300", exactly("2.1")).find("too many terms") != std::string::npos);
+    CHECK(refused(2, "1e-99", 3).find("1e-100") != std::string::npos);
 }
 
 TEST_CASE("a light load's area agrees with its witness")

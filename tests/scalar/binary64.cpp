@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// What formulas of the paper are made of, as double forms, against balls: all around the circle, next to where differences vanish, and where squares underflow.
 #include "touchstone/scalar/ball.hpp"
+#include "touchstone/scalar/rational.hpp"
 #include "touchstone/scalar/scalar.hpp"
+#include "touchstone/scalar/second_look.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 using namespace touchstone;
@@ -99,4 +102,21 @@ TEST_CASE("hypotenuses neither overflow nor underflow, and a power by a product 
         for (const double a : {0.7, 1.0 / 3})
             for (const double b : {1.3, -2.7})
                 CHECK(is(pow_product(x, a, b), pow(Ball::exactly(x), Ball::exactly(a) * Ball::exactly(b))));
+}
+
+TEST_CASE("the terms of sin^2 beyond y^2 are those of (1 - cos 2y)/2, exactly rounded or nearly")
+{
+    Rational term(8, 24); // 2^3/4!
+    for (long k = 2; k <= 11; ++k) {
+        CAPTURE(k);
+        CHECK(std::fabs(sine_terms[static_cast<std::size_t>(k) - 2] / term.get_d() - 1) < 1e-15);
+        term *= Rational(-4, (2 * k + 1) * (2 * k + 2));
+    }
+    for (const double y : {0.01, 0.3, 0.785}) CHECK(y * y - y * y * y * y * sum_of_powers(sine_terms, y * y) == doctest::Approx(std::sin(y) * std::sin(y)).epsilon(1e-15));
+}
+
+TEST_CASE("a second look goes half as far, ten digits at least, and never farther than the first")
+{
+    for (const auto& [digits, looked_at] : {std::pair{1L, 1L}, {9L, 9L}, {10L, 10L}, {15L, 10L}, {20L, 10L}, {21L, 11L}, {30L, 15L}, {1000L, 500L}})
+        CHECK(looked_at_again({digits}).digits == looked_at);
 }

@@ -4,6 +4,7 @@
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 #include "touchstone/transfer/ellipse_cover.hpp"
+#include "touchstone/wave/lemmas.hpp"
 
 #include <doctest/doctest.h>
 
@@ -82,6 +83,35 @@ TEST_CASE("a disc holds no singular point, and its bound holds")
         REQUIRE(r > 1e-3);
         for (const double t : {-0.99, 0.5, 0.99}) CHECK(waves.value(to_real(Ball(*parse_rational(x)) + Ball::exactly(t * r))).first.high <= bound(*parse_rational(x), r));
     }
+}
+
+TEST_CASE("the density is 0 up to the lowest ratio, and is not a thousandth above it")
+{
+    const WorkingPrecision precision(200);
+    for (const auto& [G, P] : {std::pair{"3/2", "1/2"}, {"5", "19/10"}, {"3/2", "21/10"}, {"3/2", "3"}, {"4", "5/2"}}) {
+        const TwoWaves waves{Ball(*parse_rational(G)), Ball(*parse_rational(P)), 1e-12};
+        CAPTURE(std::string(G));
+        CAPTURE(std::string(P));
+        CHECK(waves.value(TwoWaves::Real(0.9999 * waves.lowest())).first.high == 0);
+        CHECK(waves.value(TwoWaves::Real(1.0015 * waves.lowest())).first.high > 0);
+    }
+}
+
+TEST_CASE("a disc under full contact holds no more than a share of half the wave's length, and its bound is what the lemma says")
+{
+    const WorkingPrecision precision(200);
+    constexpr double share = wave::disc_two_waves.share, most = wave::disc_two_waves.most;
+    const TwoWaves far{Ball(10), Ball(3), 1e-12}; // from 2.5 to 2.7, the singular points at 2 and 4
+    CHECK(far.on_disc(true, Ball(26), 1.99 * share) < 1000);
+    CHECK(std::isinf(far.on_disc(true, Ball(26), 2.01 * share)));
+    const TwoWaves coarse{Ball(3) / 2, Ball(1) / 2, 0.3};
+    const auto [value, error] = coarse.value(TwoWaves::Real(2));
+    CAPTURE(value.high);
+    CAPTURE(error);
+    REQUIRE(error > 1e-6 * value.high);
+    const double bound = coarse.on_disc(true, Ball(2), 1e-3);
+    CHECK(bound >= most * (value.high + error));
+    CHECK(bound <= 1.001 * most * (value.high + error));
 }
 
 TEST_CASE("the rectangles of a cover hold the upper half of the ellipse, and none is far from it")

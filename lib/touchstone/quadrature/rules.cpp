@@ -23,19 +23,29 @@ double place_of(const Range& r, double u)
     case Map::finite: return to_double(r.from.ball()) + u * to_double(r.to.ball() - r.from.ball());
     case Map::right_algebraic: return to_double(r.from.ball()) + u / (1 - u);
     case Map::right_exponential: return to_double(r.from.ball()) - std::log1p(-u);
-    case Map::left_algebraic: return to_double(r.to.ball()) - (1 - u) / u;
-    case Map::left_exponential: return to_double(r.to.ball()) + std::log(u);
+    case Map::left_algebraic: return to_double(r.to.ball()) - u / (1 - u); // mirrored: u = 0 is the finite end
+    case Map::left_exponential: return to_double(r.to.ball()) + std::log1p(-u);
     case Map::line_algebraic: return (u / (1 - u) - (1 - u) / u) / 2;
     case Map::line_exponential: break;
     }
     return std::log(u / (1 - u));
 }
 
+/// A proof calls left what is at u = 0, which on a half-line to -oo is the right end of the range.
+std::string with_ends_of_the_range(std::string reason, Map map)
+{
+    if (map != Map::left_algebraic && map != Map::left_exponential) return reason;
+    const std::string left = "left end", right = "right end";
+    if (const auto at = reason.find(left); at != std::string::npos) return reason.replace(at, left.size(), right);
+    if (const auto at = reason.find(right); at != std::string::npos) return reason.replace(at, right.size(), left);
+    return reason;
+}
+
 Attempt attempt_of(const Enclosure& e, const Range& range)
 {
     Attempt a;
     a.value = e.value;
-    a.reason = e.reason;
+    a.reason = with_ends_of_the_range(e.reason, range.map);
     const auto& panels = e.certificate.panels;
     a.part.rule =
         !panels.empty() && panels.front().transformation == Transformation::logistic ? "trapezoidal in the logarithm" : "tanh-sinh";

@@ -221,6 +221,36 @@ TEST_CASE("the trapezoidal rule between logarithms sees a pole wherever in the s
     }
 }
 
+TEST_CASE("the trapezoidal rule between logarithms sees a pole in any column of the strip, the first and the last ones too")
+{
+    using namespace first_steps;
+    const WorkingPrecision precision(bits);
+    const Piece piece(End::rational(0), End::rational(1), Extent::whole);
+    for (const double along : {-13.95, -13.885, -3., 0.125, 5.06, 13.79, 13.95}) // 1/((x - a)^2 + b^2), u = along + height i where that is infinite
+        for (const double height : {0.43, 0.46875}) { // the second, as 0.125 and -3, on the edges of what covers the strip
+            Ball share = exp(-Ball::exactly(along)), sine, cosine;
+            arb_sin_cos(sine.get(), cosine.get(), Ball::exactly(height).get(), bits);
+            const Ball size = 1 + 2 * share * cosine + share * share, a = (1 + share * cosine) / size, b = share * sine / size;
+            const auto f = [&](const Piece::Point& y) {
+                // the nearer end's share is known to more of its bits
+                const bool left = along < 0;
+                const Ball from = left ? a : share * (share + cosine) / size;
+                const ComplexBall to = left ? y.left : y.right, d = (to - ComplexBall(from)) * (to - ComplexBall(from)) + ComplexBall(b * b);
+                return acb_contains_zero(d.get()) != 0 ? ComplexBall::indeterminate() : ComplexBall(1) / d;
+            };
+            const Ball found = piece.between_logarithms(f, [](bool, const Ball& t) { return Ball(1'000'000'000'000'000L) * t; }, 1.25, goal);
+            Ball before, after;
+            const Ball left = a / b, right = share * (share + cosine) / size / b;
+            arb_atan(before.get(), left.get(), bits);
+            arb_atan(after.get(), right.get(), bits);
+            CAPTURE(along);
+            CAPTURE(height);
+            INFO(found.to_string(), " ", ((before + after) / b).to_string());
+            CHECK(found.overlaps((before + after) / b));
+            CHECK(sharp(found));
+        }
+}
+
 TEST_CASE("A_2 through the catalogue")
 {
     const auto eval = [](const char* load, const char* G, long digits) {
