@@ -313,6 +313,7 @@ class Replay:
         """(W): of B_0 or what stands for it, where loads up to 1/(G - 1) count"""
         base, degree = mesh[2][0]
         need((1 + 1 / mesh[2][3]) ** degree <= base, "the mesh does not reach so far", Refused)
+        need((value / 4) ** degree < base**2, "no mean is so large", Refused)  # f <= max(1, x), E[1/x] <= G^2
         if self.proving():
             need(self.made(kind, mesh, panels).off_by(value, self.progress) <= error, "the claim is not proved", Refused)
 

@@ -202,6 +202,8 @@ class Density(Mesh):
         """(AA): of the ends of the waves on all of [x1, x2], as if none were beyond the seam where that may be, and what this costs"""
         seam, (at_1, at_2), off = self.waves.seam, map(self.waves.order, map(self.fraction, (x1, x2))), Fraction(0)
         for end, beyond in ((0, -1), (1, 1)) if seam and x1 >= self.one else ((1, 1),) if seam else ():
+            if {at_1[1 - end][seam], at_2[1 - end][seam]} != {-beyond}:
+                continue  # the other end has to be on its own side: else nothing of the wave might be left
             signs = {at_1[end][seam], at_2[end][seam]}
             here = self.beyond_seam(end, x1, x2) if signs != {-beyond} else allowed + 1
             if off + here <= allowed:
@@ -215,12 +217,15 @@ class Density(Mesh):
         """(AA): above what the two formulas of the second wave's density give that differs from t = G to the end of the first wave, the lower (0) or upper (1)"""
         G, p, least = self.waves.G, self.waves.p, Disc.of(self.waves.lowest)
         delta = Interval.of(max(largest(((x + 2 * end - 1) if x1 >= self.one else 2 * root_of(x)) - G).ends()[1] for x in map(self.fraction, (x1, x2))))
-        r = Interval.of(min(p.ends()[0], (2 * G - p).ends()[0]) / 2)
+        r = Interval.of(min(p.ends()[0], (2 * G - p).ends()[0]) / 4)
         if (r - 2 * delta).low <= 0:
             return Fraction(1 << 60)
         t, G, p = Disc(G, r), Disc.of(G), Disc.of(p)
-        R = ((G - t).square() + p.square()).root()
-        both = p * (G + t + R).root() / ((G - t + R).root() * (t - least).root() * R * (2 * G.root())), 1 / ((t - (p - G)).root() * (p + G - t).root())
+        try:
+            R = ((G - t).square() + p.square()).root()
+            both = p * (G + t + R).root() / ((G - t + R).root() * (t - least).root() * R * (2 * G.root())), 1 / ((t - (p - G)).root() * (p + G - t).root())
+        except Outside:  # these discs tell nothing
+            return Fraction(1 << 60)
         return (sum(d.reach() for d in both) * self.waves.G * root_of(delta) * (delta / r).square() / 2).ends()[1]
 
     def bracket(self, x1, x2):

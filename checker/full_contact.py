@@ -182,7 +182,7 @@ class Mesh:
         """(L): of V where it is evaluated, in one row, and of the ends of pieces"""
         wide = (self.edges[-1] >> self.bits) + 2
         slope = max(Fraction(2) ** lg[0] * (64 * wide * wide + 1) / half for lg, (_, half) in zip(self.lg, self.places))
-        floors = Fraction(2) ** (self.largest - self.work) * MOST_NODES
+        floors = Fraction(2) ** (max(0, self.largest) - self.work) * MOST_NODES
         ends = Fraction(len(self.series) + 2, 2 ** (self.bits // 2 - 8)) * 2**max(0, self.largest)
         return (4 * slope + floors) * self.terms**2 * 2**CONTINUED + ends
 

@@ -28,7 +28,8 @@ from intervals import Interval  # noqa: E402
 from scale_one import Disc  # noqa: E402
 
 # Few panels; a logarithm within reach of the load's own wave; two levels, of which a wave is taken.
-ROWS = (("n=2", "p=12", "load=10", "G=10^0.5", 2), ("n=2", "p=10", "load=10", "G=9/8", 1), ("n=3", "p=12", "load=2", "G=3", 1))
+ROWS = (("n=2", "p=12", "load=10", "G=10^0.5", 2), ("n=2", "p=10", "load=10", "G=9/8", 1), ("n=3", "p=12", "load=2", "G=3", 1),
+        ("n=2", "p=9/4", "load=2", "G=3/2", 2))
 BITS = 160
 # P and G: the second wave with the seam, p < 2G, near it, and without.
 WAVES = (("1/2", "3/2"), ("9/5", "13/12"), ("6/5", "3"), ("17/2", "13/12"), ("7/2", "27/25"))
@@ -112,6 +113,19 @@ class Densities(unittest.TestCase):
                 true = Fraction(json.loads(program("eval", "contact.density", *row[:-1], "--digits", 6, "--json").stdout)["value"])
                 self.assertLessEqual(abs(value - true), error)
                 self.assertLessEqual(error / value, Fraction(502, 1000 * 10 ** row[-1]))
+
+    def test_a_wave_across_the_seam_is_not_left_out(self):
+        """Half of the ratios lie on a panel where V_0 = 0 and little is looked for: both ends of the first wave are beyond the seam there, each on its side."""
+        bits, kept, G = 96, 64, 1 << 14
+        D, p, edges = 1 / math.pi / math.sqrt(3 / 4), 3 * G * G // 2, [(2 * G - 1 << bits) // 2, G << bits, (2 * G + 1 << bits) // 2]
+        text = (f"TOUCHSTONE-CERT 1\nquantity contact.density\ncounts claims=1 sections=1 lines=4\nclaim 1 n=2 p={p} load={G * G} G={G} "
+                f"value={int(D * 2**39) | 1:x}:-68 error=1:-40\nsection 1 span=1-4 meshes=1 polynomials=2 shares=1\n"
+                f"1 mesh - 4 G={G} p={p} scale=2 load={G * G} bits={bits:x} kept={kept:x} accuracy=28 rise=0 {' '.join(f'{y:x}' for y in edges)}\n")
+        for panel, (a, b) in enumerate(zip(edges, edges[1:])):
+            low, high = a * a >> bits, b * b >> bits
+            text += (f"{panel + 2} polynomials 1 4 panel={panel} middle={low + high >> 1:x} half={(high - low >> 1) + 2:x} terms=2 aim={(16, 32)[panel]:x} "
+                     f"{int(D * 2**kept) * panel:x} 0\n")
+        self.assertEqual(self.answer(text + "4 share 1-3 4 claim=1\nsha256 "), "line 4: the claim is not proved")
 
     def test_what_says_too_much_is_refused(self):
         text = self.texts[0]
