@@ -321,8 +321,10 @@ class Density(Mesh):
         y = self.edges[0]
         if y >= self.one or sign_of(2 * root_of(self.fraction(y)) - self.waves.lowest) > 0:
             raise Refused("the mesh begins where there is pressure")
-        size = Fraction(isqrt(y << self.bits) + 1, self.one) * Fraction(2) ** (self.largest + 1)
-        return [(0, y, [Fraction(0)])], [(0, y, [size * 2**up for up in self.up])] if self.up else []
+        reached, root = self.series[:self.panel(self.most(y) + 4) + 1], Fraction(isqrt(y << self.bits) + 1, self.one)
+        sizes = [max((2 * sum(map(abs, levels[m])) for levels in reached), default=0) for m in range(len(self.up))]
+        later = [root * Fraction(size, 1 << self.kept) * 2**up for size, up in zip(sizes, self.up)]
+        return [(0, y, [Fraction(0)])], [(0, y, later)] if self.up else []
 
     def once(self):
         """(AA): above what a wave makes of all that was kept apart of level 0"""
