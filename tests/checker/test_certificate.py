@@ -901,7 +901,7 @@ class Certificates(unittest.TestCase):
                 ("claim 1: is none", "limit.distance", distance.replace("error=1:-4", "error=1:-3"), whole_law),
                 ("a panel is too far out", "contact.density", density.format(1).replace("1:0 error=1:-1", "1:-5 error=1:-6"), [law.format(2), "reading 1 2 claim=1", f"grid - 5 {grid}", panel.replace("1 3", "3 5").format("1:200").replace("1000001:-24", f"{2**300 + 1:x}:-300"), "level 3-4 5 m=0 error=1:10 exponent=0 1 0"]),
                 ("does not rest on levels", "limit.area_constant", constant, [f"grid - 3 {grid}", panel.format("1:0"), "limit 1-2 3 claim=1 m=0 exponent=0 1"]),
-                ("a share rests on a mesh", "contact.area", area, [f"grid - 2 {grid}", "share 1 2 claim=1"]),
+                ("does not rest on a mesh", "contact.area", area, [f"grid - 2 {grid}", "share 1 2 claim=1"]),
                 ("polynomials are missing", "contact.area", area, [f"mesh - 2 {mesh.strip()}", "share 1 2 claim=1"]),
                 ("a value rests on a grid", "contact.area", area, [f"mesh - 2 {mesh.strip()}", "value 1 2 claim=1"]),
                 ("not a rule", "contact.area", area, [f"grid - 3 {grid.replace('-3', '-60')}", panel.format("1:2"), level, "value 1,3 4 claim=1"]),

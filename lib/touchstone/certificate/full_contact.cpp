@@ -152,9 +152,8 @@ void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_
     const long first_scale = density ? 2 : 1; // what a wave makes of the first level
     for (const Claim& a : areas) levels = std::max(levels, a.n - first_scale + 1), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
-    const long of_densities = density && levels > 1 ? 3 : 0; // bits: what is left next to their many singular ratios adds up
-    const double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
-    const long spare_bits = 3 + of_densities + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
+    constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
+    const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
     double tolerance = std::min(goal, transfer::ProvenLevels::coarsest_tolerance);
     std::vector<Ball> values;
     const std::size_t first = lines.count() + 1;
