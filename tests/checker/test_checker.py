@@ -34,7 +34,7 @@ RECURSION = ["contact_area", "contact_area_full", "contact_area_heavy", "contact
 CERTIFIED = {"contact_area": (12, ""), "segments_count": (12, ""), "limit_ratio": (8, ""), "limit_constant": (8, ""),
              "contact_area_heavy": (8, ""), "contact_area_full": (8, ""),
              "contact_exceedance": (8, ""), "contact_density": (8, ""), "segments_density": (8, ""),
-             "contact_exceedance_full": (8, ""), "limit_scale": (8, ""), "limit_gap": (8, ""),
+             "contact_exceedance_full": (8, ""), "contact_density_full": (8, "n=2"), "limit_scale": (8, ""), "limit_gap": (8, ""),
              "limit_distance": (4, "G=3.1622776601683795", "limit.exceedance p=1 G=3/2 --digits 7", *(
                  f"contact.{what} load={Fraction(0.1)} G=3/2 n={n}{p} --digits 7" for n in (2, 5) for what, p in (("area", ""), ("exceedance", f" p={Fraction(3, 2) ** n}")))),
              "limit_constant_full": (8, *(f"G={G}" for G in (1.03, 1.05, 1.0837983867343681, 1.1, 1.1220184543019633, 1.15, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 1.95, 2))),
