@@ -16,6 +16,7 @@ import density
 import distributions
 import full_contact
 import intervals as iv
+import limit_density
 import limits
 import memory
 import poisson
@@ -92,7 +93,7 @@ CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p loa
           "contact.density": "n p load G value error", "segments.density": "n a load G value error",
           "limit.exceedance": "p G value error", "limit.force": "p G value error", "limit.density": "p G value error", "limit.segments": "a G value error",
           "limit.distance": "n p load G value error", "limit.scale": "load tolerance G value error", "limit.gap": "G value error"}
-QUOTIENTS = "limit.exceedance limit.force limit.segments"
+QUOTIENTS = "limit.density limit.exceedance limit.force limit.segments"
 
 
 def fields(words, names, what):
@@ -319,11 +320,11 @@ class Replay:
 
     def mean(self, below, value, error):
         """(W): E[f/x], f the share of one wave above the pressure of a mesh, or the force"""
-        panels, force = self.all_panels(below), self.certificate.quantity == "limit.force"
+        panels, force, density = self.all_panels(below), *(self.certificate.quantity == f"limit.{of}" for of in ("force", "density"))
         (G, p, scale, *_), positive = below[0][2], value > error >= 0
         need(self.certificate.quantity in QUOTIENTS.split() and positive and scale == 0, "no mean of the limit", Refused)
         need(not (force and p < poisson.LEAST_PRESSURE), "the pressure is too small", Refused)
-        self.is_mean(poisson.Force if force else poisson.Poisson, below[0], panels, value, error)
+        self.is_mean(poisson.Force if force else limit_density.MeanDensity if density and p else poisson.Poisson, below[0], panels, value, error)
         return "mean", self.number, (G, p), value, error
 
     def quotient(self, below, claim):

@@ -22,7 +22,7 @@ from transfer import Refused, chebyshev, fixed
 RHO = 4                     # the ellipses on which the defects are bounded: their half axis is REACH half widths
 REACH = Fraction(17, 8)     # (RHO + 1/RHO)/2
 MOST_POINTS = 48            # on one interval J
-MOST_INTERVALS = 2000       # of one panel
+MOST_INTERVALS = 4000       # of one panel
 CONTINUED = 8               # a polynomial that is continued is at most 2^CONTINUED times sum |c_k|
 HIGHEST = 1 << 16           # ratios: cos theta at an edge y is known within some y units, and (L) counts 2^8 roots of a unit for that
 BEYOND = 14                 # a panel is within middle +- half but for 2^-BEYOND half, so that |T_k| <= 2 there, k < 64
@@ -43,7 +43,8 @@ QUARTERS = [isqrt(isqrt(1 << 128 + j)) for j in range(25)]  # 2^(j/4), below, in
 
 
 class Far(Exception):
-    """A polynomial is needed too far from its panel."""
+    """A polynomial is needed too far from its panel; `cuts` says where an interval is cut that is too wide, if not in the middle."""
+    cuts = ()
 
 
 class Trigonometry:
@@ -441,6 +442,10 @@ class Mesh:
             worst = [max(w, abs((t << up) - v)) for w, t, up, v in zip(worst, row, ups, here[1:])]
         return [lebesgue(count) * (Fraction(w, self.unit) + self.round + off_by * 2**up) + beyond + o for w, o, up in zip(worst, off, ups)]
 
+    def moved(self, h):
+        """(W): above what T V changes by on one side of 1 if the load does by so many units"""
+        return Fraction(isqrt(32 * h << self.bits) + 1, self.one) * Fraction(2) ** (self.largest + 1)
+
     def between(self, p, x1, x2):
         """|V_m - v| for any v between T V_(m-1)(x1) and T V_(m-1)(x2), m = 1 ... levels: with (G) and monotony a bound of |V_m - B_m|"""
         self.holes.append((x1, x2))
@@ -448,9 +453,9 @@ class Mesh:
         of_levels = self.furthest(p, x1, x2, lambda z: ends)[1:]
         return [d + (self.quadrature + self.round) * 2**up for d, up in zip(of_levels, self.up)]
 
-    def cover(self, p, bound, hole, wanted, levels):
-        """bound(x1, x2) on intervals that cover the panel, cut at 1, or hole(x1, x2) where that is as good, or one is too narrow. Returns
-        (x1, x2, bounds), ascending; neighbours that have what is wanted are put together"""
+    def cover(self, p, bound, hole, wanted, too_wide):
+        """bound(x1, x2) on intervals that cover the panel, cut at 1, or hole(x1, x2) on one that is not too wide for that. Returns (x1, x2, bounds),
+        ascending; neighbours that have what is wanted are put together"""
         a, b = self.edges[p], self.edges[p + 1]
         stack, found = [(self.one, b), (a, self.one)] if a < self.one < b else [(a, b)], []
         for _ in range(MOST_INTERVALS):
@@ -461,10 +466,10 @@ class Mesh:
                 raise Refused("a panel is too narrow")  # for the rounding of points on it
             try:
                 here = bound(a, b)
-            except Far:
-                rises = map(sub, *(self.values(p, y * y >> self.bits)[:levels] for y in (b, a)))  # what a hole would give
-                if b - a > self.one >> self.accuracy and max(map(abs, rises)) > Fraction(2) ** wanted * self.unit:
-                    stack += [(a + b >> 1, b), (a, a + b >> 1)]
+            except Far as why:
+                if too_wide(a, b):
+                    cuts = [a, *(why.cuts or [a + b >> 1]), b]
+                    stack += reversed(list(zip(cuts, cuts[1:])))
                     continue
                 here = hole(a, b)
             small = max(here) <= Fraction(2) ** (wanted + SMALL)
@@ -472,6 +477,11 @@ class Mesh:
                 a, here = found[-1][0], list(map(max, here, found.pop()[2]))
             found.append((a, b, here, small))
         raise Refused("the polynomials of a panel are no approximations")
+
+    def rises(self, p, a, b, levels):
+        """whether V_m, m < levels, tells of the ends of an interval that may still be halved: how far it does is what a hole would leave"""
+        rises = map(sub, *(self.values(p, y * y >> self.bits)[:levels] for y in (b, a)))
+        return b - a > self.one >> self.accuracy and max(map(abs, rises)) > Fraction(2) ** -self.aims[p] * self.unit
 
     def first_wave(self, x):
         """B_0, the share of one wave above the pressure P, in units 2^-work"""
@@ -513,9 +523,11 @@ class Mesh:
         for p in range(self.farthest[0]):
             progress(f"panel {p + 1} of {self.farthest[0]}")
             wanted, levels = -self.aims[p], sum(p < farthest for farthest in self.farthest)
-            first += self.cover(p, lambda a, b: self.first_on(p, a, b, wanted), lambda a, b: self.first_between(p, a, b), wanted, 1)  # noqa: B023
+            first += self.cover(p, lambda a, b: self.first_on(p, a, b, wanted), lambda a, b: self.first_between(p, a, b), wanted,  # noqa: B023
+                                lambda a, b: self.rises(p, a, b, 1))  # noqa: B023
             if levels > 1:
-                later += self.cover(p, lambda a, b: self.on_interval(p, a, b, wanted, levels), lambda a, b: self.between(p, a, b)[:levels - 1], wanted, levels)  # noqa: B023
+                later += self.cover(p, lambda a, b: self.on_interval(p, a, b, wanted, levels), lambda a, b: self.between(p, a, b)[:levels - 1], wanted,  # noqa: B023
+                                    lambda a, b: self.rises(p, a, b, levels))  # noqa: B023
         return first, later
 
     def errors(self, progress=lambda done: None):
@@ -537,8 +549,8 @@ class Mesh:
         for m, D in enumerate(defects):
             if m:
                 parts = self.parted(errors[-1], ends)
-                apart = -(-self.once() * self.one // 1) if m == 1 else 0
-                carried = [self.averaged(parts, shares[c], shares[c + 1]) + apart << self.up[m - 1] if d else 0 for c, d in enumerate(D)]
+                apart = [-(-self.once(x1, x2) * self.one // 1) if m == 1 else 0 for x1, x2 in zip(ends, ends[1:])]
+                carried = [self.averaged(parts, shares[c], shares[c + 1]) + apart[c] << self.up[m - 1] if d else 0 for c, d in enumerate(D)]
                 for a, b in self.holes:  # there monotony brings the error from the ends
                     i, j = bisect_right(ends, a) - 1, bisect_left(ends, b)
                     carried[i:j] = [max(carried[i:j])] * (j - i)
@@ -546,8 +558,8 @@ class Mesh:
             errors.append(D)
         return ends, errors
 
-    def once(self):
-        """what a wave makes of errors of level 0 that are no step function (AA)"""
+    def once(self, x1, x2):
+        """what waves of these means make of errors of level 0 that are no step function (AA)"""
         return 0
 
     def shares(self, x, ends):

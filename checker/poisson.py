@@ -2,7 +2,7 @@
 """The limit C(G) = lim A_n G^n/(lambda_0 load) at any G > 1, full contact included, by Poisson's equation; lemmas W and X are those of docs/certificate.md.
 
 V = G Phi is data: polynomials of z = y^2 on the panels of a mesh (full_contact.py), 0 beside them. This program bounds R = B_0 - c x - V/G + T V on
-intervals J that it chooses itself, and |C(G) - c| <= G^3 sup (T|R|)(x) follows from that.
+intervals J that it chooses itself, and |C(G) - c| <= E[|R|/x], a mean in the limit, follows from that.
 """
 from bisect import bisect_left
 from fractions import Fraction
@@ -11,6 +11,7 @@ from operator import mul
 from typing import NamedTuple
 
 from full_contact import MOST_POINTS, REACH, Far, Mesh, lebesgue
+from scale_one import log2_above
 from transfer import Refused, chebyshev
 
 MOST_INTERVALS = 20000   # in all
@@ -19,6 +20,7 @@ NARROWEST = 4            # bits below 2^-accuracy/sup|V|, as a hole has R in pro
 INNER = 3                # an ellipse 2^INNER about an interval: what panels give that are far from the ends of its waves is had once for all intervals in it
 FEW = 8                  # panels for which that is not worth while
 LEAST_PRESSURE = Fraction(1, 1024)  # of a force: its angle at a small pressure is less accurate
+AFTER_TWO = Fraction(3121, 10000)  # above 2^(1/2) log 2/pi
 DEEPER = 4               # bits that it is more accurate, as it is added up over intervals in one another
 
 
@@ -39,6 +41,7 @@ class Poisson(Mesh):
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
+        self.above_G = Fraction(self.G + 1, self.one)
         self.falling = [[k << self.work for k in reversed(without_zeros(levels[0]))] for levels in self.series]
 
     def off_by(self, c, progress=lambda done: None):
@@ -50,7 +53,7 @@ class Poisson(Mesh):
         self.c_off = Fraction(4 + (self.edges[panels] >> self.bits), self.one) + Fraction(2, self.unit)  # of c x
         self.found, self.progress = [(self.edges[0], self.below())], lambda p: progress(f"panel {p + 1} of {panels}")
         self.cover(panels)
-        return Fraction(self.G + 1, self.one) ** 3 * self.averaged_once()
+        return self.above_G**2 * self.means()
 
     def cover(self, panels):
         """widths, and |R|, of intervals that cover the first so many panels, cut at 1; what is known on all of an interval serves its parts"""
@@ -69,13 +72,21 @@ class Poisson(Mesh):
                 continue
             self.progress(p)
             try:
-                here = self.residual(p, a, b, inner)
-            except Far:
-                if b - a > max(self.one >> self.accuracy + NARROWEST + max(0, self.largest), 4 << self.bits // 2):
-                    stack += [(a + b >> 1, b, inner), (a, a + b >> 1, inner)]
-                    continue
-                here = self.hole(p, a, b)
+                here = self.left_on(p, a, b, inner)
+            except Far as why:
+                cuts = [a, *(why.cuts or [a + b >> 1]), b]
+                stack += [(*ends, inner) for ends in reversed(list(zip(cuts, cuts[1:])))]
+                continue
             self.found.append((b - a, here))
+
+    def left_on(self, p, a, b, inner):
+        """|R| on [a, b], which is to be cut if it is far from what polynomials can follow and not narrow"""
+        try:
+            return self.residual(p, a, b, inner)
+        except Far:
+            if b - a > max(self.one >> self.accuracy + NARROWEST + max(0, self.largest), 4 << self.bits // 2):
+                raise
+        return self.hole(p, a, b)
 
     def integral(self, p, rule):
         """(L): by Clenshaw's recurrence, there being one level, which needs no bound to be told from others; in units 2^-(work + kept)"""
@@ -118,12 +129,18 @@ class Poisson(Mesh):
         """what it says of T V at x, in units 2^-(work + kept)"""
         return sum(sum(map(mul, c, chebyshev(((x - middle) << self.bits) // h, self.one, len(c), self.bits))) >> self.bits for middle, h, c in inner.parts)
 
-    def share(self, width):
+    def share_of_one(self, width):
         """(H): above what a wave has of ratios between two that are so far apart"""
-        return min(Fraction(1), Fraction(isqrt(((self.G + 1) * width >> 1) + 1) + 1, self.one))
+        return Fraction(isqrt((self.G + 1) * width >> 1) + 1, self.one)
 
-    def averaged_once(self):
-        """(X): a + sum (R_J - a) share_J over R_J > a, for the a with which that is least"""
+    def share(self, width):
+        """(X): above E[1_J/x]/G^2 for these ratios: anyhow, after one wave, or after two"""
+        w, root_of_G = Fraction((self.G + 1) * width, self.one**2), Fraction(isqrt(self.G << self.bits) + 1, self.one)
+        of_two = w * (1 + root_of_G * (2 + log2_above(1 / (2 * w)) * AFTER_TWO))
+        return min(Fraction(1), self.above_G * self.share_of_one(width), self.above_G**2 * of_two)
+
+    def means(self):
+        """(X): above E[|R|/x]/G^2: a + sum (R_J - a) share_J over R_J > a, for the a with which that is least"""
         each, weight, a = sorted(((bound, self.share(width)) for width, bound in self.found), reverse=True), Fraction(0), Fraction(0)
         for bound, share in each:
             weight += share
@@ -146,42 +163,51 @@ class Poisson(Mesh):
     def residual(self, p, x1, x2, inner):
         """(K), (W): |R| on J = [x1, x2] in the panel p"""
         wanted, at, h = self.wanted(x1, x2), x1 + x2 >> 1, (x2 - x1 >> 1) + 1
-        r, radius = h * REACH.numerator // REACH.denominator + 1, self.first_disc(at, x1, x2)
-        if radius and r > radius:
-            raise Far
+        r = h * REACH.numerator // REACH.denominator + 1
+        first, size, first_off = self.first_on_disc(x1, x2, r, wanted)
         low, high, log_size = self.disc(p, x1, x2)
-        log_size = max(log_size, ((self.c * (at + r) >> 2 * self.bits) + 2 + self.first_size(at + r)).bit_length()) + 1  # B_0, c x, and the rest
-        count, beyond = self.interpolation(log_size, wanted)
+        count, beyond = self.interpolation(self.log_size(log_size, at + r, size), wanted)
         (off, ) = self.mismatch(low, high, x1, x2)
         if off > Fraction(2) ** wanted:
             raise Far
         if inner.panels and not low < inner.panels.start <= inner.panels.stop <= high:
             inner = Inner()
         rows, off_by = self.wave(x1, x2, low, high, count, wanted, inner.panels)
-        worst = max(abs(row[0] + self.inner_at(x, inner) + self.rest(p, x)) for x, row in zip(self.chebyshev_points(x1, x2, count), rows))
-        return lebesgue(count) * (Fraction(worst, self.unit) + 4 * self.round + off_by + inner.off + self.c_off) + beyond + off
+        points = self.chebyshev_points(x1, x2, count)
+        worst = max(abs(row[0] + self.inner_at(x, inner) + f - self.rest(p, x)) for x, row in zip(points, rows) for f in first(x))
+        return lebesgue(count) * (Fraction(worst, self.unit) + 4 * self.round + off_by + inner.off + self.c_off + first_off) + beyond + off
+
+    def log_size(self, of_waves, x, size):
+        """log2 of what B_0, at most `size`, c x and the rest, at most 2^of_waves, may come to on a disc that is nowhere beyond x"""
+        return max(of_waves, ((self.c * x >> 2 * self.bits) + 2 + size).bit_length()) + 1
+
+    def first_on_disc(self, x1, x2, r, wanted):
+        """(M): B_0 on [x1, x2], between some values, in units 2^-(work + kept), as a function of x; what it is at most on the disc r; how far it is off"""
+        radius = self.first_disc(x1 + x2 >> 1, x1, x2)
+        if radius and r > radius:
+            raise Far
+        return lambda x: [self.first_wave(x) << self.kept], self.first_size((x1 + x2 >> 1) + r), 0
 
     def first_size(self, x):
         """(M): above |B_0| on a disc where it is analytic, whose points are no larger than x"""
         return 1 + (((2 * self.P + 4 * x >> self.bits) + 4).bit_length() // 4 + 1 if self.P else 0)
 
-    def load_term(self, x, y):
-        """B_0(x) - c y, in units 2^-(work + kept)"""
-        return (self.first_wave(x) << self.kept) - (self.c * y << self.work + self.kept >> 2 * self.bits)
+    def load_term(self, x):
+        """c x, in units 2^-(work + kept)"""
+        return self.c * x << self.work + self.kept >> 2 * self.bits
 
     def rest(self, p, x):
-        """B_0 - c x - V/G at x"""
+        """c x + V/G at x"""
         (V, ) = self.values(p, x * x >> self.bits)
-        return self.load_term(x, x) - (V << self.bits) // self.G
+        return self.load_term(x) + (V << self.bits) // self.G
 
     def hole(self, p, x1, x2):
         """(W): |R| on J, no wider than it is and on one side of 1, where no polynomial follows T V or B_0"""
         at, h = x1 + x2 >> 1, (x2 - x1 >> 1) + 1
         (t, ) = self.exact_row(at)
-        ends = [[(self.load_term(x, y) + t) * self.G >> self.bits] for x, y in ((x1, x2), (x2, x1))]
+        ends = [[((self.first_wave(x) << self.kept) - self.load_term(y) + t) * self.G >> self.bits] for x, y in ((x1, x2), (x2, x1))]
         (off, ) = self.furthest(p, x1, x2, lambda z: ends)
-        moved = Fraction(2) ** (self.largest + 1) * Fraction(isqrt(32 * h << self.bits) + 1, self.one)
-        return off + moved + 4 * self.round + self.quadrature + 2 * self.c_off
+        return off + self.moved(h) + 4 * self.round + self.quadrature + 2 * self.c_off
 
 
 class Force(Poisson):

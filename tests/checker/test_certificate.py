@@ -370,11 +370,36 @@ class Certificates(unittest.TestCase):
         for _ in range(20):
             mesh.found = [(int(mesh.one * 10 ** chosen.uniform(-8, 0)), Fraction(chosen.randrange(1, 1000), 1000)) for _ in range(chosen.randrange(1, 60))]
             tried = [a + sum(max(0, bound - a) * mesh.share(width) for width, bound in mesh.found) for a in [0, *(bound for _, bound in mesh.found)]]
-            self.assertEqual(mesh.averaged_once(), min(tried))
+            self.assertEqual(mesh.means(), min(tried))
         for width in (10**-9, 0.001, 0.5, 2.0):
-            self.assertGreaterEqual(float(mesh.share(int(width * mesh.one))), min(1, 2 / math.pi * math.asin(math.sqrt(min(1, 2 * width / 2)))))
+            self.assertGreaterEqual(float(mesh.share_of_one(int(width * mesh.one))), min(1, 2 / math.pi * math.asin(math.sqrt(min(1, 2 * width / 2)))))
         for off in (Fraction(1, 50), Fraction(-1, 50)):
             self.assertGreater(mesh.off_by(c + off), Fraction(1, 50))
+
+    def test_narrow_ratios_count_for_little_after_two_waves(self):
+        """(X): G^2 T^2 1_J/G^2 by sums over the second wave, J where ends of both waves meet and elsewhere, is no more than a share; that of one wave alone is more."""
+        mesh, _ = self.poisson()
+        G, chosen, nearest = mesh.G / mesh.one, random.Random(known.seed), 0
+
+        def angle(x, y):
+            c = G * y - x if x >= 1 else math.sqrt((G * y) ** 2 + (1 - x) ** 2) - x
+            return math.acos(max(-1.0, min(1.0, c)))
+        for _ in range(60):
+            w, x = 10 ** chosen.uniform(-7, -1), chosen.choice([chosen.uniform(0.05, 1), chosen.uniform(1, 1 / (G - 1))])
+            top = (1 + x) / G if x >= 1 else 2 * math.sqrt(x) / G
+            y = chosen.choice([chosen.uniform(0, top), (1 + top) / G - w, (1 + top) / G - 2 * w, 2 * math.sqrt(min(1, top)) / G - w, abs(top - 1) / G + w])
+            total, N = 0.0, 4000
+            for k in range(N):  # of theta, finest at the ends, where most of it is
+                theta = math.pi * (1 - math.cos(math.pi * (k + 0.5) / N)) / 2
+                square = (x + math.cos(theta)) ** 2 if x >= 1 else (1 + math.cos(theta)) * (2 * x - 1 + math.cos(theta))
+                if square > 0:
+                    ratio = math.sqrt(square) / G
+                    total += (angle(ratio, y) - angle(ratio, y + w)) / math.pi * math.sin(math.pi * (k + 0.5) / N) * math.pi / 2 / N
+            said = float(mesh.share(int(w * mesh.one))) / G**2
+            self.assertLessEqual(total, said * 1.01)
+            nearest = max(nearest, total / said)
+        self.assertGreater(nearest, 1 / 20)
+        self.assertLess(mesh.share(mesh.one >> 30), mesh.above_G * mesh.share_of_one(mesh.one >> 30) / 100)
 
     def test_a_mean_that_says_too_much_is_refused(self):
         text, lines = self.mean()
@@ -422,7 +447,7 @@ class Certificates(unittest.TestCase):
             ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
             self.assertLessEqual(abs(value - true), error)
             self.assertLess(error / abs(value), Fraction(1, 10**digits))
-        for quantity, place, G, why in (("limit.density", "p=4/3", "3", "largest pressure"), ("limit.density", "p=1/3", "2", "G >= 2.05"), ("limit.segments", "a=1/2", "3", "largest pressure")):
+        for quantity, place, G, why in (("limit.density", "p=4/3", "3", "largest pressure"), ("limit.segments", "a=1/2", "3", "largest pressure")):
             said = program("certificate", quantity, place, f"G={G}")
             self.assertEqual((said.returncode, why in said.stderr), (2, True), said.stderr)
         said = program("certificate", "contact.exceedance", "n=60", "p=1/2", "load=1/10", "G=3", "--digits", 3)
@@ -762,9 +787,9 @@ class Certificates(unittest.TestCase):
         self.assertEqual(check("--lines", f"1-{count + 1}", self.path).returncode, 65)
 
     def test_what_proves_certificates_is_short(self):
-        """At most 1000 lines of code to read for any one kind of claim, 1150 for densities with full contact, which need meshes and scale 1; those of docstrings, comments and blank ones are not counted."""
+        """At most 1000 lines of code to read for any one kind of claim, 1200 for densities with full contact and their limit, which need meshes and scale 1; those of docstrings, comments and blank ones are not counted."""
         code = {}  # file, class, function: lines
-        for name in ("certificate", "density", "distributions", "full_contact", "limits", "poisson", "second_eigenvalue", "scale_one", "transfer", "intervals"):
+        for name in ("certificate", "density", "distributions", "full_contact", "limit_density", "limits", "poisson", "second_eigenvalue", "scale_one", "transfer", "two_waves", "intervals"):
             lines, path = set(), known.checker / f"{name}.py"
             with open(path, "rb") as file:
                 before = tokenize.NEWLINE
@@ -782,6 +807,7 @@ class Certificates(unittest.TestCase):
                  "full_contact": ("mesh", "polynomials", "all_panels", "share", "share_of", "made"),
                  "poisson": ("mesh", "polynomials", "all_panels", "share", "is_mean", "mean", "quotient", "made"),
                  "density": ("mesh", "polynomials", "all_panels", "share", "share_of", "made"),
+                 "limit_density": ("mesh", "polynomials", "all_panels", "is_mean", "mean", "quotient", "made"),
                  "distributions": ("law", "laws", "all_pieces", "piece", "reading"), "limits": ("steady", "part", "limit_law", "balance", "tending", "at_scale"), "second_eigenvalue": ("steady", "eigenvalue")}
         needed = {kind: {kind} for kind in kinds} | {"limits": {"limits", "distributions"}}
         of_others = {part for parts in kinds.values() for part in parts}
@@ -789,8 +815,12 @@ class Certificates(unittest.TestCase):
         borrowed["distributions"] = borrowed["transfer"] | {("full_contact", part) for part in ("Far", "Trigonometry", "lebesgue", "")}
         by_levels = {"on_interval", "between", "cover", "first_on", "first_between", "defects", "errors", "shares", "parted", "averaged", "value", "jumps"}
         borrowed["poisson"] = borrowed["transfer"] | {part for part in code if part[0] == "full_contact" and part[1] not in by_levels}
-        borrowed["density"] = borrowed["transfer"] | {part for part in code if part[0] == "full_contact" and part[1] not in ("first_wave", "first_disc", "first_on", "first_between", "between", "cover", "defects", "value")}
-        borrowed["density"] |= {("scale_one", part) for part in ("", "of", "__add__", "__neg__", "__sub__", "__rsub__", "__mul__", "reach", "least", "__rtruediv__", "__truediv__", "root", "largest", "root_of", "off_by", "by_gauss", "log2_above", "points", "trigonometry")}
+        of_scale_one = {("scale_one", part) for part in ("", "of", "__add__", "__neg__", "__sub__", "__rsub__", "__mul__", "reach", "least", "__rtruediv__", "__truediv__", "root", "largest", "root_of", "off_by", "by_gauss", "log2_above", "points", "trigonometry")}
+        of_two_waves = of_scale_one | {part for part in code if part[0] == "two_waves"}
+        borrowed["poisson"] |= {("scale_one", "log2_above")}
+        borrowed["density"] = borrowed["transfer"] | of_two_waves | {part for part in code if part[0] == "full_contact" and part[1] not in ("first_wave", "first_disc", "first_on", "first_between", "between", "defects", "rises", "value")}
+        borrowed["limit_density"] = borrowed["poisson"] | of_two_waves | {part for part in code if part[0] == "poisson" and part[1] not in ("first_wave", "first_size", "hole")}
+        borrowed["limit_density"] -= {("full_contact", "first_wave"), ("full_contact", "first_disc")}
         borrowed["second_eigenvalue"] = {("scale_one", part) for part in ("", "of", "__add__", "__neg__", "__sub__", "__rsub__", "__mul__", "square", "reach", "least", "__rtruediv__", "__truediv__", "largest", "off_by", "by_gauss", "points", "trigonometry")}
         borrowed["second_eigenvalue"] |= {("distributions", part) for part in ("", "__init__", "value", "largest", "bound", "interpolated", "spread_of", "need", "top")}
         trigonometry = {"__init__", "small", "cos_sin", "angle", "of_cosine", "gauss"}
@@ -798,10 +828,10 @@ class Certificates(unittest.TestCase):
         for kind, others in needed.items():
             parts = {part for other in others for part in kinds[other]}
             total[kind] = sum(count for (name, part), count in code.items() if name in others | {"intervals"} or (name == "certificate" and part not in of_others - parts)
-                              or (name, part) in borrowed["transfer"] or (kind in ("poisson", "density", "second_eigenvalue") and (name, part) in borrowed[kind])
+                              or (name, part) in borrowed["transfer"] or (kind in ("poisson", "density", "limit_density", "second_eigenvalue") and (name, part) in borrowed[kind])
                               or (others & {"distributions", "second_eigenvalue"} and ((name, part) in borrowed["distributions"] or (name == "full_contact" and part in trigonometry))))
         for kind, count in total.items():
-            self.assertLessEqual(count, 1160 if kind == "density" else 1000, total)
+            self.assertLessEqual(count, 1200 if "density" in kind else 1000, total)
         self.assertGreater(min(total.values()), 500, total)
 
     def test_what_is_no_certificate_is_refused(self):

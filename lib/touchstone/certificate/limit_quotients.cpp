@@ -20,6 +20,7 @@ constexpr double of_both = 2.1; ///< a quotient is off by what both its parts ar
 limit::Question question(const LimitClaim& c)
 {
     if (c.of == Of::force) return {limit::Question::Of::force, Ball(c.at)};
+    if (c.of == Of::density) return {limit::Question::Of::density, Ball(c.at)};
     if (c.of != Of::segments) return {limit::Question::Of::pressure, Ball(c.at)};
     Ball s(c.at);
     arb_sin_pi(s.get(), s.get(), WorkingPrecision::bits());
@@ -36,9 +37,9 @@ struct Said {
 
 std::string refusal_of_quotient(const LimitClaim& c)
 {
-    if (c.of == Of::density) return "the limit's density has certificates where G >= 2.05";
     if (c.of == Of::distance) return "where G < 2.05 contact.exceedance, contact.area and limit.exceedance have certificates: checker/check.py makes a distance of them";
     if (power(Rational(51, 50), static_cast<long>(c.G.degree)) > c.G.base) return "G < 1.02: certificates are made where G >= 1.02";
+    if (c.of == Of::density && 512 * c.at < 1) return "the density has certificates from the pressure 1/512 on where G < 2.05";
     if (c.at <= 0) return "at 0 the checker needs no certificate";
     if (c.of == Of::segments && 2 * c.at > 1) return "no segment is wider than a wave: the checker needs no certificate";
     if (c.of == Of::force && 1024 * c.at < 1) return "the force has certificates from the pressure 1/1024 on where G < 2.05";

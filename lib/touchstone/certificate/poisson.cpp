@@ -4,6 +4,7 @@
 #include "touchstone/certificate/full_contact.hpp"
 #include "touchstone/certificate/law_pieces.hpp"
 #include "touchstone/scalar/refusal.hpp"
+#include "touchstone/transfer/wide_balls.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@ namespace {
 constexpr long spare_bits = 6;     ///< the checker adds up what some hundred narrow intervals leave
 constexpr double least_mean = 1e-6;
 constexpr double least_spare = 6;  ///< polynomials leave that much less than what is claimed
+constexpr double spare_next_to_logarithms = 4; ///< as panels next to these leave more
 
 /// The same, where G is near 1: what is left next to each singular point adds up, and ratios reach as far as (G - 1)^-1.
 double spare_tolerance(double G) { return std::max(least_spare, 1 / (G - 1)); }
@@ -27,15 +29,8 @@ Rational rounded_above(double x)
     return {static_cast<long>(std::ceil(x * unit)) + 1, unit};
 }
 
-/// What the checker leaves of a residual near G = 1: ratios reach far, and next to their many singular points it adds up.
-double added_up(double G)
-{
-    constexpr double near_one = 1.05, grows_like = 2.6; // from there on nothing is lost; below, as 1.03 and 1.02 had it
-    return G < near_one ? std::pow((near_one - 1) / (G - 1), grows_like) : 1;
-}
-
 /// The largest residual with which E[f/x] = c is known to `goal` of itself.
-double residual_for(double goal, double c, double G) { return goal * c / (G * G * G * added_up(G)); }
+double residual_for(double goal, double c, double G) { return goal * c / (G * G * G); }
 
 /// C(G), about: it grows like the root of G - 1 from 0.2 at G = 1.02 on.
 double about_C(double G) { return 0.2 * std::sqrt(std::min(25.0, (G - 1) * 50)); }
@@ -47,14 +42,20 @@ WrittenMean write_mean(const limit::Question& q, const Rational& p, const Root& 
     const WorkingPrecision precision(256);
     const Ball G = number(root);
     const double g = nearest(G);
+    const bool density = q.of == limit::Question::Of::density;
+    const limit::PoissonSearch::Real times = density ? transfer::to_real(G) : limit::PoissonSearch::Real(1); // the mean of G D_1 is what is written
     double residual = residual_for(goal, about_C(g), g);
-    limit::PoissonSearch found = limit::search_poisson(q, G, residual / spare_tolerance(g));
-    if (found.c.high < about_C(g) / 2) { // the mean is a smaller one
-        if (!(found.c.high > least_mean)) throw BeyondReach(fmt::format("means below {:g} have no certificate", least_mean));
-        residual = residual_for(goal, found.c.high, g);
-        found = limit::search_poisson(q, G, residual / spare_tolerance(g));
+    const double spare = spare_tolerance(g) * (density ? spare_next_to_logarithms : 1);
+    const auto search = [&] { return limit::search_poisson(q, G, residual / (spare * double(times))); };
+    limit::PoissonSearch found = search();
+    const auto value = [&] { return (times * found.c).high; };
+    if (value() < about_C(g) / 2) { // the mean is a smaller one
+        if (!(value() > least_mean)) throw BeyondReach(fmt::format("means below {:g} have no certificate", least_mean));
+        residual = residual_for(goal, value(), g);
+        found = search();
     }
-    const long accuracy = static_cast<long>(std::ceil(-std::log2(residual))) + spare_bits, bits = 2 * accuracy + 64, kept = accuracy + 26;
+    const long accuracy = static_cast<long>(std::ceil(-std::log2(residual))) + spare_bits, kept = accuracy + 26;
+    const long bits = density ? 4 * (accuracy + 8) : 2 * accuracy + 64; // a root at the end of a wave takes half of them, and so does what is left out next to a logarithm
     Rational load = rounded_above(1 / (g - 1)); // no ratio of the limit is above
     load.canonicalize();
 
@@ -66,10 +67,10 @@ WrittenMean write_mean(const limit::Question& q, const Rational& p, const Root& 
         const auto& panel = found.panels[i];
         std::string data = fmt::format("panel={:x} middle={} half={} terms={:x} aim={:x}", i, hex(units(panel.centre, bits)), hex(units(panel.half, bits)),
                                        panel.coefficients.size(), accuracy);
-        for (const auto& c : panel.coefficients) data += ' ' + hex(units(c, kept));
+        for (const auto& c : panel.coefficients) data += ' ' + hex(units(times * c, kept));
         rests_on.push_back(lines.add("polynomials", {rests_on.front()}, data));
     }
-    return {std::move(rests_on), exactly(found.c.high), goal * found.c.high};
+    return {std::move(rests_on), exactly(value()), goal * value()};
 }
 
 void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t section, std::string& head, Lines& lines)

@@ -298,13 +298,19 @@ struct Function {
     double lowest;
 };
 
+/// A power of two: densities of small pressures are as small.
+double unit_of(const Question& q)
+{
+    return q.of == Question::Of::density ? std::min(1.0, std::exp2(std::floor(std::log2(double(to_real(q.pressure)))))) : 1;
+}
+
 Function function_of(const Question& q, const Ball& G, double tolerance)
 {
     const double negligible = tolerance / 100;
     if (q.of == Question::Of::contact) return {.f = in_contact(), .lowest = negligible};
     if (q.of == Question::Of::density) {
         constexpr double least_unit = 0x1p-10; // meshes below take minutes
-        const double unit = std::min(1.0, std::exp2(std::floor(std::log2(double(to_real(q.pressure))))));
+        const double unit = unit_of(q);
         auto density = std::make_unique<Density>(G, q.pressure, unit, tolerance / 64);
         const double lowest = std::min(negligible, density->waves.lowest() / 2); // it is 0 below
         if (!(unit >= least_unit && lowest > lowest_of_densities)) throw BeyondReach("the pressure is too low for the density of the limit");
@@ -335,18 +341,18 @@ double end_of_mesh(const Ball& G)
 
 } // namespace
 
-PoissonSearch search_poisson(const Question& q, const Ball& G, double tolerance)
+PoissonSearch search_poisson(const Question& q, const Ball& G, double of_mean)
 {
     const WorkingPrecision precision(256);
-    const double highest = end_of_mesh(G);
+    const double highest = end_of_mesh(G), unit = unit_of(q), tolerance = of_mean / unit;
     const Rules rules(tolerance);
     const Function function = function_of(q, G, tolerance);
     const Found found = search(rules, *function.f, function.singular, G, function.lowest, highest, tolerance, {});
-    PoissonSearch result{{}, found.c};
+    PoissonSearch result{{}, unit * found.c};
     for (std::size_t i = 0; i < found.steps->panels.size(); ++i) {
         const Panel& p = found.steps->panels[i];
         result.panels.push_back({p.y0, p.y1, p.centre, p.half, {}});
-        for (int k = 0; k < found.steps->orders.terms; ++k) result.panels.back().coefficients.push_back(Real(found.steps->coefficients[found.steps->row(i, k)]));
+        for (int k = 0; k < found.steps->orders.terms; ++k) result.panels.back().coefficients.push_back(unit * Real(found.steps->coefficients[found.steps->row(i, k)]));
     }
     return result;
 }

@@ -49,8 +49,8 @@ struct PoissonSearch {
     std::vector<Panel> panels; ///< up to beyond the highest ratio of the limit law
     Real c;
 };
-/// \pre of a contact, a pressure or the force
-PoissonSearch search_poisson(const Question&, const Ball& G, double tolerance);
+/// \param of_mean about how far c and the functions may be off
+PoissonSearch search_poisson(const Question&, const Ball& G, double of_mean);
 
 /// For tests: what Phi is made worse by on the panel y0 <= y <= y1. Phi may be anything; the proof has to see it.
 using SpoiledPhi = std::function<double(double y0, double y1)>;
