@@ -55,7 +55,7 @@ WrittenMean write_mean(const limit::Question& q, const Rational& p, const Root& 
         found = search();
     }
     const long accuracy = static_cast<long>(std::ceil(-std::log2(residual))) + spare_bits, kept = accuracy + 26;
-    const long bits = density ? 4 * (accuracy + 8) : 2 * accuracy + 64; // a root at the end of a wave takes half of them, and so does what is left out next to a logarithm
+    const long bits = density ? 4 * (accuracy + 8) : 2 * accuracy + 96; // a root at the end of a wave takes half of them, and so does what is left out next to a logarithm
     Rational load = rounded_above(1 / (g - 1)); // no ratio of the limit is above
     load.canonicalize();
 
