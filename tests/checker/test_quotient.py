@@ -3,6 +3,7 @@
 one wave above a pressure, against sums and complex points in binary64."""
 import argparse
 import cmath
+import collections
 import functools
 import hashlib
 import itertools
@@ -25,7 +26,10 @@ known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
 import check  # noqa: E402
+import full_contact  # noqa: E402
+import limit_density  # noqa: E402
 import poisson  # noqa: E402
+import scale_one  # noqa: E402
 from intervals import Interval  # noqa: E402
 
 SEED, BITS = 20261126, 128
@@ -108,6 +112,62 @@ class Force(unittest.TestCase):
                 largest[force] = max(largest.get(force, 0), size / bound)
                 self.assertLessEqual(size, bound, (P, x, r, z))
         self.assertGreater(min(largest.values()), 0.05)
+
+
+class DensityOfTheLimit(unittest.TestCase):
+    """Lemma AB with V = 0, so that R = G D_1 - c x, D_1 from the integral of scale_one.py."""
+
+    def made(self):
+        self.G, self.P = Fraction(3, 2), Fraction(7, 5)
+        made = mesh(limit_density.MeanDensity, self.P)
+        made.c, made.c_off, made.apart = made.one // 3, Fraction(1, 1 << 100), Fraction(0)
+        return made
+
+    def residual_at(self, x):
+        Interval.bits = BITS
+        return float((scale_one.density(self.P * self.G, x, self.G) * self.G * self.G).middle()) - float(x) / 3
+
+    def test_bounds_are_no_less_than_what_is_left(self):
+        """next to the logarithms at the ends of both waves, and elsewhere; where T V is not followed too"""
+        made, chosen, seen = self.made(), random.Random(SEED), collections.Counter()
+        p, G = float(self.P * self.G), float(self.G)
+        ends = [p + G - 1, p - G + 1, p * p / (4 * G) + 1, (p * p / (4 * G)) ** 2 / 4]
+        for k in range(24):
+            at = Fraction(chosen.choice([e for e in ends if 1 / 8 < e < 3]) if k % 2 else chosen.uniform(1 / 8, 2.9))
+            w = Fraction(10 ** chosen.uniform(-12, -2))
+            a, b = (int((at + w * side) * made.one) for side in ((1, 2) if k % 4 < 2 else (-2, -1)))
+            if a < made.one < b or made.panel(a) != made.panel(b):
+                continue
+            for bound in (lambda: made.residual(made.panel(a), a, b, poisson.Inner()), lambda: made.hole(made.panel(a), a, b)):  # noqa: B023
+                try:
+                    here = float(bound())
+                except full_contact.Far:
+                    seen["far"] += 1
+                    continue
+                seen["bounded"] += 1
+                true = max(abs(self.residual_at(Fraction(a * (8 - j) + b * j, 8 * made.one))) for j in (1, 6))
+                self.assertLessEqual(true, here)
+                self.assertLess(here, 40 * true + 1)
+        self.assertGreater(seen["bounded"], 8, seen)
+        self.assertEqual(made.apart, 0)
+
+    def test_what_is_next_to_a_logarithm_is_kept_apart_and_counts(self):
+        made = self.made()
+        at = int((self.P * self.G + self.G - 1) * made.one)  # where the upper ends of both waves meet
+        made.found = [(made.one, Fraction(1, 100))]
+        before = made.means()
+        self.assertEqual(made.left_on(made.panel(at), at - made.first.deepest // 2, at + made.first.deepest // 2, poisson.Inner()), 0)
+        S = math.sqrt(float(self.G) * made.first.deepest / made.one / 2)
+        here = abs(self.residual_at(Fraction(at + made.first.deepest // 4, made.one)))  # a logarithm's values are as large on most of it
+        self.assertGreater(float(made.apart), here * S * float(self.G))
+        self.assertLess(float(made.apart), 400 * here * S * float(self.G))
+        self.assertEqual(made.means(), before + made.apart)
+        with self.assertRaises(full_contact.Far):
+            made.left_on(made.panel(at), at - 9 * made.first.deepest, at + 9 * made.first.deepest, poisson.Inner())
+
+    def test_a_mesh_that_begins_too_late_is_refused(self):
+        with self.assertRaises(limit_density.Refused):
+            mesh(limit_density.MeanDensity, Fraction(1, 2) * 2 - Fraction(1, 100))
 
 
 class Quotients(unittest.TestCase):

@@ -18,7 +18,7 @@ namespace {
 constexpr long spare_bits = 6;     ///< the checker adds up what some hundred narrow intervals leave
 constexpr double least_mean = 1e-6;
 constexpr double least_spare = 6;  ///< polynomials leave that much less than what is claimed
-constexpr double spare_next_to_logarithms = 4; ///< as panels next to these leave more
+constexpr double spare_next_to_logarithms = 16; ///< as panels next to these leave more
 
 /// The same, where G is near 1: what is left next to each singular point adds up, and ratios reach as far as (G - 1)^-1.
 double spare_tolerance(double G) { return std::max(least_spare, 1 / (G - 1)); }
