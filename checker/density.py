@@ -85,11 +85,12 @@ class Density(Mesh):
         return [(0, y, [Fraction(0)])], [(0, y, later)] if self.up else []
 
     def once(self, x1, x2):
-        """(AA): above what waves of these means, on one side of 1, make of all that was kept apart of level 0"""
+        """(AA): above what waves of these means make of all that was kept apart of level 0"""
         return sum((weight * self.share_of(a, b, x1, x2) for a, b, weight in self.apart), Fraction(0))
 
     def share_of(self, a, b, x1, x2):
-        """(H), (AA): above what such a wave has of the ratios from a to b, and of what is narrower in proportion to the root of its width at least"""
+        """(H), (AA): above what such a wave has of the ratios from a to b, and of what is narrower in proportion to the root of its width at least: where it
+        has a ratio grows with that and falls with the mean, also across 1"""
         one = self.one
         if a > self.most(x2) + (x2 >> self.bits) + 4 or b < self.least(x1) - (x1 >> self.bits) - 4:
             return Fraction(0)

@@ -538,7 +538,7 @@ class Mesh:
             parts = min(MOST_PARTS, 1 + FINE * (b - a) // max(a, self.one >> FINE))
             ends += [a + (b - a) * i // parts for i in range(1, parts)]
         ends.sort()
-        defects = [[0] * (len(ends) - 1) for _ in range(self.levels)]
+        defects = [[None] * (len(ends) - 1) for _ in range(self.levels)]  # where a level does not matter
         for start, parts in ((0, first), (1, later)):
             for a, b, of_levels, *_ in parts:
                 for c in range(bisect_left(ends, a), bisect_left(ends, b)):
@@ -550,16 +550,16 @@ class Mesh:
             if m:
                 parts = self.parted(errors[-1], ends)
                 apart = [-(-self.once(x1, x2) * self.one // 1) if m == 1 else 0 for x1, x2 in zip(ends, ends[1:])]
-                carried = [self.averaged(parts, shares[c], shares[c + 1]) + apart[c] << self.up[m - 1] if d else 0 for c, d in enumerate(D)]
+                carried = [self.averaged(parts, shares[c], shares[c + 1]) + apart[c] << self.up[m - 1] if d is not None else 0 for c, d in enumerate(D)]
                 for a, b in self.holes:  # there monotony brings the error from the ends
                     i, j = bisect_right(ends, a) - 1, bisect_left(ends, b)
                     carried[i:j] = [max(carried[i:j])] * (j - i)
-                D = [d + e if d else 0 for d, e in zip(D, carried)]
-            errors.append(D)
+                D = [d + e if d is not None else 0 for d, e in zip(D, carried)]
+            errors.append([d or 0 for d in D])
         return ends, errors
 
     def once(self, x1, x2):
-        """what waves of these means make of errors of level 0 that are no step function (AA)"""
+        """what waves of these means, which may cross 1, make of errors of level 0 that are no step function (AA)"""
         return 0
 
     def shares(self, x, ends):

@@ -135,7 +135,7 @@ class Poisson(Mesh):
 
     def share(self, width):
         """(X): above E[1_J/x]/G^2 for these ratios: anyhow, after one wave, or after two"""
-        w, root_of_G = Fraction((self.G + 1) * width, self.one**2), Fraction(isqrt(self.G << self.bits) + 1, self.one)
+        w, root_of_G = Fraction((self.G + 1) * width, self.one**2), Fraction(isqrt(self.G + 1 << self.bits) + 1, self.one)
         of_two = w * (1 + root_of_G * (2 + log2_above(1 / (2 * w)) * AFTER_TWO))
         return min(Fraction(1), self.above_G * self.share_of_one(width), self.above_G**2 * of_two)
 

@@ -31,14 +31,16 @@ CLOSED = ["archard_K", "archard_alpha", "archard_area", "archard_delta", "archar
 ONE_INTEGRAL = ["contact_density_scale_1", "contact_exceedance_scale_1"]  # scale_one.py
 SLOW = ["archard_K_inf", *ONE_INTEGRAL]  # all rows take a minute
 RECURSION = ["contact_area", "contact_area_full", "contact_area_heavy", "contact_density", "contact_exceedance", "segments_count", "segments_density"]
+LIMIT_LAWS = "G=3.1622776601683795", "G=2.23606797749979"  # partial contact
 CERTIFIED = {"contact_area": (12, ""), "segments_count": (12, ""), "limit_ratio": (8, ""), "limit_constant": (8, ""),
              "contact_area_heavy": (8, ""), "contact_area_full": (8, ""),
              "contact_exceedance": (8, ""), "contact_density": (8, ""), "segments_density": (8, ""),
-             "contact_exceedance_full": (8, ""), "contact_density_full": (8, "n=2"), "limit_scale": (8, ""), "limit_gap": (8, ""),
+             "contact_exceedance_full": (8, ""), "contact_density_full": (8, ""), "limit_scale": (8, ""), "limit_gap": (8, ""),
              "limit_distance": (4, "G=3.1622776601683795", "limit.exceedance p=1 G=3/2 --digits 7", *(
                  f"contact.{what} load={Fraction(0.1)} G=3/2 n={n}{p} --digits 7" for n in (2, 5) for what, p in (("area", ""), ("exceedance", f" p={Fraction(3, 2) ** n}")))),
-             "limit_constant_full": (8, *(f"G={G}" for G in (1.03, 1.05, 1.0837983867343681, 1.1, 1.1220184543019633, 1.15, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 1.95, 2))),
-             **dict.fromkeys(("limit_exceedance", "limit_force", "limit_density", "limit_segments"), (10, ""))}  # to so many digits, by certificates of these rows, or of other claims
+             "limit_constant_full": (8, *(f"G={G}" for G in (1.02, 1.03, 1.05, 1.0837983867343681, 1.1, 1.1220184543019633, 1.15, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 1.95, 2))),
+             "limit_segments": (10, "G=3.1622776601683795", "G=1.5 --digits 9"), "limit_density": (8, *LIMIT_LAWS, "G=1.5 --digits 7"),
+             **dict.fromkeys(("limit_exceedance", "limit_force"), (10, *LIMIT_LAWS, "G=1.5 --digits 9"))}  # to so many digits, by certificates of these rows, or of other claims
 
 
 def run(*arguments, **more):

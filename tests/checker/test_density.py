@@ -126,6 +126,19 @@ class Densities(unittest.TestCase):
                      f"{int(D * 2**kept) * panel:x} 0\n")
         self.assertEqual(self.answer(text + "4 share 1-3 4 claim=1\nsha256 "), "line 4: the claim is not proved")
 
+    def test_what_a_wave_makes_of_errors_counts_where_there_are_no_others(self):
+        """V_0 = V_1 = 0: below the first panel, where nothing is known but D_1 = 0, T V_0 is V_1 and still T e_0 is not 0."""
+        G, P, load, bits = Fraction(7, 4), Fraction(19, 10), Fraction(27, 100), 96
+        one = 1 << bits
+        edges = [int((P * P * G / 8) ** 2 * one) - (1 << 40), *(one * k // 100 for k in (70, 80, 90, 95, 100, 110, 120, 140))]
+        places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
+        Interval.bits = bits + 128
+        mesh = density.Density(Interval.of(G), Interval.of(P), load, bits, edges, places, [0] * len(places), [[[0, 0], [0, 0]]] * len(places), 40, 16, 0)
+        low, high = mesh.value(3, load, mesh.errors())
+        true = json.loads(program("eval", "contact.density", "n=3", f"p={P * G**3}", f"load={load}", f"G={G}", "--digits", 6, "--json").stdout)["value"]
+        self.assertLess(low, Fraction(true))
+        self.assertGreater(high, Fraction(true))
+
     def test_discs_that_tell_nothing_of_the_seam_cost_a_cut(self):
         """Where the discs next to t = G are too wide for a root, the order of the ends is not taken beyond it: no more than that happens."""
         for P in (Fraction(1, 2), Fraction(1), Fraction(3, 2)):
