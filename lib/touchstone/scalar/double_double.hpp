@@ -28,7 +28,7 @@
 #include <type_traits>
 
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi" // everything with Lanes is inlined
+#pragma GCC diagnostic ignored "-Wpsabi" // everything with Lanes is inlined, without optimisation too: see TOUCHSTONE_INLINE
 #endif
 
 namespace touchstone {
@@ -36,6 +36,7 @@ namespace touchstone {
 /// Four binary64 side by side (GCC and clang; without such registers the compiler takes them apart).
 using Lanes = double __attribute__((vector_size(32)));
 
+/// Also for constructors: a clone for newer machines hands Lanes over in another register than a function that was compiled for all expects.
 #define TOUCHSTONE_INLINE [[gnu::always_inline]] inline
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__) // its runtime starts after clones are chosen
 #define TOUCHSTONE_CLONES [[gnu::target_clones("default", "arch=x86-64-v3")]] // the same results, faster
@@ -69,15 +70,15 @@ struct DoubleDouble {
     D high{}, low{};
 
     constexpr DoubleDouble() = default;
-    constexpr DoubleDouble(D h, D l) : high(h), low(l) {}
+    TOUCHSTONE_INLINE constexpr DoubleDouble(D h, D l) : high(h), low(l) {}
     template <class T>
         requires std::is_arithmetic_v<T>
-    constexpr DoubleDouble(T v) : high(D{} + static_cast<double>(v)) // integers: below 2^53
+    TOUCHSTONE_INLINE constexpr DoubleDouble(T v) : high(D{} + static_cast<double>(v)) // integers: below 2^53
     {
     }
     template <class E>
         requires(std::is_same_v<E, double> && !std::is_same_v<D, double>)
-    constexpr DoubleDouble(const DoubleDouble<E>& v) : high(D{} + v.high), low(D{} + v.low)
+    TOUCHSTONE_INLINE constexpr DoubleDouble(const DoubleDouble<E>& v) : high(D{} + v.high), low(D{} + v.low)
     {
     }
 
