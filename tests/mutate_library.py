@@ -151,7 +151,7 @@ def lines_of(text, change):
 
 
 def in_constant_expression(text, change):
-    """Whether the change stands in what is computed, or may be, by the compiler: on a line that says so, or in a block that such a line begins."""
+    """Whether the change stands in what the compiler computes: on a line that says so, or in the block that a constant's definition begins."""
     lines = text.splitlines()
     depth = lambda line: len(line) - len(line.lstrip())
     if CONSTANT.search(lines[change.line]):
@@ -160,7 +160,7 @@ def in_constant_expression(text, change):
     for line in reversed(lines[:change.line]):
         if line.strip() and depth(line) < least:
             least = depth(line)
-            if re.search(r"\bconstexpr\b|\benum\b", line):
+            if re.search(r"\bconstexpr\b[^(]*=|\benum\b", line):
                 return True
     return False
 

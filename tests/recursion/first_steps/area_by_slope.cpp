@@ -11,6 +11,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -248,6 +249,27 @@ TEST_CASE("the trapezoidal rule between logarithms sees a pole in any column of 
             INFO(found.to_string(), " ", ((before + after) / b).to_string());
             CHECK(found.overlaps((before + after) / b));
             CHECK(sharp(found));
+        }
+}
+
+TEST_CASE("what an integrand is bounded over holds the strip: corners of boxes, wherever the map turns them")
+{
+    using namespace first_steps;
+    const WorkingPrecision precision(128);
+    const Piece piece(End::rational(0), End::rational(1), Extent::whole);
+    constexpr double height = 1.25;
+    std::vector<ComplexBall> bounded_over; // shares of the piece
+    const auto f = [&](const Piece::Point& y) {
+        if (y.analytic) bounded_over.push_back(y.left);
+        return ComplexBall(1);
+    };
+    CHECK(piece.between_logarithms(f, [](bool, const Ball& t) { return t; }, height, goal).contains(Rational(1)));
+    for (int column = -112; column <= 112; column += 4)
+        for (int row = 0; row <= 8; ++row) {
+            const ComplexBall u(Ball::exactly(0.125 * column), Ball::exactly(height / 8 * row)), share = 1 / (1 + exp(-u));
+            CAPTURE(column);
+            CAPTURE(row);
+            CHECK(std::any_of(bounded_over.begin(), bounded_over.end(), [&](const ComplexBall& z) { return acb_contains(z.get(), share.get()) != 0; }));
         }
 }
 
