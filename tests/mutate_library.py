@@ -150,6 +150,21 @@ def lines_of(text, change):
     return {bisect.bisect_right(starts, first) - 1 for first, _, _ in change.pieces(text, starts[change.line])}
 
 
+def in_constant_expression(text, change):
+    """Whether the change stands in what the compiler computes: on a line that says so, or in the block that a constant's definition begins."""
+    lines = text.splitlines()
+    depth = lambda line: len(line) - len(line.lstrip())
+    if CONSTANT.search(lines[change.line]):
+        return True
+    least = depth(lines[change.line])
+    for line in reversed(lines[:change.line]):
+        if line.strip() and depth(line) < least:
+            least = depth(line)
+            if re.search(r"\bconstexpr\b[^(]*=|\benum\b", line):
+                return True
+    return False
+
+
 def files_of(source, area):
     return sorted({p.relative_to(source) for pattern in AREAS[area].sources for p in source.glob("lib/touchstone/" + pattern) if p.suffix in (".cpp", ".hpp")})
 
@@ -303,7 +318,7 @@ class Program:
         users = [u for u in {*objects, *map(self.library, sorted(p for p in self.everywhere() if p.suffix == ".cpp"))}
                  if (str(self.o.source / change.path) in self.includes(u) if header else self.known[u][0] == self.o.source / change.path)]
         made = dict(objects)
-        constant = CONSTANT.search(change.text)
+        constant = in_constant_expression(self.text(change.path), change)
         if compiles and not constant and change.old.strip() not in ("+", "-", "*", "/"):
             return "survives", "no test reaches it"
         for u in users[:1] if compiles and not constant else users:

@@ -107,6 +107,17 @@ TEST_CASE("section 2: equilibrium, the mean of the pressure is the load")
     same(mean, load, 190);
 }
 
+TEST_CASE("section 3: what the second route leaves out is in its ball where the last block of terms is a whole one")
+{
+    const Rational D(3, 2), gamma = 2;
+    const WorkingPrecision precision(508);
+    REQUIRE(weierstrass::terms_needed(D, gamma, 508) == 1024);
+    const Ball highest = weierstrass::profile_by_scaling(0, D, gamma); // (3.4)
+    CHECK(highest.relative_bits() > 500);
+    const WorkingPrecision more(600);
+    CHECK(arb_contains(highest.get(), (1 / (1 - sqrt(Ball(2)) / 2)).get()) != 0);
+}
+
 TEST_CASE("section 3: the two routes of the profile, the bound, the scaling relation (3.5)")
 {
     for (const auto& [D, gamma] : {std::pair{Rational(3, 2), Rational(5)}, {Rational(21, 20), Rational(10)}, {Rational(7, 5), Rational(5, 2)}}) {

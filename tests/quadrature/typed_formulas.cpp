@@ -576,6 +576,9 @@ TEST_CASE("a range is cut at the named point where a proof stops, on every kind 
     CHECK(check("cbrt((x-1/2)^2)", "0", "1", 2).overlaps(from_half(Rational(5, 3))));
     CHECK(check("sqrt((x-1/2)^2)", "0", "1", 2).overlaps(from_half(2)));
     CHECK(check("((x-1/2)^2)^(2/5)", "0", "1", 2).overlaps(from_half(Rational(9, 5))));
+    CHECK(check("sqrt(cosh(x)-1)", "-1", "1", 2).overlaps(2 * sqrt(Ball(2)) * (exp(Ball(Rational(1, 2))) + exp(Ball(Rational(-1, 2))) - 2))); // no root is found of this one beforehand
+    // next to an end with a root of its own, at which there is nothing to cut
+    CHECK(check("sqrt(x)*sqrt(cosh(x-1/64)-1)", "0", "1", 2).overlaps(integral("sqrt(2*x)*abs(sinh((x-1/64)/2))", "0", "1", 12).value));
     const Ball off = sqrt(Ball(Rational(1, 3000)));
     CHECK(check("(x-999/3000)^(-1/2)", "1/3", "1", 1).overlaps(2 * (sqrt(Ball(Rational(2001, 3000))) - off)));
     IntegralOptions told = with_digits(12);
@@ -585,6 +588,7 @@ TEST_CASE("a range is cut at the named point where a proof stops, on every kind 
     told.at = {parse_limit("-1/2")};
     const char* mirrored = "1/((1+x^2)*cbrt((x+1/2)^2))";
     CHECK(check(mirrored, "-inf", "0", 2).overlaps(integrate(parse_expression(mirrored), parse_limit("-inf"), parse_limit("0"), told).value));
+    CHECK(check(mirrored, "-inf", "inf", 2).overlaps(integrate(parse_expression(mirrored), parse_limit("-inf"), parse_limit("inf"), told).value));
 }
 
 TEST_CASE("points where the range is cut lie inside of it, and count once")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The bounds over discs that the levels of a distribution rest on (recursion/from_the_edge/boxes.cpp, binary64), held against the functions themselves at points of
 /// those discs, in balls of 128 bits and written as forward.hpp has them. Nothing is shared but the formula.
+#include "touchstone/recursion/first_steps/area_by_slope.hpp"
 #include "touchstone/recursion/from_the_edge/far_end.hpp"
 #include "touchstone/recursion/from_the_edge/levels.hpp"
 
@@ -603,6 +604,77 @@ TEST_CASE("a row leaves out what lies beyond the longest distance that its rule 
         CHECK(rule.reach >= levels.delta_max * low / high * (1 - 1e-4));
     }
     CHECK(std::isinf(levels.make_rule(from, Kind::step, 0.4 * levels.delta_max, 0.45 * levels.delta_max, 0, 1e-6).reach));
+}
+
+TEST_CASE("a piece of a row that is negligible counts for its length over the norm of the sines times its largest integrand")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(4);
+        Level& from = *levels.levels[4];
+        const double low = 1e5 * levels.delta_max, high = 1.01 * low;
+        levels.most_gauss = 3; // fewer than any rule has: the pieces are halved until each is negligible at so little accuracy
+        const double sine = std::sqrt(levels.delta_max / (2 * high));
+        double end = sine / (1 + std::sqrt(1 - sine * sine));
+        const auto most = [&] { return levels.integrand_bound(from, Kind::step, disc_over(low, high), disc(end / 2, 0, end / 2)); };
+        while (std::isinf(most())) end /= 2;
+        const double reach = 2 * high * 4 * end * end; // of delta in the piece at 0; the others, and discs about them, keep away from a tenth of it
+        for (int shell = 0; shell <= levels.shells.count(); ++shell)
+            for (int m = 0; m < n_directions; ++m)
+                if (double& b = from.boxes.at(shell, m); std::isfinite(b)) b = levels.shells.radius(shell) < 0.1 * reach ? 1 : smallest_bound;
+        const double counts = end / about(Levels::wallis(levels.power(4))) * most();
+        const RowRule rule = levels.make_rule(from, Kind::step, low, high, 0, 1e300);
+        CHECK(rule.nodes.empty());
+        CHECK(rule.error >= counts * (1 - 1e-3));
+        CHECK(rule.error <= counts * (1 + 1e-3));
+    }
+}
+
+TEST_CASE("over a level: the load and the contact area, and what interpolation, nodes and the far end may change of an integral")
+{
+    const WorkingPrecision precision(Levels::precision_for(24));
+    const Rational load(1, 10);
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(load), 24);
+        const Ball force = levels.force(1);
+        CHECK(force.contains(load));
+        CHECK(force.relative_bits() > 20);
+        Level& level = *levels.levels[2];
+        for (const auto& panel : level.panels) std::fill(panel->errors.begin(), panel->errors.end(), panel->interpolation = panel->worst = 0);
+        for (const long twice : {0L, 3L})
+            for (const bool of_nodes : {false, true}) {
+                double expected = 0;
+                for (const auto& panel : level.panels) {
+                    (of_nodes ? panel->worst : panel->interpolation) = 1;
+                    double largest = 0;
+                    for (int i = 0; i <= 1000; ++i) {
+                        const double d = panel->a + (panel->b - panel->a) * i / 1000;
+                        largest = std::max(largest, std::pow(d, static_cast<double>(twice) / 2) * std::exp(-d / 2));
+                    }
+                    expected += largest * (panel->b - panel->a) * (of_nodes ? 2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1 : 1);
+                }
+                const double found = levels.over_level(level, twice, Ball(1) / 2).first.radius_bound();
+                for (const auto& panel : level.panels) panel->interpolation = panel->worst = 0;
+                CAPTURE(twice);
+                CAPTURE(of_nodes);
+                CHECK(found >= expected);
+                CHECK(found <= expected * 1.0001);
+            }
+        level.tail = 1e200; // so that the far end alone counts
+        const double end = level.panels.back()->b, scale = about(level.C) * 0.1;
+        if (law == Law::density) {
+            CHECK(levels.force(1).radius_bound() >= scale / about(level.C) * 1e200 * std::exp(-2.5 * end) / 2.5);
+            CHECK(levels.force(1).radius_bound() <= 1.0001 * scale / about(level.C) * 1e200 * std::exp(-2.5 * end) / 2.5);
+            const double area_holds = scale / about(level.C) * 1e200 * std::exp(-1.5 * end) / 1.5 / about(levels.highest(level));
+            CHECK(levels.mass(1).radius_bound() >= area_holds);
+            CHECK(levels.mass(1).radius_bound() <= 1.0001 * area_holds);
+        }
+    }
+    Levels levels(Law::density, Ball(3), Ball(load), 24);
+    const Ball area = levels.mass(1);
+    CHECK(area.overlaps(area_by_slope(1, {load, [] { return Ball(3); }, Rational(3)}, 40)));
+    CHECK(area.relative_bits() > 20);
 }
 
 TEST_CASE("what the polynomials' own roundings do to a row: a share of their values' errors, and n^2 times as much of a slope's")

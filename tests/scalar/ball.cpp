@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "touchstone/scalar/accuracy.hpp"
 #include "touchstone/scalar/ball.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <random>
 #include <sstream>
 
@@ -116,6 +118,18 @@ TEST_CASE("the working precision is the scope's and the thread's")
         CHECK(Ball(Rational(1, 3)).relative_bits() > 990);
     }
     CHECK(WorkingPrecision::bits() == before);
+}
+
+TEST_CASE("a formula works with 48 bits more than its digits need, and so many bits are meant for those digits")
+{
+    for (const long digits : {1L, 20L, 1000L}) {
+        CAPTURE(digits);
+        CHECK(std::fabs(static_cast<double>(bits_for_digits(digits)) - static_cast<double>(digits) * std::log2(10.0) - 16) < 1);
+        CHECK(working_bits({digits}) == bits_for_digits(digits) + 48);
+        CHECK(accuracy_of(working_bits({digits})).digits <= digits);
+        CHECK(accuracy_of(working_bits({digits}) + 1).digits >= digits);
+    }
+    CHECK(working_bits({-100}) == 2);
 }
 
 TEST_CASE("complex balls contain what they should")

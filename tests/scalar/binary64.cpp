@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -87,6 +88,19 @@ TEST_CASE("roots of differences keep their digits where the difference vanishes 
             CHECK(is_root(sqrt_sin_pi_square_minus(x, a), square - A, a));
         }
     }
+}
+
+TEST_CASE("a difference from a square is rounded once where 40 bits of it cancel, whatever its size")
+{
+    std::mt19937_64 random(20261126);
+    std::uniform_real_distribution<double> uniform(1, 4);
+    for (const int exponent : {-180, -60, 0, 60, 180, 600})
+        for (int i = 0; i < 50; ++i) {
+            const double a = std::ldexp(uniform(random), exponent), b = std::sqrt(a) * (1 + std::ldexp(uniform(random), -44 - i % 8));
+            CAPTURE(a);
+            CAPTURE(b);
+            CHECK(ScalarTraits<double>::minus_square(a, b) == std::fma(-b, b, a));
+        }
 }
 
 TEST_CASE("hypotenuses neither overflow nor underflow, and a power by a product has the digits of the product")

@@ -45,6 +45,19 @@ TEST_CASE("angles with exact sines are recognised, and no others")
     CHECK(atan2(Exact(1), Exact(-1)) == 3 * pi<Exact>() / 4);
     CHECK_THROWS_AS(atan2(Exact(1), Exact(2)), NotExact);
     CHECK_THROWS_AS(atan2(sqrt(Exact(2)), Exact(1)), NotExact);
+    CHECK(atan2(Exact(3), Exact(0)) == pi<Exact>() / 2);
+    CHECK(atan2(Exact(-3), Exact(0)) == -pi<Exact>() / 2);
+    CHECK_THROWS_AS(atan2(Exact(0), Exact(0)), NotExact);
+}
+
+TEST_CASE("logarithms, exponentials and powers of two have exact values where they are said to")
+{
+    CHECK(log(Exact(1)) == Exact(0));
+    CHECK_THROWS_AS(log(Exact(2)), NotExact);
+    CHECK(exp(Exact(0)) == Exact(1));
+    CHECK_THROWS_AS(exp(Exact(1)), NotExact);
+    CHECK(ScalarTraits<Exact>::power_of_two(5) == Exact(32));
+    CHECK(ScalarTraits<Exact>::power_of_two(-3) == Exact(Rational(1, 8)));
 }
 
 TEST_CASE("the cosines of all angles that have exact ones, on the whole circle")

@@ -72,6 +72,7 @@ TEST_CASE("a formula in symbols is an expression that can be reasoned about")
     CHECK((archard::delta<Symbol>(3) - GiNaC::numeric(15, 16)).is_zero());
     CHECK((archard::alpha(2, Symbol(x)) - (1 - x) * GiNaC::numeric(5, 4)).expand().is_zero());
     CHECK((powm1(Symbol(x), Symbol(3)) - (x - 1) * (x * x + x + 1)).expand().is_zero());
+    CHECK((hypot_of(Symbol(x), Symbol(load)) * hypot_of(Symbol(x), Symbol(load)) - x * x - load * load).expand().is_zero());
 }
 
 TEST_CASE("in exact arithmetic the formula decides what no ball can")
