@@ -319,16 +319,16 @@ class Replay:
             need(self.made(kind, mesh, panels).off_by(value, self.progress) <= error, "the claim is not proved", Refused)
 
     def mean(self, below, value, error):
-        """(W): E[f/x], f the share of one wave above the pressure of a mesh, or the force"""
-        panels, force, density = self.all_panels(below), *(self.certificate.quantity == f"limit.{of}" for of in ("force", "density"))
+        """(W), (AB): E[f/x], f the share of one wave above the pressure of a mesh, or the force, or G times the density after two waves"""
+        panels, of_force, of_density = self.all_panels(below), *(self.certificate.quantity == f"limit.{of}" for of in ("force", "density"))
         (G, p, scale, *_), positive = below[0][2], value > error >= 0
         need(self.certificate.quantity in QUOTIENTS.split() and positive and scale == 0, "no mean of the limit", Refused)
-        need(not (force and p < poisson.LEAST_PRESSURE), "the pressure is too small", Refused)
-        self.is_mean(poisson.Force if force else limit_density.MeanDensity if density and p else poisson.Poisson, below[0], panels, value, error)
+        need(not (of_force and p < poisson.LEAST_PRESSURE), "the pressure is too small", Refused)
+        self.is_mean(poisson.Force if of_force else limit_density.MeanDensity if of_density and p else poisson.Poisson, below[0], panels, value, error)
         return "mean", self.number, (G, p), value, error
 
     def quotient(self, below, claim):
-        """(W): the share of the force is a mean, others are one over that in contact"""
+        """(W), (AB): the share of the force is a mean, others are one over that in contact"""
         _, (place, ), value, error = self.claimed(QUOTIENTS, below, claim)
         pressures = [place] if self.certificate.quantity == "limit.force" else [0, place]
         need([(b[0], b[2]) for b in below] == [("mean", (below[0][2][0], p)) for p in pressures], "does not rest on the means that it is made of", Refused)

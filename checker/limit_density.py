@@ -40,6 +40,7 @@ class MeanDensity(Poisson):
         return Fraction(0)
 
     def with_wave_of_middle(self, p, x1, x2):
+        """(AB): |R| on J = [x1, x2], T V as in its middle"""
         wanted, at, h = self.wanted(x1, x2), x1 + x2 >> 1, (x2 - x1 >> 1) + 1
         r = h * REACH.numerator // REACH.denominator + 1
         first, size, off = self.first_on_disc(x1, x2, r, wanted)
