@@ -35,8 +35,10 @@ FINE = 16                   # cells are no wider than 1/FINE of the ratio; below
 MOST_PARTS = 64             # of one cell
 NARROW = 64                 # cells of which a wave has at most 1/NARROW are narrow
 DEEP = 80                   # bits more of 1/G^2, G < 2^40: it is multiplied by (1 + load)^2, a G^2-fold of the highest z
-SMALL_RULE = 4              # points: one of so few is not worth a search for one of fewer
-WIDEST = 4                  # pieces of theta are at most 1/WIDEST wide, each side
+MOST_OF_A_RULE = 32         # points, of a piece of theta
+RULE_POWER = 3              # log2 of the ellipses on which rules are bounded: their half axis is RULE_REACH half pieces
+RULE_REACH = Fraction(65, 16)
+WIDEST = 5                  # pieces of theta are at most 1/WIDEST wide, each side
 
 
 QUARTERS = [isqrt(isqrt(1 << 128 + j)) for j in range(25)]  # 2^(j/4), below, in units 2^-32
@@ -249,11 +251,11 @@ class Mesh:
         """places on the panel and weights, in units 2^-work, for the integral over a <= theta <= b, one of so many parts of a wave"""
         bits, one, trig, (middle, half), work = self.bits, self.one, self.trig, self.places[p], self.work
         eta, at = (b - a) >> 1, (a + b) >> 1
-        K = 99
+        K = MOST_OF_A_RULE + 1
         if eta * WIDEST <= one:
             cosine_at, sine_at = trig.cos_sin(at)
             K = self.order(x, p, eta, cosine_at, sine_at, aim, parts)
-        if K > 32:
+        if K > MOST_OF_A_RULE:
             if eta < one >> 40:
                 raise Refused("a panel's polynomial grows too fast")
             return self.rule(x, p, a, at, aim, 2 * parts) + self.rule(x, p, at, b, aim, 2 * parts)
@@ -277,23 +279,17 @@ class Mesh:
         square = (x + cosine_at) ** 2 if x >= one else (one + cosine_at) * (2 * x - one + cosine_at)
         z = (square >> self.bits) * self.inverse >> self.deep
         slope = 2 * abs(x + cosine_at) * self.inverse >> self.deep
-        least, accuracy = 99, aim + 8 - max(0, (one // (2 * eta * parts + 1)).bit_length() - 1)
-        for power in (4, 3, 2):
-            d = (eta * ((1 << 2 * power) + 1) >> power + 1) + 1
-            square = d * d >> self.bits
-            if square > one:
-                continue
-            k = abs(cosine_at) * square // (2 * one - square // 6) + sine_at * d // (one - square // 6) + 2
-            off = (slope * k >> self.bits) + ((k * k >> self.bits) * self.inverse >> self.deep) + 2
-            try:
-                j = quarters(axis((abs(z - middle) << 32) // half + 1, (off << 32) // half + 1))
-            except Far:
-                continue
-            K = -(-(self.lg[p][j] + accuracy) // (2 * power))
-            least = min(least, max(2, K + (K & 1)))
-            if least <= SMALL_RULE:
-                break
-        return least
+        accuracy = aim + 8 - max(0, (one // (2 * eta * parts + 1)).bit_length() - 1)
+        d = eta * RULE_REACH.numerator // RULE_REACH.denominator + 1  # below 1, as eta is at most 1/WIDEST
+        square = d * d >> self.bits
+        k = abs(cosine_at) * square // (2 * one - square // 6) + sine_at * d // (one - square // 6) + 2
+        off = (slope * k >> self.bits) + ((k * k >> self.bits) * self.inverse >> self.deep) + 2
+        try:
+            j = quarters(axis((abs(z - middle) << 32) // half + 1, (off << 32) // half + 1))
+        except Far:
+            return MOST_OF_A_RULE + 1
+        K = -(-(self.lg[p][j] + accuracy) // (2 * RULE_POWER))
+        return max(2, K + (K & 1))
 
     # ---- the defects
 
