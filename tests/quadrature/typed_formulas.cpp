@@ -4,6 +4,7 @@
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/polynomial.hpp"
+#include "touchstone/quadrature/real_formula.hpp"
 #include "touchstone/quadrature/split.hpp"
 #include "touchstone/quadrature/substitution.hpp"
 
@@ -614,4 +615,55 @@ TEST_CASE("a Bessel function of half odd order is taken with its power at 0")
     arb_hypgeom_si(sine_integral.get(), Ball(1).get(), WorkingPrecision::bits());
     CHECK(value.overlaps(sqrt(Ball(2) / pi<Ball>()) * sine_integral)); // J_(1/2) = (2/(pi x))^(1/2) sin x
     CHECK(value.relative_bits() > 75);
+}
+
+TEST_CASE("formulas as they stand enclose what compiled ones do, at any precision, or say nothing")
+{
+    for (const char* formula : {"sqrt(1-x^2)", "x^(-3/2)+x^(2/3)*(1+x)^(-1/3)", "exp(x)*cos(3*x)-tan(x)/x^5", "log(x/2)^2-(-x)^3", "asin(x)+acos(x/2)*atan(7*x)",
+                                "sinh(x)+cosh(x)^-2-tanh(x)", "asinh(x)*acosh(1+x)+atanh(x/3)", "expm1(-x)+log1p(x^2)", "sqrt(sqrt(x))-pi*e^x/3+2^(1/2)",
+                                "(x+1)^0+x", "2^x+(1/3)^(x^2)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x"}) {
+        CAPTURE(std::string(formula));
+        const auto straight = RealFormula::of(parse_expression(formula));
+        REQUIRE(straight);
+        for (const long bits : {64, 200, 100})
+            for (const Rational& x : {Rational(1, 7), Rational(2, 3), Rational(99, 100)}) {
+                const WorkingPrecision precision(bits);
+                const Ball value = straight->at(Ball(x)), other = at(formula, x);
+                CHECK(value.is_finite());
+                CHECK(value.overlaps(other));
+                CHECK(value.relative_bits() > bits - 20);
+            }
+    }
+    const Ball wide = hull(Ball(Rational(1, 4)), Ball(Rational(1, 2)));
+    CHECK(RealFormula::of(parse_expression("x^2-x"))->at(wide).contains(Rational(-2, 9))); // at x = 1/3
+    for (const char* formula : {"sqrt(x-2)", "(x-2)^(1/3)", "log(x-2)", "asin(x+2)", "1/(x-1/2)"})
+        CHECK_FALSE(RealFormula::of(parse_expression(formula))->at(hull(Ball(Rational(1, 4)), Ball(1))).is_finite());
+    for (const char* formula : {"abs(x-1/2)", "gamma(x)", "x^x", "exp(i*x)", "max(x,1/2)", "besselj(0,x)", "re(x+i)", "x"})
+        CHECK_FALSE(RealFormula::of(parse_expression(formula)));
+}
+
+TEST_CASE("on a range formulas as they stand are had where few bits cancel, and at no other places")
+{
+    const Range range{parse_limit("1"), parse_limit("3"), Map::finite};
+    const auto f = RealFormula::of(parse_expression("(1-cos(x-1))/(x-1)^2*sqrt(3-x)"));
+    REQUIRE(f);
+    StraightValues straight(*f, range);
+    const WorkingPrecision precision(128);
+    const auto is_near = [](const std::optional<Ball>& y, const Ball& true_value) {
+        return y && y->overlaps(true_value) && y->relative_bits() > 110;
+    };
+    for (const bool mirrored : {false, true}) {
+        const Ball z(Rational(3, 7)), x = Ball(2) + (mirrored ? -z : z);
+        CHECK(is_near(straight.on_the_line(z, mirrored), evaluate_at(*parse_expression("(1-cos(x-1))/(x-1)^2*sqrt(3-x)"), x)));
+    }
+    for (const Rational& part : {Rational(1, 10), Rational(9, 10), Rational(1, 2)}) { // f dx/da = f 4 sin a cos a
+        const Ball a = Ball(part) * pi<Ball>() / Ball(2), sine = sin(a), cosine = cos(a);
+        const Ball x = Ball(1) + Ball(2) * sine * sine, f_of_x = evaluate_at(*parse_expression("(1-cos(x-1))/(x-1)^2*sqrt(3-x)"), x);
+        CHECK(is_near(straight.in_angle(sine, cosine), f_of_x * Ball(4) * sine * cosine));
+    }
+    const auto next_to_left = [&](long bits) { return straight.on_the_line(Ball(power(Rational(1, 2), bits)) - Ball(1), false); };
+    CHECK(next_to_left(20)); // 1 - cos cancels 40 bits
+    CHECK_FALSE(next_to_left(30));
+    const Ball tiny(power(Rational(1, 2), 60)); // of the right end the distance is known, as it stands in the cosine
+    CHECK(straight.in_angle(sqrt(Ball(1) - tiny * tiny), tiny));
 }

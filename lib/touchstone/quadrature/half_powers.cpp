@@ -86,6 +86,13 @@ std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const I
     std::vector<EndpointNumber<Ball>> values;
     slong prepared = 0;
     g.at_node = [&](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
+        if (f.straight) {
+            const Ball &sine = mirrored ? e.cosine : e.sine, &cosine = mirrored ? e.sine : e.cosine;
+            if (auto y = f.straight(sine, cosine)) {
+                c.assign(1, std::move(*y));
+                return;
+            }
+        }
         if (prepared != WorkingPrecision::bits()) f.prepare();
         prepared = WorkingPrecision::bits();
         const Angle<Ball> a(mirrored ? e.cosine : e.sine, mirrored ? e.sine : e.cosine);

@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/integrand.hpp"
 
 #include "touchstone/quadrature/compiled.hpp"
+#include "touchstone/quadrature/real_formula.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +97,7 @@ struct Integrand::Body {
     compiled::NodePtr root;
     double width = 1;
     bool has_inner_integral = false;
+    std::optional<RealFormula> straight;
 };
 
 Integrand::Integrand(const ExpressionPtr& e, Range range)
@@ -106,6 +108,7 @@ Integrand::Integrand(const ExpressionPtr& e, Range range)
     body_->place.range = &body_->range;
     body_->root = compiled::compile(e, body_->place);
     body_->has_inner_integral = any_node(*e, [](const Expression& n) { return n.op == Op::integral; });
+    body_->straight = RealFormula::of(e);
     if (body_->range.map == Map::finite)
         body_->width = arf_get_d(arb_midref((body_->range.to.ball() - body_->range.from.ball()).get()), ARF_RND_NEAR);
 }
@@ -114,6 +117,7 @@ Integrand::Integrand(Integrand&&) noexcept = default;
 
 const Range& Integrand::range() const { return body_->range; }
 bool Integrand::has_inner_integral() const { return body_->has_inner_integral; }
+const RealFormula* Integrand::straight() const { return body_->straight ? &*body_->straight : nullptr; }
 
 EndpointNumber<Ball> Integrand::at(const EndpointNumber<Ball>& x, const EndpointNumber<Ball>& left, const EndpointNumber<Ball>& right) const
 {

@@ -69,6 +69,8 @@ private:
     std::shared_ptr<const compiled::Node> root_;
 };
 
+class RealFormula;
+
 class Integrand {
 public:
     Integrand(const ExpressionPtr&, Range);
@@ -87,6 +89,8 @@ public:
     Ball at_real(const Ball& x) const;
     /// The values on a real ball (z without imaginary part), across kinks and steps too.
     ComplexBall on_the_line(const ComplexBall& z) const;
+    /// The formula as it stands, in balls; nothing if it has other than elementary functions, or is not real.
+    const RealFormula* straight() const;
     /// Whether it is analytic and bounded on a neighbourhood of each end of the finite range.
     bool is_regular_at_ends() const;
     const Range& range() const;

@@ -4,6 +4,7 @@
 #include "touchstone/quadrature/ellipse_rule.hpp"
 #include "touchstone/quadrature/half_powers.hpp"
 #include "touchstone/quadrature/product_rule.hpp"
+#include "touchstone/quadrature/real_formula.hpp"
 #include "touchstone/quadrature/strip.hpp"
 
 #include <algorithm>
@@ -122,6 +123,8 @@ std::optional<Attempt> by_one_ellipse(const Integrand& f, long digits, bool of_a
         const Ball from = range.from.ball(), to = range.to.ball();
         ends = {(from + to) / Ball(2), (to - from) / Ball(2), WorkingPrecision::bits()};
     };
+    std::optional<StraightValues> straight;
+    if (f.straight() != nullptr) straight.emplace(*f.straight(), range);
     EllipseFunction g;
     g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
         prepare();
@@ -129,6 +132,11 @@ std::optional<Attempt> by_one_ellipse(const Integrand& f, long digits, bool of_a
     };
     g.at_node = [&](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
         prepare();
+        if (straight)
+            if (auto y = straight->on_the_line(e.z, mirrored)) {
+                c.assign(1, std::move(*y));
+                return;
+            }
         c.assign(1, f.at_real(mirrored ? ends.middle - ends.half * e.z : ends.middle + ends.half * e.z));
     };
     const auto found = by_ellipse(g, static_cast<double>(digits) * bits_per_digit + 1, of_absolute, most_nodes);
@@ -150,7 +158,13 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f,
     options.of_absolute = of_absolute;
     const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
     const auto interval = std::make_shared<Interval>(f->range().interval());
-    const auto e = detail::integrate_half_powers(detail::panel_integrand(at, interval, 0, 1), *interval, options);
+    detail::PanelIntegrand whole = detail::panel_integrand(at, interval, 0, 1);
+    std::optional<StraightValues> straight;
+    if (f->straight() != nullptr && f->range().map == Map::finite) {
+        straight.emplace(*f->straight(), f->range());
+        whole.straight = [&straight](const Ball& sine, const Ball& cosine) { return straight->in_angle(sine, cosine); };
+    }
+    const auto e = detail::integrate_half_powers(whole, *interval, options);
     if (!e) return std::nullopt;
     Attempt a = attempt_of(*e, f->range());
     a.part.rule = "gauss-legendre in the angle";

@@ -112,6 +112,9 @@ struct PanelIntegrand {
     PanelFunction<ComplexBall> on_strip; ///< of several, what bounds them all
     std::function<void(const Frame<Ball>&, std::vector<EndpointNumber<Ball>>&)> at_node;
     std::function<void()> prepare; ///< to be called after each change of precision
+    /// f dx/da where the fractions of the range are u = sin^2 a, r = cos^2 a, straight in balls, if about the working precision is left of
+    /// it; there may be none.
+    std::function<std::optional<Ball>(const Ball& sine, const Ball& cosine)> straight;
 };
 
 using MakePanel = std::function<PanelIntegrand(const Rational& from, const Rational& to)>;
