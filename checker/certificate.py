@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """certificate.py FILE [--lines I-J] | --join FILE REPORT...: reads a TOUCHSTONE-CERT 1 (docs/certificate.md) and says yes or no.
 
-Every line is read; those from I to J (all, if nothing is said) are proved again, given that the lines before them hold. The reports of pieces, joined,
-cover all. Exit code 0: yes; 1: no, a line does not hold or a claim is not proved; 65: no, not a certificate.
+Every line is read; those from I to J (all, if nothing is said) are proved again, given that the lines before them hold. The reports of
+pieces, joined, cover all. Exit code 0: yes; 1: no, a line does not hold or a claim is not proved; 65: no, not a certificate.
 """
 import argparse
 import hashlib
@@ -29,7 +29,8 @@ SMALLEST_STEP = Fraction(1, 1 << 16)  # of a rule: exp(-1/step) is a number one 
 LONGEST_FILE, LONGEST_WORD, MOST_PANELS, MOST_PANELS_OF_A_MESH = 1 << 28, 4096, 64, 4096
 PATIENCE = 20  # seconds
 INTEGER = {10: re.compile("0|-?[1-9][0-9]*"), 16: re.compile("0|-?[1-9a-f][0-9a-f]*")}  # a long certificate has millions
-MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64, "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024, "power": 200}
+MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64,
+        "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024, "power": 200}
 
 
 class Malformed(Exception):
@@ -78,21 +79,23 @@ def span(text):
     return decimal(first), decimal(last) if mark else decimal(first)
 
 
-READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "load": rational, "tolerance": rational, "span": span, **dict.fromkeys(("step", "low", "high", "rho", "value", "error", "centre", "radius"), dyadic), "a": rational,
-           **dict.fromkeys(("n", "scale", "m", "bits", "points", "terms", "kept", "accuracy", "rise", "aim", "panel", "middle", "half"), integer)}
-FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim", "limit": "claim m exponent",
-         "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim", "share": "claim",
-         "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim",
-         "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim", "settling": "claim m",
-         "eigenvalue": "claim high centre radius exponent", "mean": "value error", "quotient": "claim"}
-COUNTED = dict(zip(FORMS, "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances tendings settlings eigenvalues "
-                          "means quotients".split()))
+READERS = {"G": surface, "p": lambda text: 0 if text == "0" else rational(text), "a": rational, "load": rational, "tolerance": rational,
+           "span": span, **dict.fromkeys("step low high rho value error centre radius".split(), dyadic),
+           **dict.fromkeys("n scale m bits points terms kept accuracy rise aim panel middle half".split(), integer)}
+FORMS = {"grid": "G bits step points", "panel": "low high terms rho", "level": "m error exponent", "value": "claim",
+         "limit": "claim m exponent", "mesh": "G p scale load bits kept accuracy rise", "polynomials": "panel middle half terms aim",
+         "share": "claim", "law": "G load bits", "piece": "m low high centre radius power exponent error", "reading": "claim",
+         "steady": "G bits", "part": "low high centre radius power exponent", "balance": "part error", "tending": "claim",
+         "settling": "claim m", "eigenvalue": "claim high centre radius exponent", "mean": "value error", "quotient": "claim"}
+COUNTED = dict(zip(FORMS, "grids panels levels values limits meshes polynomials shares laws pieces readings steadies parts balances "
+                          "tendings settlings eigenvalues means quotients".split()))
 WITH_INTEGERS = ("level", "limit", "mesh", "polynomials", "piece", "part", "eigenvalue")
 PROVES_A_CLAIM = ("value", "limit", "share", "reading", "tending", "settling", "eigenvalue", "quotient")
 CLAIMS = {"contact.area": "n load G value error", "contact.exceedance": "n p load G value error", "limit.area_constant": "G value error",
           "contact.density": "n p load G value error", "segments.density": "n a load G value error",
-          "limit.exceedance": "p G value error", "limit.force": "p G value error", "limit.density": "p G value error", "limit.segments": "a G value error",
-          "limit.distance": "n p load G value error", "limit.scale": "load tolerance G value error", "limit.gap": "G value error"}
+          "limit.exceedance": "p G value error", "limit.force": "p G value error", "limit.density": "p G value error",
+          "limit.segments": "a G value error", "limit.distance": "n p load G value error",
+          "limit.scale": "load tolerance G value error", "limit.gap": "G value error"}
 QUOTIENTS = "limit.density limit.exceedance limit.force limit.segments"
 
 
@@ -128,20 +131,24 @@ class Certificate:
         words = lines[2].split(" ")
         claims, sections, self.count = fields(words[1:], "claims sections lines", "counts")
         head = 3 + claims + sections
-        need(words[0] == "counts" and min(claims, sections, self.count) > 0 and self.count == len(lines) - head, "counts: are not those of the lines")
+        need(words[0] == "counts" and min(claims, sections, self.count) > 0 and self.count == len(lines) - head,
+             "counts: are not those of the lines")
         self.lines, self.claims, next_line, number = [line.split(" ") for line in lines[head:]], {}, 1, 0
         for line in lines[3:head]:
             kind, which, *rest = line.split(" ") if line.count(" ") > 1 else ("", "", "")
             if kind == "claim":
                 *inputs, G, value, error = fields(rest, CLAIMS[self.quantity], "claim")
                 self.claims[decimal(which)] = *inputs, G, value, error
-                need(list(self.claims)[-1] == len(self.claims) and (inputs or [1])[0] > 0 and (value if self.quantity != "limit.distance" else abs(value)) > error >= 0, f"claim {which[:9]}: is none")
+                size = abs(value) if self.quantity == "limit.distance" else value
+                need(list(self.claims)[-1] == len(self.claims) and (inputs or [1])[0] > 0 and size > error >= 0,
+                     f"claim {which[:9]}: is none")
                 continue
             (first, last), = fields(rest[:1], "span", "section")
             found = [w[1] if len(w) > 1 else "" for w in self.lines[first - 1:last]]
             number += 1
             need(kind == "section" and decimal(which) == number and first == next_line <= last, "sections: do not follow one another")
-            need(rest[1:] == [f"{many}={found.count(reason)}" for reason, many in COUNTED.items() if reason in found] and {*found} <= {*FORMS}, f"section {which}: counts are not those of its lines")
+            counts = [f"{many}={found.count(reason)}" for reason, many in COUNTED.items() if reason in found]
+            need(rest[1:] == counts and {*found} <= {*FORMS}, f"section {which}: counts are not those of its lines")
             next_line = last + 1
         need(len(self.claims) == claims and number == sections and next_line == self.count + 1, "sections or claims are missing")
 
@@ -171,7 +178,8 @@ class Replay:
         reason, numbers = words[1], []
         for part in words[2].split(",") if words[2] != "-" else []:
             low, high = span(part)
-            need((numbers or [0])[-1] < low <= high < self.number, f"line {self.number}: rests on lines that do not come before it, or on one twice")
+            need((numbers or [0])[-1] < low <= high < self.number,
+                 f"line {self.number}: rests on lines that do not come before it, or on one twice")
             numbers += range(low, high + 1)
         for r in numbers:
             need(r in self.known, f"line {self.number}: rests on line {r}, which is no longer known", Refused)
@@ -180,11 +188,13 @@ class Replay:
         more = words[4 + len(names.split()):]
         need(not more or reason in WITH_INTEGERS, f"line {self.number}: says more than it may")
         try:
-            self.known[self.number] = getattr(self, reason)([self.known[r] for r in numbers], *data, *([[integer(c) for c in more]] if reason in WITH_INTEGERS else []))
+            integers = [[integer(c) for c in more]] if reason in WITH_INTEGERS else []
+            self.known[self.number] = getattr(self, reason)([self.known[r] for r in numbers], *data, *integers)
         except (Refused, full_contact.Far, ValueError, ArithmeticError) as why:
             raise Refused(f"line {self.number}: {str(why) or 'more is needed of a piece than it has'}") from None
         self.until[self.number] = decimal(words[3])
-        need(self.number <= self.until[self.number] and (reason in PROVES_A_CLAIM) == (self.until[self.number] == self.number), f"line {self.number}: forgotten too early")
+        need(self.number <= self.until[self.number] and (reason in PROVES_A_CLAIM) == (self.until[self.number] == self.number),
+             f"line {self.number}: forgotten too early")
         for r in numbers + [self.number]:
             if self.until[r] == self.number:
                 del self.known[r]
@@ -213,9 +223,11 @@ class Replay:
 
     def whole(self, grid, below, m):
         """the levels m of one grid on panels that follow one another from log(G/2) on"""
-        need(below and all(b[0] == "level" and b[2] is grid and b[4] == m for b in below), f"does not rest on level {m} of its grid", Refused)
+        need(below and all(b[0] == "level" and b[2] is grid and b[4] == m for b in below),
+             f"does not rest on level {m} of its grid", Refused)
         panels = [b[3][3] for b in below]
-        need(len(panels) <= MOST_PANELS and all(p.high == q.low for p, q in zip(panels, panels[1:])), "panels do not follow one another", Refused)
+        need(len(panels) <= MOST_PANELS and all(p.high == q.low for p, q in zip(panels, panels[1:])),
+             "panels do not follow one another", Refused)
         if self.proving():
             need((panels[0].low + Fraction(1, 2**20)) < self.rule(grid, grid[2][1]).L.ends()[0], "panels begin beyond log(G/2)", Refused)
         return panels, [b[5] for b in below], tuple(b[3][1] for b in below)
@@ -227,10 +239,12 @@ class Replay:
         return rows[key]
 
     def level(self, below, m, error, exponent, coefficients):
-        need([b[0] for b in below[:2]] == ["grid", "panel"] and below[1][2] is below[0] and 0 <= m, "a level rests on a grid and its panel", Refused)
+        need([b[0] for b in below[:2]] == ["grid", "panel"] and below[1][2] is below[0] and 0 <= m,
+             "a level rests on a grid and its panel", Refused)
         grid, place = below[:2]
         panel, bits, a = place[3], grid[2][1], Fraction(1, 2 ** (m + 1))
-        need(len(coefficients) == panel.terms and error >= 0 and (m > 0 or len(below) == 2), "another number of coefficients, or level 0 rests on another", Refused)
+        need(len(coefficients) == panel.terms and error >= 0 and (m > 0 or len(below) == 2),
+             "another number of coefficients, or level 0 rests on another", Refused)
         panels, levels, places = self.whole(grid, below[2:], m - 1) if m else (None, None, None)
         rounding = Fraction(2) ** exponent * sum(map(abs, coefficients)) * panel.terms**2  # of sums of Chebyshev polynomials, in units
         if self.proving():
@@ -238,7 +252,8 @@ class Replay:
             for j, t in enumerate(panel.points):
                 s = panel.middle + panel.half * Fraction(t, 2**bits)
                 if m:
-                    row = self.row(grid, (place[1], j, places), rule, s * 2**bits // 1, transfer.fixed(iv.exp(-Interval.of(s)), bits), panels)
+                    x = transfer.fixed(iv.exp(-Interval.of(s)), bits)
+                    row = self.row(grid, (place[1], j, places), rule, s * 2**bits // 1, x, panels)
                     value, off = rule.apply(row, s, levels, 2 * a)
                 else:
                     value, high = transfer.first_wave(s).ends()
@@ -270,20 +285,25 @@ class Replay:
 
     def claimed(self, quantities, below, claim):
         """the grid, inputs, value and error of a claim that is proved here"""
-        need(self.certificate.quantity in quantities.split() and claim in self.certificate.claims and claim not in self.proved, "no claim that is still to be proved", Refused)
+        need(self.certificate.quantity in quantities.split() and claim in self.certificate.claims and claim not in self.proved,
+             "no claim that is still to be proved", Refused)
         *inputs, G, value, error = self.certificate.claims[claim]
-        need(below and below[0][0] in ("grid", "mesh", "law", "steady", "mean") and below[0][2][0] == G, "does not rest on a grid of its G", Refused)
+        need(below and below[0][0] in ("grid", "mesh", "law", "steady", "mean") and below[0][2][0] == G,
+             "does not rest on a grid of its G", Refused)
         self.proved.add(claim)
         return below[0], inputs, value, error
 
     def mesh(self, below, G, p, scale, load, bits, kept, accuracy, rise, edges):
-        need(not below and bits >= 64 and kept > 0 and accuracy > 0 and rise >= 0 and len(edges) <= MOST_PANELS_OF_A_MESH, "not a mesh", Refused)
+        need(not below and bits >= 64 and kept > 0 and accuracy > 0 and rise >= 0 and len(edges) <= MOST_PANELS_OF_A_MESH,
+             "not a mesh", Refused)
         need(101 ** G[1] < G[0] * 100 ** G[1] and G[0] < 2 ** (40 * G[1]), "G is not between 1.01 and 2^40", Refused)
         return "mesh", self.number, (G, p, scale, load, bits, kept, accuracy, rise, edges)
 
     def polynomials(self, below, panel, middle, half, terms, aim, coefficients):
-        need([b[0] for b in below] == ["mesh"] and half > 0 and 0 <= aim <= below[0][2][-3] and 1 < terms <= 64 and 0 < len(coefficients) <= 64 * terms and len(coefficients) % terms == 0, "not the polynomials of a panel", Refused)
-        return "polynomials", self.number, panel, (middle, half), aim, [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)], below[0]
+        need([b[0] for b in below] == ["mesh"] and half > 0 and 0 <= aim <= below[0][2][-3] and 1 < terms <= 64
+             and 0 < len(coefficients) <= 64 * terms and len(coefficients) % terms == 0, "not the polynomials of a panel", Refused)
+        of_levels = [coefficients[i:i + terms] for i in range(0, len(coefficients), terms)]
+        return "polynomials", self.number, panel, (middle, half), aim, of_levels, below[0]
 
     def share(self, below, claim):
         quantity = "limit.area_constant" if self.certificate.quantity[:5] == "limit" else "contact.area contact.exceedance contact.density"
@@ -305,7 +325,8 @@ class Replay:
     def all_panels(self, below):
         """all polynomials of the mesh, panel by panel"""
         mesh, panels = below[0] if below else (None, ), below[1:]
-        need(mesh[0] == "mesh" and all(b[0] == "polynomials" and b[-1] is mesh for b in panels), "does not rest on a mesh and its polynomials", Refused)
+        need(mesh[0] == "mesh" and all(b[0] == "polynomials" and b[-1] is mesh for b in panels),
+             "does not rest on a mesh and its polynomials", Refused)
         as_many = len({(len(b[5]), len(b[5][0])) for b in panels}) == 1
         need([b[2] for b in panels] == list(range(len(mesh[2][-1]) - 1)) and as_many, "polynomials are missing", Refused)
         return panels
@@ -324,14 +345,16 @@ class Replay:
         (G, p, scale, *_), positive = below[0][2], value > error >= 0
         need(self.certificate.quantity in QUOTIENTS.split() and positive and scale == 0, "no mean of the limit", Refused)
         need(not (of_force and p < poisson.LEAST_PRESSURE), "the pressure is too small", Refused)
-        self.is_mean(poisson.Force if of_force else limit_density.MeanDensity if of_density and p else poisson.Poisson, below[0], panels, value, error)
+        kind = poisson.Force if of_force else limit_density.MeanDensity if of_density and p else poisson.Poisson
+        self.is_mean(kind, below[0], panels, value, error)
         return "mean", self.number, (G, p), value, error
 
     def quotient(self, below, claim):
         """(W), (AB): the share of the force is a mean, others are one over that in contact"""
         _, (place, ), value, error = self.claimed(QUOTIENTS, below, claim)
         pressures = [place] if self.certificate.quantity == "limit.force" else [0, place]
-        need([(b[0], b[2]) for b in below] == [("mean", (below[0][2][0], p)) for p in pressures], "does not rest on the means that it is made of", Refused)
+        need([(b[0], b[2]) for b in below] == [("mean", (below[0][2][0], p)) for p in pressures],
+             "does not rest on the means that it is made of", Refused)
         if self.proving():
             *under, (low, high) = [(mean - off, mean + off) for *_, mean, off in below]
             for least, most in under:
@@ -365,7 +388,8 @@ class Replay:
         need(all(b[0] == "level" for b in below[1:]), "does not rest on levels", Refused)
         weights = [w * Fraction(2) ** exponent for w in weights]
         each = [self.whole(grid, [b for b in below[1:] if b[4] == m + j], m + j) for j in range(len(weights))]
-        need(sum(len(panels) for panels, *_ in each) == len(below) - 1 and len({places for *_, places in each}) == 1, "levels of other panels", Refused)
+        need(sum(len(panels) for panels, *_ in each) == len(below) - 1 and len({places for *_, places in each}) == 1,
+             "levels of other panels", Refused)
         if self.proving():
             rule, panels = self.rule(grid, grid[2][1]), each[0][0]
             G, twice_L = rule.G.ends()[1], 2 * rule.L.ends()[0]
@@ -374,7 +398,8 @@ class Replay:
                 if panel.high < twice_L:  # no ratio in the limit is above 4/G^2
                     continue
                 here = [levels[p] for _, levels, _ in each]
-                terms = [sum(w * c * Fraction(2) ** e for w, (_, coefficients, e, *_) in zip(weights, here) for c in coefficients[i:i + 1]) for i in range(panel.terms)]
+                terms = [sum(w * c * Fraction(2) ** e for w, (_, coefficients, e, *_) in zip(weights, here) for c in coefficients[i:i + 1])
+                         for i in range(panel.terms)]
                 spread = abs(terms[0] - value) + sum(map(abs, terms[1:])) + sum(abs(w) * level[3] for w, level in zip(weights, here))
                 off += min(1, G**2 * transfer.falling(panel.low)) * spread
             need(off <= error, "the claim is not proved", Refused)
@@ -383,7 +408,8 @@ class Replay:
     def settling(self, below, claim, m):
         """(Y): from level m on all h are near C(G), and those before are looked at one by one"""
         grid, (load, tolerance), n, error = self.claimed("limit.scale", below, claim)
-        need(grid[0] == "grid" and load <= 1 and error == 0 and 2 <= n <= m and n.denominator == 1, "no scale from 2 to m, or a load above 1", Refused)
+        need(grid[0] == "grid" and load <= 1 and error == 0 and 2 <= n <= m and n.denominator == 1,
+             "no scale from 2 to m, or a load above 1", Refused)
         need(all(b[0] == "level" for b in below[1:]), "does not rest on levels", Refused)
         each = {k: self.whole(grid, [b for b in below[1:] if b[4] == k], k) for k in range(int(n) - 2, m + 1)}
         need(sum(len(panels) for panels, *_ in each.values()) == len(below) - 1, "levels of other scales", Refused)
@@ -430,13 +456,16 @@ class Replay:
         if m == 1:
             need(not below, "level 1 needs no pieces", Refused)
             return [self.laws(law).first], 0
-        need(below and all(b[0] == "piece" and b[2] is law and b[3] == m for b in below) and len(below) <= MOST_PANELS, f"does not rest on level {m} of its law", Refused)
+        need(below and all(b[0] == "piece" and b[2] is law and b[3] == m for b in below) and len(below) <= MOST_PANELS,
+             f"does not rest on level {m} of its law", Refused)
         pieces = [b[5] for b in below]
-        need(all(p.high == q.low for p, q in zip(pieces, pieces[1:])) and (pieces[0].low, pieces[-1].high, pieces[0].power) == (0, 1, m - 2), "pieces do not cover 0 to 1", Refused)
+        need(all(p.high == q.low for p, q in zip(pieces, pieces[1:]))
+             and (pieces[0].low, pieces[-1].high, pieces[0].power) == (0, 1, m - 2), "pieces do not cover 0 to 1", Refused)
         return pieces, max(b[4] for b in below)
 
     def piece(self, below, m, low, high, centre, radius, power, exponent, error, coefficients):
-        need(below and below[0][0] == "law" and m > 1 and 0 <= low < high <= 1 and power >= 0 and 2 < len(coefficients) <= 64 and 0 <= error < 1, "not a piece of a law", Refused)
+        need(below and below[0][0] == "law" and m > 1 and 0 <= low < high <= 1 and power >= 0 and 2 < len(coefficients) <= 64
+             and 0 <= error < 1, "not a piece of a law", Refused)
         Interval.bits = below[0][2][2]
         piece = distributions.Polynomial(low, high, centre, radius, power, exponent, coefficients)
         if self.proving():
@@ -463,16 +492,19 @@ class Replay:
         return "steady", self.number, (G, bits)
 
     def part(self, below, low, high, centre, radius, power, exponent, coefficients):
-        need([b[0] for b in below] == ["steady"] and 0 < low < high <= 1 and power >= 0 and 2 < len(coefficients) <= 64, "not a part of the law of the limit", Refused)
+        need([b[0] for b in below] == ["steady"] and 0 < low < high <= 1 and power >= 0 and 2 < len(coefficients) <= 64,
+             "not a part of the law of the limit", Refused)
         Interval.bits = below[0][2][1]
         return "part", self.number, below[0], distributions.Polynomial(low, high, centre, radius, power, exponent, coefficients)
 
     def limit_law(self, below):
         """the law and its parts, which follow one another up to T = 1; V is 0 below the first"""
         law, parts = below[0], below[1:]
-        need(law[0] == "steady" and 0 < len(parts) <= MOST_PANELS and all(b[0] == "part" and b[2] is law for b in parts), "does not rest on the parts of a law of the limit", Refused)
+        need(law[0] == "steady" and 0 < len(parts) <= MOST_PANELS and all(b[0] == "part" and b[2] is law for b in parts),
+             "does not rest on the parts of a law of the limit", Refused)
         pieces = [b[3] for b in parts]
-        need(all(p.high == q.low for p, q in zip(pieces, pieces[1:])) and pieces[-1].high == 1, "parts do not follow one another up to 1", Refused)
+        need(all(p.high == q.low for p, q in zip(pieces, pieces[1:])) and pieces[-1].high == 1,
+             "parts do not follow one another up to 1", Refused)
         key = law[1],
         if self.proving() and key not in self.rules:
             self.rules = {key: limits.Limit(root_of(*law[2][0]), law[2][1])}  # of one law at a time
@@ -492,10 +524,13 @@ class Replay:
         need(law[0] == "steady", "the limit of a distribution rests on the law of the limit", Refused)
         made, pieces, places = self.limit_law([law, *(b for b in below if b[0] == "part")])
         balances = [b for b in below if b[0] == "balance"]
-        need(sorted(b[3] for b in balances) == list(range(len(pieces))) and all(b[2] == places for b in balances), "parts are not all balanced", Refused)
+        need(sorted(b[3] for b in balances) == list(range(len(pieces))) and all(b[2] == places for b in balances),
+             "parts are not all balanced", Refused)
         at_scale = [b for b in below if b[0] in ("law", "piece")]
-        need(1 + len(pieces) + len(balances) + len(at_scale) == len(below) and (n > 0) == bool(at_scale), "rests on more or less than it may", Refused)
-        need(place > 0 and (self.certificate.quantity != "limit.segments" or 2 * place < 1), "the claim is at an end of the law, or beyond", Refused)
+        need(1 + len(pieces) + len(balances) + len(at_scale) == len(below) and (n > 0) == bool(at_scale),
+             "rests on more or less than it may", Refused)
+        need(place > 0 and (self.certificate.quantity != "limit.segments" or 2 * place < 1),
+             "the claim is at an end of the law, or beyond", Refused)
         if self.proving():
             here = self.at_scale(at_scale, law[2][0], n, place, load, error) if n else 0
             Interval.bits = made.bits
@@ -507,7 +542,8 @@ class Replay:
     def eigenvalue(self, below, claim, high, centre, radius, exponent, coefficients):
         """(Z)"""
         law, _, value, error = self.claimed("limit.gap", below, claim)
-        need(law[0] == "steady" and len(below) == 1 and error * 2 ** law[2][1] > 1 and 0 < high <= 1000 and 0 < radius <= 64 and 2 < len(coefficients) <= MOST["terms"], "not a function of s", Refused)
+        need(law[0] == "steady" and len(below) == 1 and error * 2 ** law[2][1] > 1 and 0 < high <= 1000 and 0 < radius <= 64
+             and 2 < len(coefficients) <= MOST["terms"], "not a function of s", Refused)
         if self.proving():
             (base, degree), Interval.bits = law[2]
             w = second_eigenvalue.Eigenfunction(root_of(base, degree), high, centre, radius, exponent, coefficients)

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""check.py [--limit N] [--certificate FILE]... [--coverage FILE] TABLE...: recomputes every row of closed form in canonical tables and says how many it confirms.
+"""check.py [--limit N] [--certificate FILE]... [--coverage FILE] TABLE...: recomputes every row of closed form in canonical tables and says
+how many it confirms.
 
-A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and
-an error of 0 only if the value is found to be exactly what is printed. What the recursion gives is confirmed by certificates too, which are
-proved first (certificate.py). `digits` are confirmed in every row that is right or has a certificate. --coverage keeps, for `touchstone table`,
-what was found of each table, with the sha256 of its rows. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
+A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and an error of 0
+only if the value is found to be exactly what is printed. What the recursion gives is confirmed by certificates too, which are proved first
+(certificate.py). `digits` are confirmed in every row that is right or has a certificate. --coverage keeps, for `touchstone table`, what was
+found of each table, with the sha256 of its rows. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
 """
 import argparse
 import hashlib
@@ -84,7 +85,8 @@ def read(path):
 
 
 def with_certificates(forms, paths):
-    """the forms, and what the claims of certificates say of rows without one: A_n, and with it (8.1) the number gamma^n A_(n-1) of segments"""
+    """the forms, and what the claims of certificates say of rows without one: A_n, and with it (8.1) the number gamma^n A_(n-1) of
+    segments"""
     known = {}
     for path in paths:
         path, *reports = path.split(",")
@@ -121,7 +123,8 @@ def with_certificates(forms, paths):
     return {**forms, **both("segments.count", segments), **both("contact.area", certified("contact.area")),
             **both("contact.exceedance", certified("contact.exceedance")), **both("contact.density", certified("contact.density")),
             **both("segments.density", certified("segments.density")), "limit.area_constant": constant, "limit.area_ratio": ratio,
-            "limit.distance": distance, **{f"limit.{name}": certified(f"limit.{name}") for name in ("exceedance", "force", "density", "segments", "scale", "gap")}}
+            "limit.distance": distance,
+            **{f"limit.{name}": certified(f"limit.{name}") for name in "exceedance force density segments scale gap".split()}}
 
 
 def with_patience(seconds):
@@ -183,16 +186,18 @@ def keep(path, found):
     except (OSError, ValueError, TypeError, KeyError) as reason:
         raise Unreadable(f"{path}: not a file of coverage: {reason}") from None
     known |= {entry["table"]: entry for entry in found}
-    with tempfile.NamedTemporaryFile("w", encoding="ascii", dir=os.path.dirname(path) or ".", delete=False) as file:  # a new one, whoever may write there
+    # a new file, whoever may write there
+    with tempfile.NamedTemporaryFile("w", encoding="ascii", dir=os.path.dirname(path) or ".", delete=False) as file:
         file.write("[\n" + ",\n".join(json.dumps(known[name]) for name in sorted(known)) + "\n]\n")
     os.chmod(file.name, 0o644)
     os.replace(file.name, path)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--limit", type=int, help="check at most N rows of a table, evenly spread")
-    parser.add_argument("--certificate", action="append", default=[], metavar="FILE[,REPORT...]", help="proved first, or, of a long one, what certificate.py printed for its pieces")
+    parser.add_argument("--certificate", action="append", default=[], metavar="FILE[,REPORT...]",
+                        help="proved first, or, of a long one, what certificate.py printed for its pieces")
     parser.add_argument("--coverage", metavar="FILE", help="keep there what was found of whole tables")
     parser.add_argument("tables", nargs="+")
     arguments = parser.parse_args()
@@ -229,7 +234,8 @@ def main():
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)
         right = count.get("right", 0)
         asked = len(rows[::step])
-        print(f"{printable(header['name']):30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {'-' if none else 'exact' if least == inf else least:>6}", flush=True)
+        digits = "-" if none else "exact" if least == inf else least
+        print(f"{printable(header['name']):30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {digits:>6}", flush=True)
         if wrong:
             worst = max(worst, 1)
         found.append({"table": header["name"], "rows": asked, "confirmed": confirmed, "all_digits": right, "wrong": wrong,

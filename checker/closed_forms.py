@@ -174,7 +174,8 @@ def power_of_gamma(gamma, exponent):
 
 
 def weierstrass_profile(x, D, gamma):
-    """(3.1), each phase exact. What follows the last term is a geometric series; so is all that follows a phase that gamma leaves where it is."""
+    """(3.1), each phase exact. What follows the last term is a geometric series; so is all that follows a phase that gamma leaves where it
+    is."""
     ratio = power_of_gamma(gamma, D - 2)
     amplitude, phase, total = Fraction(1), x, Fraction(0)
     while iv._magnitude(Interval.of(amplitude)) > -Interval.bits:
@@ -283,10 +284,10 @@ def K(n):
 
 
 def K_inf():
-    """K_N e^(-2^-(N+1)) <= K_inf <= K_(N+1)^2/K_N, N >= 0. Proof: the step (7.13) at delta is phi(delta) = (1/pi) int (2 cos t)^delta cos t dt
-    over |t| < pi/2, which is log-convex (Hoelder), with phi(0) = 2/pi, phi(1) = 1, phi'(1) = 1/2. So L(h) = log phi(1 - h) is convex
-    with L(0) = 0 and slope -1/2 there: -h/2 <= L(h) <= 0, 0 <= h <= 1, and L(h/2) <= L(h)/2. Summed over the steps
-    h = 2^-(N+1), 2^-(N+2), ... the first gives the lower bound (and K_inf <= K_N), the second log K_inf/K_N <= 2 L(2^-(N+1))."""
+    """K_N e^(-2^-(N+1)) <= K_inf <= K_(N+1)^2/K_N, N >= 0. Proof: the step (7.13) at delta is phi(delta) = (1/pi) int (2 cos t)^delta cos t
+    dt over |t| < pi/2, which is log-convex (Hoelder), with phi(0) = 2/pi, phi(1) = 1, phi'(1) = 1/2. So L(h) = log phi(1 - h) is convex
+    with L(0) = 0 and slope -1/2 there: -h/2 <= L(h) <= 0, 0 <= h <= 1, and L(h/2) <= L(h)/2. Summed over the steps h = 2^-(N+1), 2^-(N+2),
+    ... the first gives the lower bound (and K_inf <= K_N), the second log K_inf/K_N <= 2 L(2^-(N+1))."""
     N = Interval.bits // 2 + 8
     low = iv.exp(log_K(N) - Fraction(1, 2 ** (N + 1)))
     return between(low, iv.exp(log_K(N + 1).scaled(1) - log_K(N)))
@@ -382,6 +383,6 @@ FORMS = {
     "segments.max_half_width": max_half_width,
     "contact.area": contact_area, "contact.exceedance": contact_exceedance, "contact.density": contact_density,
     "segments.count": segments_count, "segments.density": segments_density,
-    **dict.fromkeys((f"limit.{name}" for name in ("area_constant", "area_ratio", "gap", "scale", "exceedance", "force", "density", "distance", "segments")),
+    **dict.fromkeys((f"limit.{name}" for name in "area_constant area_ratio gap scale exceedance force density distance segments".split()),
                     lambda *_: None),
 }

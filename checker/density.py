@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Densities of the pressure with full contact, in integers: lemma AA of docs/certificate.md, and G to L (full_contact.py).
 
-D_n(x) = -dB_n/dP, the density at scale n and load x in units of 1/p*_n, is T^(n-1) D_1 (two_waves.py). V_0 is near D_1 here, and V_m near T V_(m-1).
+D_n(x) = -dB_n/dP, the density at scale n and load x in units of 1/p*_n, is T^(n-1) D_1 (two_waves.py). V_0 is near D_1 here, and V_m near T
+V_(m-1).
 """
 from fractions import Fraction
 from math import isqrt
@@ -63,15 +64,15 @@ class Density(Mesh):
         for p in range(max(0, self.nearest[0]), self.farthest[0]):
             progress(f"panel {p + 1} of {self.farthest[0]}")
             wanted, levels = -self.aims[p], sum(a <= p < b for a, b in zip(self.nearest, self.farthest))
-            for a, b, (d, ), small in self.cover(p, lambda a, b: self.first_on(p, a, b, wanted), lambda a, b: self.hole(p, a, b), wanted,  # noqa: B023
-                                                 lambda a, b: b - a > deepest):
+            for a, b, (d, ), small in self.cover(p, lambda a, b: self.first_on(p, a, b, wanted),  # noqa: B023
+                                                 lambda a, b: self.hole(p, a, b), wanted, lambda a, b: b - a > deepest):  # noqa: B023
                 if not small:
                     self.apart.append((a, b, d))
                 first.append((a, b, [d if small else Fraction(0)]))
             if levels > 1:
                 narrowest = max(deepest, self.one >> self.accuracy + NARROWEST + max(0, self.largest))
-                later += self.cover(p, lambda a, b: self.on_interval(p, a, b, wanted, levels), lambda a, b: self.later_hole(p, a, b, levels), wanted,  # noqa: B023
-                                    lambda a, b: b - a > narrowest)  # noqa: B023
+                later += self.cover(p, lambda a, b: self.on_interval(p, a, b, wanted, levels),  # noqa: B023
+                                    lambda a, b: self.later_hole(p, a, b, levels), wanted, lambda a, b: b - a > narrowest)  # noqa: B023
         return first, later
 
     def below(self):
@@ -89,14 +90,16 @@ class Density(Mesh):
         return sum((weight * self.share_of(a, b, x1, x2) for a, b, weight in self.apart), Fraction(0))
 
     def share_of(self, a, b, x1, x2):
-        """(H), (AA): above what such a wave has of the ratios from a to b, and of what is narrower in proportion to the root of its width at least: where it
-        has a ratio grows with that and falls with the mean, also across 1"""
+        """(H), (AA): above what such a wave has of the ratios from a to b, and of what is narrower in proportion to the root of its width
+        at least: where it has a ratio grows with that and falls with the mean, also across 1"""
         one = self.one
         if a > self.most(x2) + (x2 >> self.bits) + 4 or b < self.least(x1) - (x1 >> self.bits) - 4:
             return Fraction(0)
-        lower, upper = ((self.G * y >> self.bits) - x if x >= one else isqrt((self.G * y >> self.bits) ** 2 + (one - x) ** 2) - x for y, x in ((a, x2), (b, x1)))
+        lower, upper = ((self.G * y >> self.bits) - x if x >= one else isqrt((self.G * y >> self.bits) ** 2 + (one - x) ** 2) - x
+                        for y, x in ((a, x2), (b, x1)))
         spare = MINUS * ((b >> self.bits) + 1)
-        sides, any_one, width = (one + lower - spare, one - upper - spare), isqrt((self.G * (b - a) >> 1) + 1) + 1, (self.G * (b - a) >> self.bits) + 1
+        sides, width = (one + lower - spare, one - upper - spare), (self.G * (b - a) >> self.bits) + 1
+        any_one = isqrt((self.G * (b - a) >> 1) + 1) + 1
         if min(sides) > 0:
             any_one = min(any_one, width * one // (3 * isqrt(min(one, sides[0]) * min(one, sides[1]))) + 1)
         return Fraction(any_one, one)
@@ -107,7 +110,8 @@ class Density(Mesh):
             raise Refused("a mesh of densities serves one load, and scales from 2 on")
         (ends, errors), m = errors, n - 2
         row, e = self.exact_row(self.at)[m], errors[m]
-        error = Fraction(self.averaged((jumps(e), [0] * len(e), max(e)), *(self.shares(x, ends) for x in (self.at, -(-load * self.one // 1)))), self.one)
+        shares = (self.shares(x, ends) for x in (self.at, -(-load * self.one // 1)))
+        error = Fraction(self.averaged((jumps(e), [0] * len(e), max(e)), *shares), self.one)
         error += self.moved(1) + 2 * self.round + self.quadrature + (0 if m else self.once(self.at, -(-load * self.one // 1)))
         self.first.use_bits()
         of_scale = Interval.of(1)

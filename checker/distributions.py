@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The law of the load ratio x_m = p_(m-1)/p*_m in partial contact, G > 2 and load <= 1, in intervals; lemmas N to R are those of docs/certificate.md.
+"""The law of the load ratio x_m = p_(m-1)/p*_m in partial contact, G > 2 and load <= 1, in intervals; lemmas N to R are those of
+docs/certificate.md.
 
-x_m has the density x phi_m(T), T = 1 - (x/Y_m)^2, on 0 < x < Y_m, where Y_1 = (2/G) sqrt(load), Y_(m+1) = (2/G) sqrt(Y_m), and with r = T' (1 - v^2)
+x_m has the density x phi_m(T), T = 1 - (x/Y_m)^2, on 0 < x < Y_m, where Y_1 = (2/G) sqrt(load), Y_(m+1) = (2/G) sqrt(Y_m), and with r = T'
+(1 - v^2)
     phi_(m+1)(T') = (G^2/pi) sqrt(Y_m T') int_0^1 phi_m(r (2 - r)) x S/R dv,   x = Y_m (1 - r),
     R^2 = (1 - x)^2 + 4 Y_m (1 - T'),   S^2 = (1 + x + R)/(1 - x + R).
-V_m is T^(power/2) times a polynomial on each of some pieces of 0 <= T <= 1, any; V_1 = phi_1 is known. What is proved is |phi_m - V_m| <= error V_m:
-as all this is positive, relative errors add (N). Nothing is rounded by hand but in `Polynomial.value`.
+V_m is T^(power/2) times a polynomial on each of some pieces of 0 <= T <= 1, any; V_1 = phi_1 is known. What is proved is |phi_m - V_m| <=
+error V_m: as all this is positive, relative errors add (N). Nothing is rounded by hand but in `Polynomial.value`.
 """
 from fractions import Fraction
 from math import log2
@@ -19,7 +21,8 @@ REACH = Fraction(5, 4)         # half axis, in half widths, of the ellipse rho =
 BELOW = Fraction(1, 2)         # so many half widths below J the piece of J is continued: past that ellipse
 BREAK = Fraction(4, 5), Fraction(3, 5)  # v goes from 0 to 4/5; from there on s = sqrt(1 - v^2), from 3/5 to 0
 RULES = (16, 12), (4, 24)      # rho of ellipses of rules of Gauss, and the most points on one part
-SLIVER = Fraction(1, 2**45)    # of a piece: a cut of the level below so near to its end is at its end but for rounding, and what it cuts off costs as much as a piece
+# Of a piece: a cut of the level below so near to its end is at its end but for rounding, and what it cuts off costs as much as a piece.
+SLIVER = Fraction(1, 2**45)
 MOST_POINTS, MOST_INTERVALS, MOST_HALVINGS, MOST_PARTS = 96, 2000, 32, 4000
 
 
@@ -63,7 +66,8 @@ def power_bound(z, off, k):
 
 
 def wave_bounds(square, rest, x, least, most):
-    """(O): above |S/R|, and below Re R, R^2 = (1 - x)^2 + z, where Re (1 - x)^2 >= square, Re(1 - x) >= rest, |x| <= x, Re z >= least, |z| <= most"""
+    """(O): above |S/R|, and below Re R, R^2 = (1 - x)^2 + z, where Re (1 - x)^2 >= square, Re(1 - x) >= rest, |x| <= x, Re z >= least, |z|
+    <= most"""
     low = square + least
     need(low.low > 0)
     real = iv.sqrt(low.scaled(-1))
@@ -108,14 +112,17 @@ class Polynomial:
     def __init__(self, low, high, middle, half, power, exponent, coefficients):
         if half <= 0 or max(abs(low - middle), abs(high - middle)) > half:
             raise Refused("a polynomial is of another piece")
-        self.low, self.high, self.middle, self.half, self.power, self.exponent, self.coefficients = low, high, middle, half, power, exponent, coefficients
+        self.low, self.high, self.middle, self.half = low, high, middle, half
+        self.power, self.exponent, self.coefficients = power, exponent, coefficients
         self.sizes, self.terms = [abs(c) for c in coefficients], len(coefficients)
         self.rounding, self.inverse = sum(map(abs, coefficients)) * self.terms**2, 1 / Interval.of(half)
 
     def value(self, T):
-        """of the polynomial: an error of t by a unit and the roundings of the recurrence are less than terms^2 units for each |c_k|, |t| <= 1"""
+        """of the polynomial: an error of t by a unit and the roundings of the recurrence are less than terms^2 units for each |c_k|, |t| <=
+        1"""
         bits, t = Interval.bits, (T - self.middle) * self.inverse
-        low, high = (t.low << t.exponent + bits, t.high << t.exponent + bits) if t.exponent >= -bits else (t.low >> -t.exponent - bits, -(-t.high >> -t.exponent - bits))
+        up, down = t.exponent + bits, -t.exponent - bits
+        low, high = (t.low << up, t.high << up) if up >= 0 else (t.low >> down, -(-t.high >> down))
         need(-1 <= low >> bits and high <= 1 << bits)
         off = self.rounding * (high - low + 2)
         total = sum(map(int.__mul__, self.coefficients, chebyshev(low, 1 << bits, self.terms, bits)))
@@ -126,7 +133,8 @@ class Polynomial:
         return Interval.of(sum(self.sizes)).scaled(self.exponent)
 
     def bound(self, T, off):
-        """|T_k| <= rho^k on the ellipse rho; points so far from a real one of modulus t are within those of half axes max(1, t) + off and ((t + off)^2 + 1)^(1/2) (I)"""
+        """|T_k| <= rho^k on the ellipse rho; points so far from a real one of modulus t are within those of half axes max(1, t) + off and
+        ((t + off)^2 + 1)^(1/2) (I)"""
         t, off = (T - self.middle) * self.inverse, off * self.inverse
         far = Interval.of(max(map(abs, t.ends())))
         axis = Interval.of(max(1, top(min(Interval.of(max(1, top(far))) + off, iv.sqrt((far + off).square() + 1), key=top))))
@@ -167,7 +175,8 @@ class Laws:
             self.tops.append(2 * iv.sqrt(self.tops[-1]) / self.G)
         return self.tops[m]
 
-    # ---- the integrand, in u = v or, with `low`, in u = s: of a density, a "share" above a pressure or, of the limit, the "force" at ratios above Y (1 - T)
+    # ---- the integrand, in u = v or, with `low`, in u = s: of a density, a "share" above a pressure or, of the limit, the "force" at
+    # ratios above Y (1 - T)
 
     def at(self, m, V, u, low, T, kind):
         """its value at u for one piece V"""
@@ -242,7 +251,9 @@ class Laws:
         if self.parts > MOST_PARTS:
             raise Refused("an integral has too many parts")
         if half <= 0:
-            return iv.error_term(self.bound(m, V, a, slivers - 2 * half, low, T, kind) * (slivers - 2 * half)) if slivers - half else Interval.of(0)
+            if not slivers - half:
+                return Interval.of(0)
+            return iv.error_term(self.bound(m, V, a, slivers - 2 * half, low, T, kind) * (slivers - 2 * half))
         need(half * 2**self.bits > 1)
         bits, found = self.bits, None
         for rho, most in RULES:
@@ -266,7 +277,8 @@ class Laws:
         for t, w in self.trig.gauss(int(K)):
             t = wide * Interval(t, t, -bits)
             total = total + (self.at(m, V, middle - t, low, T, kind) + self.at(m, V, middle + t, low, T, kind)) * w
-        return total.scaled(-bits) * half + iv.error_term(Interval.of((6 * half * Fraction(rho) ** (-2 * K) + half * Fraction(1, 2 ** (bits - 15)) + slivers) * M))
+        off = 6 * half * Fraction(rho) ** (-2 * K) + half * Fraction(1, 2 ** (bits - 15)) + slivers
+        return total.scaled(-bits) * half + iv.error_term(Interval.of(off * M))
 
     # ---- what follows from V_m
 
@@ -309,7 +321,8 @@ class Laws:
     # ---- defects
 
     def mismatch(self, official, used, low, high, target):
-        """(K): above |V - W|/V for two pieces V and W on low <= T <= high, from so many points that what lies between them makes little of the target"""
+        """(K): above |V - W|/V for two pieces V and W on low <= T <= high, from so many points that what lies between them makes little of
+        the target"""
         at, half, more = (low + high) / 2, (high - low) / 2, used.power - official.power
         off, count = Interval.of(half * Fraction(17, 8)), max(30, used.terms, official.terms)
         size = top(power_bound(Interval.of(at), off, more) * used.bound(at, off) + official.bound(at, off))
@@ -320,7 +333,8 @@ class Laws:
         here = [official.value(Interval.of(T)) for T in points]
         floor = least(here)
         need(floor > 0)
-        return interpolated([half_power(Interval.of(T), more) * used.value(Interval.of(T)) - v for T, v in zip(points, here)], size, 4) / floor
+        apart = [half_power(Interval.of(T), more) * used.value(Interval.of(T)) - v for T, v in zip(points, here)]
+        return interpolated(apart, size, 4) / floor
 
     def cosines(self, count):
         return [self.trig.cos_sin(self.trig.pi * (2 * j + 1) // (2 * count))[0] for j in range(count)]
@@ -337,14 +351,17 @@ class Laws:
         if start <= 0:
             need(p == 0 and W.low == 0)
             off = Interval.of(max(at, reach))
-            size = self.size(W, Interval.of(at), off, True) * Y * (1 - at + off) * wave_near(Y * (1 - at), Y * off, *z)[0] * (iv.pi() if W.power < 0 else 2)
+            size = self.size(W, Interval.of(at), off, True) * Y * (1 - at + off) * wave_near(Y * (1 - at), Y * off, *z)[0]
+            size = size * (iv.pi() if W.power < 0 else 2)
             if V.power != W.power + 1:
-                size = size * power_bound(Interval.of(at), Interval.of(reach), W.power + 1) * power_bound(Interval.of(at), Interval.of(reach), -V.power)
+                for power in (W.power + 1, -V.power):
+                    size = size * power_bound(Interval.of(at), Interval.of(reach), power)
             return changed, factor * size
         if start * (2 - start) < W.low:
             need(p > 0 and start * (2 - start) >= pieces[p - 1].low)
             changed += self.mismatch(pieces[p - 1], W, start * (2 - start), W.low, target)
-        total = self.size(W, Interval.of(at), Interval.of(at - start)) * Y * (1 - start + 2 * half) * iv.sqrt(Interval.of(at + reach - start))
+        total = self.size(W, Interval.of(at), Interval.of(at - start)) * Y * (1 - start + 2 * half)
+        total = total * iv.sqrt(Interval.of(at + reach - start))
         total = total * wave_near(Y * (1 - at), Y * (at - start), *z)[0]
         for U, r in used:
             if not below(start, r):

@@ -158,7 +158,8 @@ class Mesh:
         self.G, self.inverse, self.P = fixed(G, bits), fixed(1 / G.square(), self.deep), fixed(Interval.of(pressure), bits)
         if not 0 < edges[0] or sorted({*edges}) != [*edges] or edges[-1] > HIGHEST * self.one or any(half <= 0 for _, half in places):
             raise Refused("not a mesh")
-        if any(abs(self.local(p, y * y >> bits)) > (1 << self.work) + (1 << self.work >> BEYOND) for p in range(len(places)) for y in edges[p:p + 2]):
+        most = (1 << self.work) + (1 << self.work >> BEYOND)
+        if any(abs(self.local(p, y * y >> bits)) > most for p in range(len(places)) for y in edges[p:p + 2]):
             raise Refused("a polynomial is of another panel")
         self.farthest = []  # up to which panel a level matters
         for _ in range(self.levels):
@@ -407,8 +408,8 @@ class Mesh:
         return max(3, -(-(size - wanted + 6) // power) + 1)
 
     def wave(self, x1, x2, low, high, count, wanted, but=range(0)):
-        """(K): T V_m, all m, at so many points of J = [x1, x2], in units 2^-(work + kept), but for what some panels give, and how far off: what
-        panels far from the ends of the wave give is interpolated from fewer points"""
+        """(K): T V_m, all m, at so many points of J = [x1, x2], in units 2^-(work + kept), but for what some panels give, and how far off:
+        what panels far from the ends of the wave give is interpolated from fewer points"""
         (_, near), *shells = [(power, [p for p in panels if p not in but]) for power, panels in self.shells(x1, x2, low, high)]
         rows = [self.row(x, low, high, -wanted, near) for x in self.chebyshev_points(x1, x2, count)]
         one = self.round + Fraction(2) ** (wanted - 6)
@@ -450,8 +451,8 @@ class Mesh:
         return [d + (self.quadrature + self.round) * 2**up for d, up in zip(of_levels, self.up)]
 
     def cover(self, p, bound, hole, wanted, too_wide):
-        """bound(x1, x2) on intervals that cover the panel, cut at 1, or hole(x1, x2) on one that is not too wide for that. Returns (x1, x2, bounds),
-        ascending; neighbours that have what is wanted are put together"""
+        """bound(x1, x2) on intervals that cover the panel, cut at 1, or hole(x1, x2) on one that is not too wide for that. Returns (x1, x2,
+        bounds), ascending; neighbours that have what is wanted are put together"""
         a, b = self.edges[p], self.edges[p + 1]
         stack, found = [(self.one, b), (a, self.one)] if a < self.one < b else [(a, b)], []
         for _ in range(MOST_INTERVALS):
@@ -504,7 +505,8 @@ class Mesh:
         large = 2 + ((self.P + 4 * at >> self.bits) + 2).bit_length() // 4  # |arccos w|/pi <= 1 + log(2|w| + 1)/pi, |w| <= 1 + 2|x| + P
         log_size = max(large.bit_length(), self.continued(p, at, at, (2 * at * r + r * r >> self.bits) + 1)) + 1
         count, beyond = self.interpolation(log_size, wanted)
-        worst = max(abs(self.values(p, x * x >> self.bits)[0] - (self.first_wave(x) << self.kept)) for x in self.chebyshev_points(x1, x2, count))
+        worst = max(abs(self.values(p, x * x >> self.bits)[0] - (self.first_wave(x) << self.kept))
+                    for x in self.chebyshev_points(x1, x2, count))
         return [lebesgue(count) * (Fraction(worst, self.unit) + 2 * self.round) + beyond]
 
     def first_between(self, p, x1, x2):
@@ -519,10 +521,11 @@ class Mesh:
         for p in range(self.farthest[0]):
             progress(f"panel {p + 1} of {self.farthest[0]}")
             wanted, levels = -self.aims[p], sum(p < farthest for farthest in self.farthest)
-            first += self.cover(p, lambda a, b: self.first_on(p, a, b, wanted), lambda a, b: self.first_between(p, a, b), wanted,  # noqa: B023
-                                lambda a, b: self.rises(p, a, b, 1))  # noqa: B023
+            first += self.cover(p, lambda a, b: self.first_on(p, a, b, wanted), lambda a, b: self.first_between(p, a, b),  # noqa: B023
+                                wanted, lambda a, b: self.rises(p, a, b, 1))  # noqa: B023
             if levels > 1:
-                later += self.cover(p, lambda a, b: self.on_interval(p, a, b, wanted, levels), lambda a, b: self.between(p, a, b)[:levels - 1], wanted,  # noqa: B023
+                later += self.cover(p, lambda a, b: self.on_interval(p, a, b, wanted, levels),  # noqa: B023
+                                    lambda a, b: self.between(p, a, b)[:levels - 1], wanted,  # noqa: B023
                                     lambda a, b: self.rises(p, a, b, levels))  # noqa: B023
         return first, later
 
@@ -546,7 +549,8 @@ class Mesh:
             if m:
                 parts = self.parted(errors[-1], ends)
                 apart = [-(-self.once(x1, x2) * self.one // 1) if m == 1 else 0 for x1, x2 in zip(ends, ends[1:])]
-                carried = [self.averaged(parts, shares[c], shares[c + 1]) + apart[c] << self.up[m - 1] if d is not None else 0 for c, d in enumerate(D)]
+                carried = [self.averaged(parts, shares[c], shares[c + 1]) + apart[c] << self.up[m - 1] if d is not None else 0
+                           for c, d in enumerate(D)]
                 for a, b in self.holes:  # there monotony brings the error from the ends
                     i, j = bisect_right(ends, a) - 1, bisect_left(ends, b)
                     carried[i:j] = [max(carried[i:j])] * (j - i)
@@ -559,7 +563,8 @@ class Mesh:
         return 0
 
     def shares(self, x, ends):
-        """(H): of a wave of mean x above each of these ratios, in units 2^-work, up to the first that rounds to 0; their last end lies beyond all"""
+        """(H): of a wave of mean x above each of these ratios, in units 2^-work, up to the first that rounds to 0; their last end lies
+        beyond all"""
         found = []
         for y in ends[:-1]:
             found.append((self.theta(x, y) << self.work) // self.trig.pi)
@@ -568,8 +573,8 @@ class Mesh:
         return found
 
     def parted(self, e, ends):
-        """(H): a step function as one without what stands out on narrow cells, by its jumps; what T makes of the rest, summed from the first cell
-        on; and its largest"""
+        """(H): a step function as one without what stands out on narrow cells, by its jumps; what T makes of the rest, summed from the
+        first cell on; and its largest"""
         wide = [isqrt((self.G * (b - a) >> 1) + 1) + 1 for a, b in zip(ends, ends[1:])]
         low = [*e, e[-1]]
         for c in reversed(range(len(e))):
@@ -579,12 +584,14 @@ class Mesh:
     def averaged(self, parts, less, more):
         """(H): above T e for a step function e, from the shares at the ends of an interval of x"""
         (steps, beyond, most), ends = parts, 1 + (1 << max(0, self.work - self.bits // 2 + 10))
-        total = sum(max(0, j) * s for j, s in zip(steps, more)) + ends * (most + sum(max(0, j) for j in steps)) + sum(min(0, j) * max(0, s - ends) for j, s in zip(steps, less))
+        total = sum(max(0, j) * s for j, s in zip(steps, more)) + ends * (most + sum(max(0, j) for j in steps))
+        total += sum(min(0, j) * max(0, s - ends) for j, s in zip(steps, less))
         return min(most, (total >> self.work) + 1 + beyond[min(len(more), len(beyond)) - 1])
 
     def value(self, n, load, errors):
         """B_n at this load: low and high, fractions"""
         (ends, errors), at = errors, (load * self.one // 1, -(-load * self.one // 1))
-        rows, e = [self.exact_row(x)[n - 1] for x in set(at)], errors[n - 1]  # B_n increases; nothing taken out: at one load the shares are what they are
-        error = Fraction(self.averaged((jumps(e), [0] * len(e), max(e)), *(self.shares(x, ends) for x in at)), self.one) + 2 * self.round + self.quadrature
+        rows, e = [self.exact_row(x)[n - 1] for x in set(at)], errors[n - 1]  # B_n increases
+        parts = jumps(e), [0] * len(e), max(e)  # nothing taken out: at one load the shares are what they are
+        error = Fraction(self.averaged(parts, *(self.shares(x, ends) for x in at)), self.one) + 2 * self.round + self.quadrature
         return tuple((Fraction(row, self.unit) + off) / 2 ** self.lift[n - 1] for row, off in ((min(rows), -error), (max(rows), error)))

@@ -70,7 +70,8 @@ class Interval:
             raise ZeroDivisionError("an interval that holds 0 as divisor")
         shift = Interval.bits + max(abs(other.low), abs(other.high)).bit_length()
         if self.low >= 0 and other.low > 0:
-            return Interval((self.low << shift) // other.high, -((-self.high << shift) // other.low), self.exponent - other.exponent - shift)
+            exponent = self.exponent - other.exponent - shift
+            return Interval((self.low << shift) // other.high, -((-self.high << shift) // other.low), exponent)
         ends = [(a << shift, d) for a in (self.low, self.high) for d in (other.low, other.high)]
         return Interval(min(a // d for a, d in ends), max(-(-a // d) for a, d in ends), self.exponent - other.exponent - shift)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The limit of the density of the pressure at any G > 1, full contact included, by Poisson's equation with G D_1 for B_0; lemma AB of docs/certificate.md."""
+"""The limit of the density of the pressure at any G > 1, full contact included, by Poisson's equation with G D_1 for B_0; lemma AB of
+docs/certificate.md."""
 from fractions import Fraction
 
 from full_contact import REACH, Far, lebesgue

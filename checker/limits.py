@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The law of the load ratio as n tends to infinity, G > 2, in intervals; lemmas S and T are those of docs/certificate.md.
 
-By units of force the ratios form a chain with one stationary law, on 0 < x < Y = 4/G^2, whose density is x^2 phi(T), T = 1 - (x/Y)^2, phi = G W phi but for
-a factor, W as in distributions.py with Y for all Y_m. V is any polynomials by parts of low <= T <= 1, and 0 below. What is proved is |G W V - V| <= error V:
-as the chain forgets where it began, what is read off V then differs little from what is read off phi.
+By units of force the ratios form a chain with one stationary law, on 0 < x < Y = 4/G^2, whose density is x^2 phi(T), T = 1 - (x/Y)^2, phi =
+G W phi but for a factor, W as in distributions.py with Y for all Y_m. V is any polynomials by parts of low <= T <= 1, and 0 below. What is
+proved is |G W V - V| <= error V: as the chain forgets where it began, what is read off V then differs little from what is read off phi.
 """
 from fractions import Fraction
 
@@ -28,7 +28,9 @@ class Limit(Laws):
 
     def contraction(self):
         """(S): by so much two chains come together in s a step"""
-        return Interval.of(Fraction(1, 2)) if top(self.Y) <= Fraction(2, 3) else (iv.angle(iv.sqrt(2), Interval.of(1)) + iv.sqrt(2)) / iv.pi()
+        if top(self.Y) <= Fraction(2, 3):
+            return Interval.of(Fraction(1, 2))
+        return (iv.angle(iv.sqrt(2), Interval.of(1)) + iv.sqrt(2)) / iv.pi()
 
     def leak(self, pieces):
         """(S): above the mass of G W V below the first part"""
@@ -38,8 +40,8 @@ class Limit(Laws):
         return 8 * half_power(self.Y, 6) * half_power(Interval.of(low), 3) * largest / (3 * iv.pi() * half_power(1 - self.Y, 3))
 
     def away(self, here, error, leak, area, size, late, at_once, later):
-        """(T): above |Z E_pi[f] - E_V[f]|, E_V[f] = here, for f whose differences after k >= late waves are below 2 size (contraction^(k - late) 9 Y)^1/2/x;
-        below the first part f is at most `at_once`, and after a wave and more at most `later`"""
+        """(T): above |Z E_pi[f] - E_V[f]|, E_V[f] = here, for f whose differences after k >= late waves are below 2 size (contraction^(k -
+        late) 9 Y)^1/2/x; below the first part f is at most `at_once`, and after a wave and more at most `later`"""
         root = iv.sqrt(self.contraction())
         far = 3 * iv.sqrt(self.Y) * (error * self.G * area / (1 - error) + 2 * leak / self.Y)
         total, best, tail = Interval.of(0), None, 2 * size * far / (1 - root)

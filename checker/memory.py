@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A certificate may ask for tables as large as it likes within its limits: what needs more memory than this is refused, before the machine is out of it."""
+"""A certificate may ask for tables as large as it likes within its limits: what needs more memory than this is refused, before the machine
+is out of it."""
 try:
     import resource
 except ImportError:  # not a Unix: there the system's own limit holds

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The limit C(G) = lim A_n G^n/(lambda_0 load) at any G > 1, full contact included, by Poisson's equation; lemmas W and X are those of docs/certificate.md.
+"""The limit C(G) = lim A_n G^n/(lambda_0 load) at any G > 1, full contact included, by Poisson's equation; lemmas W and X are those of
+docs/certificate.md.
 
-V = G Phi is data: polynomials of z = y^2 on the panels of a mesh (full_contact.py), 0 beside them. This program bounds R = B_0 - c x - V/G + T V on
-intervals J that it chooses itself, and |C(G) - c| <= E[|R|/x], a mean in the limit, follows from that.
+V = G Phi is data: polynomials of z = y^2 on the panels of a mesh (full_contact.py), 0 beside them. This program bounds R = B_0 - c x - V/G
++ T V on intervals J that it chooses itself, and |C(G) - c| <= E[|R|/x], a mean in the limit, follows from that.
 """
 from bisect import bisect_left
 from fractions import Fraction
@@ -17,7 +18,7 @@ from transfer import Refused, chebyshev
 MOST_INTERVALS = 20000   # in all
 MANY = 8                 # log2: so many narrow intervals may each leave as much as a wide one
 NARROWEST = 4            # bits below 2^-accuracy/sup|V|, as a hole has R in proportion: no interval is halved beyond
-INNER = 3                # an ellipse 2^INNER about an interval: what panels give that are far from the ends of its waves is had once for all intervals in it
+INNER = 3                # an ellipse 2^INNER about an interval: what panels far from the ends of its waves give is had once for all in it
 FEW = 8                  # panels for which that is not worth while
 LEAST_PRESSURE = Fraction(1, 1024)  # of a force: its angle at a small pressure is less accurate
 AFTER_TWO = Fraction(3121, 10000)  # above 2^(1/2) log 2/pi
@@ -30,7 +31,8 @@ def without_zeros(c):
 
 
 class Inner(NamedTuple):
-    """Of T V on an interval: what the panels give that are named, sums of polynomials about a middle, on so much either side, off by so much at most."""
+    """Of T V on an interval: what the panels give that are named, sums of polynomials about a middle, on so much either side, off by so
+    much at most."""
     panels: range = range(0)
     parts: list = []
     off: Fraction = Fraction(0)
@@ -47,7 +49,8 @@ class Poisson(Mesh):
     def off_by(self, c, progress=lambda done: None):
         """(W), (X): above |C(G) - c|"""
         panels = self.farthest[-1]
-        if self.levels != 1 or self.edges[0] >= self.one or self.most(self.edges[panels]) + (self.edges[panels] >> self.bits) + 4 >= self.edges[-1]:
+        next_ratio = self.most(self.edges[panels]) + (self.edges[panels] >> self.bits) + 4
+        if self.levels != 1 or self.edges[0] >= self.one or next_ratio >= self.edges[-1]:
             raise Refused("the mesh is not one of this kind, or does not reach as far as ratios do")
         self.c = -(-c * self.one // 1)
         self.c_off = Fraction(4 + (self.edges[panels] >> self.bits), self.one) + Fraction(2, self.unit)  # of c x
@@ -56,7 +59,8 @@ class Poisson(Mesh):
         return self.above_G**2 * self.means()
 
     def cover(self, panels):
-        """widths, and |R|, of intervals that cover the first so many panels, cut at 1; what is known on all of an interval serves its parts"""
+        """widths, and |R|, of intervals that cover the first so many panels, cut at 1; what is known on all of an interval serves its
+        parts"""
         cuts = sorted({self.edges[0], self.edges[panels], *([self.one] if self.edges[panels] > self.one else [])})
         stack = [(a, b, Inner()) for a, b in zip(cuts, cuts[1:])]
         while stack:
@@ -127,7 +131,8 @@ class Poisson(Mesh):
 
     def inner_at(self, x, inner):
         """what it says of T V at x, in units 2^-(work + kept)"""
-        return sum(sum(map(mul, c, chebyshev(((x - middle) << self.bits) // h, self.one, len(c), self.bits))) >> self.bits for middle, h, c in inner.parts)
+        return sum(sum(map(mul, c, chebyshev(((x - middle) << self.bits) // h, self.one, len(c), self.bits))) >> self.bits
+                   for middle, h, c in inner.parts)
 
     def share_of_one(self, width):
         """(H): above what a wave has of ratios between two that are so far apart"""
@@ -182,7 +187,8 @@ class Poisson(Mesh):
         return max(of_waves, ((self.c * x >> 2 * self.bits) + 2 + size).bit_length()) + 1
 
     def first_on_disc(self, x1, x2, r, wanted):
-        """(M): B_0 on [x1, x2], between some values, in units 2^-(work + kept), as a function of x; what it is at most on the disc r; how far it is off"""
+        """(M): B_0 on [x1, x2], between some values, in units 2^-(work + kept), as a function of x; what it is at most on the disc r; how
+        far it is off"""
         radius = self.first_disc(x1 + x2 >> 1, x1, x2)
         if radius and r > radius:
             raise Far

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Scale 1 of the recursion (6.1): shares in contact or above a pressure, and densities, at any load and any G, as one integral over the pressure t of scale 0.
+"""Scale 1 of the recursion (6.1): shares in contact or above a pressure, and densities, at any load and any G, as one integral over the
+pressure t of scale 0.
 
-The share above p is int q_0(t) Q(t) dt and the density int q_0(t) d(t) dt, where Q and d are those of a wave of amplitude G and mean t: (2.14), (2.15) where
-t >= G, (2.17), (2.19) where t < G; q_0 is the density of a wave of amplitude 1 and mean `load`. Between the ends of both waves and t = G the integrand is
-analytic but for roots. Each such interval is cut in the middle, t = end +- v^2 takes the roots away, and rules of Gauss on parts of v do the rest: lemmas U
-and V of docs/certificate.md. The integrand is written once: of an interval it is the value, of a disc a bound. Nothing is rounded by hand.
+The share above p is int q_0(t) Q(t) dt and the density int q_0(t) d(t) dt, where Q and d are those of a wave of amplitude G and mean t:
+(2.14), (2.15) where t >= G, (2.17), (2.19) where t < G; q_0 is the density of a wave of amplitude 1 and mean `load`. Between the ends of
+both waves and t = G the integrand is analytic but for roots. Each such interval is cut in the middle, t = end +- v^2 takes the roots away,
+and rules of Gauss on parts of v do the rest: lemmas U and V of docs/certificate.md. The integrand is written once: of an interval it is the
+value, of a disc a bound. Nothing is rounded by hand.
 """
 from fractions import Fraction
 from functools import lru_cache
@@ -95,18 +97,20 @@ def root_of(x):
 
 
 def partial(A, x, p):
-    """Of the wave of amplitude A and mean x < A: (2.19) but for (4 A x - p^2)^(-1/2)/pi, which is p S/R; and of (2.17) 1/(A + x + R) and 1 - s."""
+    """Of the wave of amplitude A and mean x < A: (2.19) but for (4 A x - p^2)^(-1/2)/pi, which is p S/R; and of (2.17) 1/(A + x + R) and 1
+    - s."""
     R = root_of((A - x).square() + p.square())
     return p * root_of((A + x + R) / (A - x + R)) / R, 1 / (A + x + R), (A - x + R) / (2 * A)
 
 
 class Half:
-    """From one end of an interval of t to its middle: t = end + sign v^2, v = wide u, 0 <= u <= 1. What roots are taken of, t - place or place - t, is
-    shift + sign v^2, and the shift is found to be 0 where it is."""
+    """From one end of an interval of t to its middle: t = end + sign v^2, v = wide u, 0 <= u <= 1. What roots are taken of, t - place or
+    place - t, is shift + sign v^2, and the shift is found to be 0 where it is."""
 
     def __init__(self, two, second, end, sign, length):
         self.two, self.end, self.sign, self.wide = two, end, sign, root(length / 2)
-        self.first, self.second = ([(Fraction(0) if end is place else (end - place) * side, sign * side) for place, side in places] for places in (two.first, second))
+        self.first, self.second = ([(Fraction(0) if end is place else (end - place) * side, sign * side) for place, side in places]
+                                   for places in (two.first, second))
         self.slope = 1 / (second[1][0] - second[0][0]) if len(second) > 1 else None  # (2.14): s = slope (t - place)
 
 
@@ -163,7 +167,8 @@ class TwoWaves:
             raise ValueError("outside the domain")
         self.p, self.load, self.G, self.halves = p, load, G, []
         low, top = (load - 1, load + 1) if load >= 1 else (Fraction(0), 2 * root(load))
-        self.first = [(low, 1), (top, -1)] if load >= 1 else [(top, -1), (-top, 1)]  # (2.15), (2.19): where q_0 has roots, and to which side they are real
+        # (2.15), (2.19): where q_0 has roots, and to which side they are real
+        self.first = [(low, 1), (top, -1)] if load >= 1 else [(top, -1), (-top, 1)]
         least = p * p / (4 * G)                                                      # (2.17), (2.19)
         up_to_G = [(least, 1)] if p else [(least, 1), (G, -1)]                       # in contact: s = t/G
         for a, b, second in ((max(least, low), G, up_to_G), (max(G, p - G, low), p + G, [(p - G, 1), (p + G, -1)])):

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The second eigenvalue of one wave over the first, 1/G, for G > 2: theorem 8 of docs/limit.md with a function w that is data; lemma Z of docs/certificate.md.
+"""The second eigenvalue of one wave over the first, 1/G, for G > 2: theorem 8 of docs/limit.md with a function w that is data; lemma Z of
+docs/certificate.md.
 
-w is a polynomial in log s up to s_0 + high, s_0 = log(G^2/4), and constant from there on. The noise is u = tanh tau; with e = exp(-tau) q = 1 - u^2 is
-(2e/(1 + e^2))^2, and E[f] = (4/pi) int_0^1 8 e^2/(1 + e^2)^3 f de. With m = 1 - exp(-s) u^2 the next s is s' = (s + s_0 - log q - log m)/2, psi = ds'/ds is
-1 - 1/(2m), and beta = dpsi/ds is (1 - m)/(2m^2). Integrands are written once: of intervals they are values, of discs bounds (U, Z).
+w is a polynomial in log s up to s_0 + high, s_0 = log(G^2/4), and constant from there on. The noise is u = tanh tau; with e = exp(-tau) q =
+1 - u^2 is (2e/(1 + e^2))^2, and E[f] = (4/pi) int_0^1 8 e^2/(1 + e^2)^3 f de. With m = 1 - exp(-s) u^2 the next s is s' = (s + s_0 - log q
+- log m)/2, psi = ds'/ds is 1 - 1/(2m), and beta = dpsi/ds is (1 - m)/(2m^2). Integrands are written once: of intervals they are values, of
+discs bounds (U, Z).
 """
 from fractions import Fraction
 
@@ -243,7 +245,8 @@ class Eigenfunction:
             else:
                 apart = iv.sqrt(cosine / (rho * m)) + cosine * (1 + largest(self.here)) + growing.scaled(-1)
             coupling = coupling + largest(psi) * largest(apart)
-            remainder = remainder + psi.square() * (cosine * (1 + r + 3 * r.square().square() / 2) + growing) + largest(beta) * largest(apart)
+            remainder = remainder + psi.square() * (cosine * (1 + r + 3 * r.square().square() / 2) + growing)
+            remainder = remainder + largest(beta) * largest(apart)
         return top(coupling * 2 / boxes), top(remainder * 2 / boxes)
 
     def remainder_is_below(self, goal, coupling, progress):
@@ -264,7 +267,9 @@ class Eigenfunction:
         """(Z): from s_0 + high on"""
         x, rho = self.far_out()
         y = rho * (1 - x)
-        return ((Fraction(7, 2) + 2 * GROWING / y) / 4 + 2 * x * (largest(self.here) + 1 + 4 / (iv.pi() * iv.sqrt(y)) + GROWING / y)) * rho.square() / GROWING
+        of_psi = (Fraction(7, 2) + 2 * GROWING / y) / 4
+        of_beta = 2 * x * (largest(self.here) + 1 + 4 / (iv.pi() * iv.sqrt(y)) + GROWING / y)
+        return (of_psi + of_beta) * rho.square() / GROWING
 
     def steepness(self, a, b):
         """above |w'|/w(place) from a to b, by Taylor's formula"""
@@ -272,7 +277,8 @@ class Eigenfunction:
         middle = Interval.of(place.middle())
         off = largest(place - middle) / self.radius
         first, second = (largest(p.value(middle)) for p in self.derivatives[1:3])
-        return top((first + off * second + off.square() / 2 * self.derivatives[3].largest(None)) / ((self.start + a) * self.radius * self.at_place))
+        slope = first + off * second + off.square() / 2 * self.derivatives[3].largest(None)
+        return top(slope / ((self.start + a) * self.radius * self.at_place))
 
     # ---- theorem 8
 

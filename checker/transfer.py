@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The recursion (6.1)-(6.7) in partial contact, G > 2 and load <= 1, in integers; lemmas A-E are those of docs/certificate.md.
 
-h_m(x) = G^m A_m(x)/x obeys h_{m+1}(x) = (2/pi) int h_m(y) q^(3/2) dv over all v, q = sech(v)^2, y^2 = (4/G^2) x q (1 - x + x q). With s = -log x,
-h_m is analytic for Re s > 0 and |h_m| <= G exp(a Re s), a = 2^-(m+1) (A). The integral is a sum of `points` + 1 positive weights (C, D), h_m a
-polynomial V_m on each of some panels low <= s <= high (B), and unknown beyond the last (E). So errors are averaged, and grow by B alone.
+h_m(x) = G^m A_m(x)/x obeys h_{m+1}(x) = (2/pi) int h_m(y) q^(3/2) dv over all v, q = sech(v)^2, y^2 = (4/G^2) x q (1 - x + x q). With s =
+-log x, h_m is analytic for Re s > 0 and |h_m| <= G exp(a Re s), a = 2^-(m+1) (A). The integral is a sum of `points` + 1 positive weights
+(C, D), h_m a polynomial V_m on each of some panels low <= s <= high (B), and unknown beyond the last (E). So errors are averaged, and grow
+by B alone.
 
 Fixed point: an integer stands for that many units 2^-bits; a floor costs less than a unit, and what all of them cost is part of the error.
 """
@@ -120,7 +121,8 @@ class Rule:
         for k in range(points + 1):
             sech = 2 * y / (1 + y.square())
             w = weight * sech.square() * sech
-            self.nodes.append((fixed(sech.square(), bits), fixed(-2 * iv.log(sech) if k else Interval.of(0), bits), fixed(w if k else w.scaled(-1), bits)))
+            minus_log = -2 * iv.log(sech) if k else Interval.of(0)
+            self.nodes.append((fixed(sech.square(), bits), fixed(minus_log, bits), fixed(w if k else w.scaled(-1), bits)))
             y = y * ratio
         least_cosine = Interval.of(max(Fraction(3, 4), (2 / G).ends()[1]))  # (C): cos^2 d
         d = iv.angle(iv.sqrt(1 - least_cosine), iv.sqrt(least_cosine))

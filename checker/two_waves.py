@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The density D_1 of the pressure after two waves, in integers: lemma AA of docs/certificate.md.
 
-D_1(x) = -dB_1/dP at load x, in units of 1/p*_1, is an integral over the mean pressure of the second wave (scale_one.py) that has but logarithms, where an
-end of the one wave meets an end of the other. Fixed point: an integer stands for that many units 2^-bits.
+D_1(x) = -dB_1/dP at load x, in units of 1/p*_1, is an integral over the mean pressure of the second wave (scale_one.py) that has but
+logarithms, where an end of the one wave meets an end of the other. Fixed point: an integer stands for that many units 2^-bits.
 """
 from fractions import Fraction
 from functools import reduce
@@ -27,8 +27,8 @@ class Event(Far):
 
 
 class TwoWaves:
-    """G and the pressure p in units of p*_0, intervals: of the second wave, of amplitude G and mean t, the ends. It has its density between `places`, and
-    another formula on either side of t = G."""
+    """G and the pressure p in units of p*_0, intervals: of the second wave, of amplitude G and mean t, the ends. It has its density between
+    `places`, and another formula on either side of t = G."""
 
     def __init__(self, p, G):
         self.p, self.G, self.full = p, G, sign_of(p - 2 * G) > 0
@@ -43,9 +43,11 @@ class TwoWaves:
         return ([bottom, top], [above]) if self.full else ([least, G, top], [[(least, 1)], above])
 
     def order(self, x):
-        """of both ends of the first wave, of mean x, the signs of the distances from the places: 0 only of the seam, where it is not decided"""
+        """of both ends of the first wave, of mean x, the signs of the distances from the places: 0 only of the seam, where it is not
+        decided"""
         ends = [x - 1, x + 1] if x >= 1 else [None, 2 * root_of(x)]
-        return [[-1 if end is None else sign_of(end - place, self.seam == k > 0) for k, place in enumerate(self.of_reals[0])] for end in ends]
+        return [[-1 if end is None else sign_of(end - place, self.seam == k > 0) for k, place in enumerate(self.of_reals[0])]
+                for end in ends]
 
 
 def product(factors):
@@ -74,15 +76,17 @@ class Loads:
 
 
 class Half:
-    """pi^2 times the integrand of D_1/G (scale_one.py), from one end of an interval of t to its middle: t = end + sign L u^2, 2L its length, 0 <= u <= 1. A
-    root that the end makes is sqrt(L) u and cancels; if the other end makes one too, sqrt(L (2 - u^2)), there is no L left, and L may be 0."""
+    """pi^2 times the integrand of D_1/G (scale_one.py), from one end of an interval of t to its middle: t = end + sign L u^2, 2L its
+    length, 0 <= u <= 1. A root that the end makes is sqrt(L) u and cancels; if the other end makes one too, sqrt(L (2 - u^2)), there is no
+    L left, and L may be 0."""
 
     def __init__(self, loads, second, end, other, sign):
         kind, waves = Disc.of if isinstance(loads.load, Disc) else Interval.of, loads.waves
         self.L, self.sign, places = kind((other - end) * (sign * Fraction(1, 2))), sign, loads.first + second
         self.own = any(place is end for place, _ in places)
         self.both = self.own and any(place is other for place, _ in places)
-        self.distances = [(kind((end - place) * side), sign * side) for place, side in places if place is not end and not (self.both and place is other)]
+        self.distances = [(kind((end - place) * side), sign * side) for place, side in places
+                          if place is not end and not (self.both and place is other)]
         self.end, self.G, self.p, self.load, self.one = map(kind, (end, waves.G, waves.p, loads.load, 1))
         self.full, self.below_seam = loads.full, len(second) == 1
         start = kind(root_of(kind(2))) if self.both else 2 * root_of(self.L) if self.own else 2 * self.L
@@ -114,8 +118,8 @@ class Half:
 
 
 def rules(integrand, allowed, bits):
-    """(V), (AA): parts of 0 <= u <= 1 with a number of points of Gauss's rule for each, a bound of the integral, and how far the rules are off, for all
-    loads of a disc"""
+    """(V), (AA): parts of 0 <= u <= 1 with a number of points of Gauss's rule for each, a bound of the integral, and how far the rules are
+    off, for all loads of a disc"""
     Interval.bits = COARSE
     try:
         for u in (0, 1):
@@ -202,16 +206,19 @@ class AfterTwoWaves:
         return at_1, off
 
     def beyond_seam(self, end, x1, x2):
-        """(AA): above what the two formulas of the second wave's density give that differs from t = G to the end of the first wave, the lower (0) or upper (1)"""
+        """(AA): above what the two formulas of the second wave's density give that differs from t = G to the end of the first wave, the
+        lower (0) or upper (1)"""
         G, p, least = self.waves.G, self.waves.p, Disc.of(self.waves.lowest)
-        delta = Interval.of(max(largest(((x + 2 * end - 1) if x1 >= self.one else 2 * root_of(x)) - G).ends()[1] for x in map(self.fraction, (x1, x2))))
+        ends = [(x + 2 * end - 1) if x1 >= self.one else 2 * root_of(x) for x in map(self.fraction, (x1, x2))]
+        delta = Interval.of(max(largest(each - G).ends()[1] for each in ends))
         r = Interval.of(min(p.ends()[0], (2 * G - p).ends()[0]) / 4)
         if (r - 2 * delta).low <= 0:
             return Fraction(1 << 60)
         t, G, p = Disc(G, r), Disc.of(G), Disc.of(p)
         try:
             R = ((G - t).square() + p.square()).root()
-            both = p * (G + t + R).root() / ((G - t + R).root() * (t - least).root() * R * (2 * G.root())), 1 / ((t - (p - G)).root() * (p + G - t).root())
+            both = (p * (G + t + R).root() / ((G - t + R).root() * (t - least).root() * R * (2 * G.root())),
+                    1 / ((t - (p - G)).root() * (p + G - t).root()))
         except Outside:  # these discs tell nothing
             return Fraction(1 << 60)
         return (sum(d.reach() for d in both) * self.times * self.waves.G * root_of(delta) * (delta / r).square() / 2).ends()[1]
