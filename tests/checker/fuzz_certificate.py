@@ -30,6 +30,7 @@ parser.add_argument("--finds", type=pathlib.Path, help="directory that finds are
 known = parser.parse_args()
 sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
+import certificate_text  # noqa: E402
 
 WRITTEN = [("contact.area", "n=2", "load=1/10", "G=16"), ("contact.area", "n=1", "load=3/2", "G=3/2"), ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2"),
            ("limit.area_constant", "G=16"), ("contact.density", "n=2", "p=1", "load=1/10", "G=3"), ("contact.density", "n=2", "p=12", "load=10", "G=10^0.5"), ("limit.force", "p=1/10", "G=16"), ("limit.scale", "load=1/2", "tolerance=1/10", "G=16"), ("limit.gap", "G=1000")]
@@ -46,7 +47,7 @@ def whole(text):
     head = next((i for i, line in enumerate(lines) if re.match("[0-9]", line)), len(lines))
     body = lines[head:]
     kinds = [line.split(" ")[1] if " " in line else "" for line in body]
-    counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in certificate.COUNTED.items() if kind in kinds)
+    counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in certificate_text.COUNTED.items() if kind in kinds)
     claims = [line for line in lines[:head] if line.startswith("claim ")]
     claims = [re.sub(r"^claim \S*", f"claim {i}", line) for i, line in enumerate(claims, 1)]
     body = [f"{i} {line.partition(' ')[2]}" for i, line in enumerate(body, 1)]

@@ -31,6 +31,7 @@ parser.add_argument("--seed", type=int, default=20261122)
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
+import certificate_text  # noqa: E402
 import distributions  # noqa: E402
 import full_contact  # noqa: E402
 import intervals as iv  # noqa: E402
@@ -532,7 +533,7 @@ class Certificates(unittest.TestCase):
         iv.Interval.bits = 128
         parts = [distributions.Polynomial(*certificate.fields(words[4:10], certificate.FORMS["part"], ""), [certificate.integer(c) for c in words[10:]])
                  for words in lines.values() if words[1] == "part"]
-        (error,) = {certificate.dyadic(words[5].partition("=")[2]) for words in lines.values() if words[1] == "balance"}
+        (error,) = {certificate_text.dyadic(words[5].partition("=")[2]) for words in lines.values() if words[1] == "balance"}
         return text, lines, limits.Limit(iv.Interval.of(4), 128), parts, error
 
     def test_a_limit_that_says_too_much_is_refused(self):
@@ -818,7 +819,7 @@ class Certificates(unittest.TestCase):
     def write(self, quantity, claims, lines):
         """a certificate of these claims and lines"""
         kinds = [line.split(" ")[0] for line in lines]
-        counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in certificate.COUNTED.items() if kind in kinds)
+        counts = " ".join(f"{name}={kinds.count(kind)}" for kind, name in certificate_text.COUNTED.items() if kind in kinds)
         head = ["TOUCHSTONE-CERT 1", f"quantity {quantity}", f"counts claims={len(claims)} sections=1 lines={len(lines)}", *(f"claim {i} {c}" for i, c in enumerate(claims, 1)),
                 f"section 1 span=1-{len(lines)} {counts}", *(f"{i} {line}" for i, line in enumerate(lines, 1))]
         self.path.write_text(signed("\n".join(head) + "\nsha256 "))

@@ -23,6 +23,7 @@ parser.add_argument("--program", required=True)
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
+import certificate_text  # noqa: E402
 import full_contact  # noqa: E402
 import intervals as iv  # noqa: E402
 import second_eigenvalue as se  # noqa: E402
@@ -114,7 +115,7 @@ class SecondEigenvalue(unittest.TestCase):
         words = cls.path.read_text().splitlines()[-2].split(" ")
         data = dict(word.split("=") for word in words[4:9])
         Interval.bits = 128
-        arguments = (*(certificate.dyadic(data[name]) for name in ("high", "centre", "radius")), int(data["exponent"]), [int(c, 16) for c in words[9:]])
+        arguments = (*(certificate_text.dyadic(data[name]) for name in ("high", "centre", "radius")), int(data["exponent"]), [int(c, 16) for c in words[9:]])
         return arguments, se.Eigenfunction(Interval.of(G), *arguments)
 
     def test_discs_hold_logarithms_and_exponentials(self):
