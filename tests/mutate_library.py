@@ -54,8 +54,8 @@ AREAS = {
     "quadrature": Area(["quadrature/*"], ["quadrature", "typed_formulas", "public_integrals", "quadrature_second_routes"]),
     "first_steps": Area(["recursion/first_steps/*", "recursion/light_load.cpp"], ["first_steps", "methods"]),
     "from_the_edge": Area(["recursion/from_the_edge/*"], ["boxes", "transfer"]),
-    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "transfer/arc.hpp", "transfer/ellipse_cover.hpp", "wave/*.cpp"],
-                   ["proven_levels", "three_waves"]),
+    "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "transfer/arc.hpp",
+                    "transfer/ellipse_cover.hpp", "transfer/level_bounds.hpp", "wave/*.cpp"], ["proven_levels", "three_waves"]),
     "limit": Area(["limit/*"], ["limit", "rows"]),
     "disc": Area(["transfer/disc.hpp"], ["binary64"]),
 }

@@ -30,6 +30,30 @@ TEST_CASE("both routes of K_n enclose the plain recursion (7.13), tightly")
     }
 }
 
+TEST_CASE("the values of eta and zeta that the two routes sum hold Arb's, and are as sharp as is said of them")
+{
+    for (const slong bits : {100L, 400L, 1500L})
+        for (const slong step : {1L, 5L, 12L})
+            for (const long last : {2L, 3L, 12L, 31L, 60L}) { // blocks of 8 to 20 exponents: 12 ends with a block of one
+                if (last * step > bits) continue;
+                const WorkingPrecision precision(bits + 64);
+                const auto eta = archard::eta_values(last, bits, step), zeta = archard::zeta_values(last, bits, step);
+                for (long k = 2; k <= last; ++k) {
+                    Ball known;
+                    arb_zeta_ui(known.get(), static_cast<ulong>(k), bits + 64);
+                    CAPTURE(bits);
+                    CAPTURE(step);
+                    CAPTURE(last);
+                    CAPTURE(k);
+                    const Ball alternating = known * (1 - power_of_two<Ball>(1 - k));
+                    CHECK(arb_contains(eta[static_cast<std::size_t>(k)].get(), alternating.get()));
+                    CHECK(arb_contains(zeta[static_cast<std::size_t>(k)].get(), known.get()));
+                    CHECK(eta[static_cast<std::size_t>(k)].relative_bits() >= bits - k * step - 3);
+                    CHECK(zeta[static_cast<std::size_t>(k)].relative_bits() >= bits - k * step - 3);
+                }
+            }
+}
+
 TEST_CASE("K_n descends to K_inf at the rate the recursion gives")
 {
     const WorkingPrecision precision(400);

@@ -396,6 +396,18 @@ TEST_CASE("turned path: a constant amplitude attains what lies beyond; the quadr
     attains(decimal("0.1"), supremum("sin(x)/x", 0, 10), Rational(6, 10));
     attains(exp(log(decimal("13")) * decimal("-0.5")), supremum("cos(x)/sqrt(x)", 3, 10), Rational(1, 10));
     attains(log(decimal("21")) / decimal("21"), supremum("cos(x)*log(1+x)/(1+x)", 0, 20), Rational(1, 4));
+    // J and Y are parts of (2/(pi w z))^(1/2) exp(i w z) times a factor that tends to 1, in all (2/pi) |K(-i w z)|: largest at z = X, or nearly
+    for (const auto& [formula, order, frequency, share] :
+         {std::tuple{"besselj(0,3*x)/x", 0, 3, Rational(6, 10)}, std::tuple{"bessely(2,x/2)/x", 2, 0, Rational(1, 4)}}) {
+        CAPTURE(formula);
+        const Ball own = frequency != 0 ? Ball(frequency) : Ball(Rational(1, 2)), most = supremum(formula, 0, 10);
+        for (const char* y : {"0", "0.1", "1", "10", "100"}) {
+            const ComplexBall z(Ball(10), decimal(y)), rotated(own * z.imag(), -own * z.real());
+            const Ball k = abs(special_function(Op::bessel_k, Ball(order), rotated)), there = k * exp(own * z.imag()) * Ball(2) / pi<Ball>() / abs(z);
+            CHECK(arb_le(there.get(), most.get()));
+            if (y[0] == '0' && y[1] == '\0') attains(there, most, share);
+        }
+    }
     // the argument of log z grows to pi/2: |log z| there, not on the axis
     CHECK(arb_ge(supremum("cos(x)/log(1+x)", 0, 20).get(), (Ball(1) / log(Ball(21))).get()));
 }
@@ -406,11 +418,16 @@ TEST_CASE("quadrant: r = 1/(1 + z), its logarithm and its powers are enclosed, a
     const long distance = 6;
     const Quadrant quadrant(distance);
     const ComplexBall r = quadrant.distance(Side::right), slope = quadrant.logarithm_over_rho(Side::right);
+    const ComplexBall rest = quadrant.distance(Side::left), its_logarithm = quadrant.logarithm(Side::left); // of 1 - r, which is nearly all
+    CHECK(arb_lt(abs(rest - ComplexBall(1)).get(), Ball(Rational(1, 5)).get()));
+    CHECK(arb_lt(abs(its_logarithm).get(), Ball(Rational(1, 4)).get()));
     Ball least_imaginary(0), least_angle(0);
     for (const char* x : {"0", "0.5", "3", "1000"})
         for (const char* y : {"0", "1", "7", "100", "1e9", "1e40"}) {
             const ComplexBall z(Ball(distance) + decimal(x), decimal(y)), at = ComplexBall(1) / (ComplexBall(1) + z);
             CHECK(acb_overlaps(r.get(), at.get()));
+            CHECK(acb_overlaps(rest.get(), (ComplexBall(1) - at).get()));
+            CHECK(acb_overlaps(its_logarithm.get(), analytic::log(ComplexBall(1) - at).get()));
             const ComplexBall l = analytic::log(at);
             const Ball rho = -log(abs(at));
             CHECK(acb_overlaps(slope.get(), (l / ComplexBall(rho)).get()));

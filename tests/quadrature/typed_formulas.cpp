@@ -344,7 +344,7 @@ TEST_CASE("changes of variable are exact")
         const Ball x(Rational(7, 5)), t = pow(x, Ball(m));
         CHECK((evaluate_at(*in_power(e, m), t) * Ball(m) * t).overlaps(evaluate_at(*e, x) * x));
     }
-    for (const char* formula : {"sin(x)", "sin(x^2)*cos(x)", "sin(x+x^2)", "exp(-1/x)", "sqrt(x)", "exp(-log(x)^2)"}) {
+    for (const char* formula : {"sin(x)", "sin(x^2)*cos(x)", "sin(x+x^2)", "exp(-1/x)", "sqrt(x)", "exp(-log(x)^2)", "sin(x/x)"}) {
         CAPTURE(formula);
         CHECK(!power_in_arguments(*parse_expression(formula)));
     }

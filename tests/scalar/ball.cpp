@@ -142,3 +142,25 @@ TEST_CASE("complex balls contain what they should")
     CHECK(atan2(ComplexBall(1), ComplexBall(1)).real().overlaps(pi<Ball>() / 4));
     CHECK(atan2(sqrt(ComplexBall(3)), ComplexBall(3)).real().overlaps(pi<Ball>() / 6)); // arctan(y/x)
 }
+
+TEST_CASE("the functions of complex balls that formulas are written with, at arguments where they are known")
+{
+    using C = ScalarTraits<ComplexBall>;
+    const WorkingPrecision precision(120);
+    const ComplexBall i(Ball(0), Ball(1)), half = C::quotient(1, 2);
+    const auto is = [](const ComplexBall& value, const ComplexBall& known) {
+        const ComplexBall off = value - known;
+        return off.overlaps(ComplexBall(0)) && abs(off).radius_bound() < 1e-30;
+    };
+    CHECK(is(half + half, C::integer(1)));
+    CHECK(is(C::power_of_two(-3) * C::integer(8), C::integer(1)));
+    const ComplexBall e_pi = exp(C::pi()), cosh_pi = (e_pi + ComplexBall(1) / e_pi) / ComplexBall(2);
+    CHECK(is(C::sin_pi(half + i), cosh_pi));
+    CHECK(is(C::cos_pi(i), cosh_pi));
+    CHECK(is(C::powm1(i, ComplexBall(3)), -i - ComplexBall(1)));
+    CHECK(is(C::hypot(ComplexBall(3), ComplexBall(4)), ComplexBall(5)));
+    CHECK(is(C::hypot(ComplexBall(5) * i, ComplexBall(13)), ComplexBall(12)));
+    CHECK(is(C::hypot(ComplexBall(13), ComplexBall(5) * i), ComplexBall(12)));
+    CHECK(is(C::gamma(half), sqrt(C::pi())));
+    CHECK(is(C::sqrt_positive_part(ComplexBall(-4)), ComplexBall(2) * i));
+}

@@ -137,6 +137,8 @@ TEST_CASE("a root is found by its least degree, in whatever form it is typed")
         return r.base == base && r.degree == degree;
     };
     CHECK(is("sqrt(10)", Rational(10), 2));
+    CHECK(is("-3/2", Rational(-3, 2), 1)); // a rational number is its own root
+    CHECK(is("4^(1/2)", Rational(2), 1));
     CHECK(is("8^(1/6)", Rational(2), 2));
     CHECK(is("3/sqrt(2)", Rational(9, 2), 2));
     CHECK(is("7^(2/14)", Rational(7), 7));

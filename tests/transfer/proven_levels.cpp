@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/defects.hpp"
+#include "touchstone/transfer/level_bounds.hpp"
 #include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
@@ -9,6 +11,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
+#include <sstream>
 
 using namespace touchstone;
 using transfer::ProvenLevels;
@@ -85,14 +89,27 @@ TEST_CASE("a mesh that is kept serves the law, G, pressure, scales, loads and di
     exceedance(1, half, half, G, 7, 1e-8);
     exceedance(1, half, half, Ball(8), 4, 1e-4);
     exceedance(1, Ball(Rational(1, 4)), half, G, 4, 1e-4);
-    const Ball density = transfer::density_by_proven_levels(2, [&] { return half; }, arguments(half, G), Accuracy{4});
-    const Ball known = transfer::density(transfer::Law::density, 2, [&] { return half * G * G; }, arguments(half, G), Accuracy{12}) * G * G;
+}
+
+TEST_CASE("meshes that are kept of densities and areas, and certificates of what they say")
+{
+    const WorkingPrecision precision(256);
+    const Ball half(Rational(1, 2)), G(6);
+    const transfer::Arguments a{[&] { return half; }, [&] { return G; }};
+    const Ball density = transfer::density_by_proven_levels(2, [&] { return half; }, a, Accuracy{4});
+    const Ball known = transfer::density(transfer::Law::density, 2, [&] { return half * G * G; }, a, Accuracy{12}) * G * G;
     INFO(density.to_string(), " ", known.to_string());
     CHECK(density.overlaps(known));
     CHECK(density.radius_bound() < 1e-4);
-    const Ball area = transfer::area_by_proven_levels(2, arguments(half, G), Accuracy{4});
-    CHECK(area.overlaps(transfer::area(transfer::Scheme::area, 2, arguments(half, G), Accuracy{12})));
-    CHECK(area.radius_bound() < 1e-4);
+    const auto pressure = [&] { return half; };
+    CHECK(transfer::density_by_proven_levels_certificate(2, pressure, a, Accuracy{4}).find("T D_1 within") != std::string::npos);
+    for (const long n : {1L, 2L}) {
+        const Ball area = transfer::area_by_proven_levels(n, a, Accuracy{4});
+        CHECK(area.overlaps(transfer::area(transfer::Scheme::area, n, a, Accuracy{12})));
+        CHECK(area.radius_bound() < 1e-4);
+    }
+    CHECK(transfer::area_by_proven_levels_certificate(2, a, Accuracy{4}).find("T B_1 within") != std::string::npos);
+    CHECK(transfer::exceedance_by_proven_levels_certificate(2, pressure, a, Accuracy{4}).find("T B_1 within") != std::string::npos);
 }
 
 TEST_CASE("the sizes of lemma 2 are those that their Gamma functions have")
@@ -108,6 +125,100 @@ TEST_CASE("the sizes of lemma 2 are those that their Gamma functions have")
     arb_gamma(seven_quarters.get(), Ball(Rational(7, 4)).get(), 128);
     CHECK(c[2].overlaps(2 * ratio * five_quarters / seven_quarters));
     CHECK(c[2].relative_bits() > 100);
+}
+
+TEST_CASE("the highest ratios that waves lead to are not below the true ones, nor more than roundings above")
+{
+    const WorkingPrecision precision(200);
+    for (const double G : {1.02, 1.5, 3., 7.})
+        for (const double highest : {0x1p-60, 0.3, 0.999, 1., 1.7, 40.}) {
+            constexpr int steps = 6;
+            const std::vector<double> reach = transfer::levels::highest_ratios(highest, G, steps);
+            REQUIRE(reach.size() == steps + 1);
+            Ball y = Ball::exactly(highest);
+            for (int k = 0; k <= steps; ++k) { // (2.10), (2.4) at theta = 0
+                CAPTURE(G);
+                CAPTURE(highest);
+                CAPTURE(k);
+                CHECK_FALSE(certainly(less(Ball::exactly(reach[static_cast<std::size_t>(k)]), y)));
+                CHECK(certainly(less(Ball::exactly(reach[static_cast<std::size_t>(k)]), y * Ball::exactly(1 + 1e-13))));
+                y = middle(y) < 1 ? 2 * sqrt(y) / Ball::exactly(G) : (y + 1) / Ball::exactly(G);
+            }
+        }
+}
+
+TEST_CASE("numbers of 106 bits lie between the binary64 numbers that are not above and not below them")
+{
+    for (const double rest : {-0x1p-54, 0., 0x1p-54}) {
+        const DoubleDouble<double> x{1, rest};
+        CHECK(Rational(transfer::levels::not_above(x)) <= Rational(1) + Rational(rest));
+        CHECK(Rational(1) + Rational(rest) <= Rational(transfer::levels::not_below(x)));
+        CHECK(transfer::levels::not_below(x) - transfer::levels::not_above(x) < 1e-14);
+    }
+}
+
+TEST_CASE("the share of each level's defect that reaches a value is that of the waves between, and hardly more is charged")
+{
+    const WorkingPrecision precision(200);
+    constexpr int scales = 5;
+    const double load = 0.25;
+    const ProvenLevels areas(Ball(3), 1, 1e-6, scales), above(Ball(3), Ball(1) / 100, 1, 1e-6, scales);
+    std::vector<double> shares{1, 2 / std::numbers::pi * std::asin(std::sqrt(load))}; // T^k 1: nothing, one wave, k waves
+    for (int k = 2; k <= scales; ++k) shares.push_back(middle(areas.share(k - 1, Ball::exactly(load))));
+    for (const bool area : {true, false})
+        for (int n = 1; n <= scales; ++n) {
+            std::istringstream lines((area ? areas : above).certificate(n, Ball::exactly(load)));
+            std::string line;
+            std::getline(lines, line);
+            CHECK(line.find("T B_" + std::to_string(n - 1) + " within") != std::string::npos);
+            for (int m = 0; m < n; ++m) {
+                REQUIRE(std::getline(lines, line));
+                CHECK(line.find("level  " + std::to_string(m) + ":") != std::string::npos);
+                const double weight = std::stod(line.substr(line.rfind(' ')));
+                const auto between = static_cast<std::size_t>(n - m - 1);
+                const double most = transfer::levels::mass_after_steps(3, load, scales)[between];
+                CAPTURE(area);
+                CAPTURE(line);
+                CHECK(weight >= 0.99 * shares[between]);
+                CHECK(weight <= 1.01 * (area && between > 1 ? std::min(most, 1.01 * shares[between]) : most)); // two digits are printed
+            }
+            CHECK_FALSE(std::getline(lines, line));
+        }
+}
+
+TEST_CASE("a load is exact where it is a number of 106 bits and known to be that one")
+{
+    const WorkingPrecision precision(256);
+    using transfer::levels::is_exactly;
+    const Ball third(Rational(1, 3)), beside = Ball(1) + Ball::exactly(0x1p-80) + Ball::exactly(0x1p-150);
+    CHECK(is_exactly(Ball(1) + Ball::exactly(0x1p-80), {1, 0x1p-80}));
+    CHECK_FALSE(is_exactly(third, transfer::to_real(third)));
+    CHECK_FALSE(is_exactly(beside, transfer::to_real(beside)));
+    CHECK_FALSE(is_exactly(Ball(2), {1, 0}));
+}
+
+TEST_CASE("densities: level 0 counts with two waves")
+{
+    const WorkingPrecision precision(200);
+    constexpr int scales = 3;
+    const Ball G(6), half(Rational(1, 2)), third(Rational(1, 3));
+    const ProvenLevels levels = ProvenLevels::densities(G, half, 1, 1e-5, scales);
+    for (int n = 1; n <= scales; ++n) {
+        CAPTURE(n);
+        CHECK(levels.share(n, third).overlaps(levels.share(n, transfer::to_ball(transfer::to_real(third)))));
+        std::istringstream lines(levels.certificate(n, half));
+        std::string line;
+        std::getline(lines, line);
+        CHECK(line.find("T D_" + std::to_string(n) + " within") != std::string::npos);
+        const std::vector<double> mass = transfer::levels::mass_after_steps(6, 0.5, scales);
+        for (int m = 0; m < n; ++m) {
+            REQUIRE(std::getline(lines, line));
+            CHECK(line.find("level  " + std::to_string(m + 1) + ":") != std::string::npos);
+            const int waves = m == 0 && n > 1 ? n - 2 : n - m - 1; // beyond those that are counted with the level
+            CAPTURE(line);
+            CHECK(std::stod(line.substr(line.rfind(' '))) == doctest::Approx(mass[static_cast<std::size_t>(waves)]).epsilon(0.01));
+        }
+    }
 }
 
 TEST_CASE("where both apply, partial contact's own proof gives the same areas")
@@ -263,6 +374,32 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
     }
 }
 
+TEST_CASE("V may be anything: where only the ratios after one wave, or two, come")
+{
+    const WorkingPrecision precision(160);
+    const Ball G = Ball(5) / 2;
+    constexpr int scales = 3;
+    const double top[] = {4 / 2.5, 2.6 / 2.5}; // the highest ratios from load 3 on
+    const ProvenLevels good(G, 3, 1e-5, scales);
+    for (const int level : {0, 1}) { // a level that is off where the last wave leads to, or the one before
+        const double reached = top[1 - level];
+        const ProvenLevels bad(G, 3, 1e-5, scales, [=](int m, double, double y1) { return m == level && y1 > 0.9 * reached ? 1e-2 : 0; });
+        const Ball truth = good.share(2, Ball(3)), share = bad.share(2, Ball(3));
+        INFO("level ", level, ": ", share.to_string(), " ", truth.to_string());
+        CHECK(share.overlaps(truth));
+        CHECK(share.radius_bound() < 0.2);
+        if (level == 1) CHECK(std::fabs(middle(truth) - middle(share)) > 1e-3);
+    }
+    const ProvenLevels everywhere(G, 3, 1e-5, scales, [](int m, double, double) { return m == 1 ? 1e-2 : 0; });
+    for (const char* load : {"1/10", "1/3", "3"})
+        for (const long n : {1L, 2L, 3L}) {
+            const Ball x(*parse_rational(load)), truth = good.share(n, x), share = everywhere.share(n, x);
+            INFO("load ", load, " n ", n, ": ", share.to_string(), " ", truth.to_string());
+            CHECK(share.overlaps(truth));
+            CHECK(share.radius_bound() < 0.1);
+        }
+}
+
 TEST_CASE("above a pressure: the error follows the tolerance where fine panels of one level meet an end of the wave far from any singular point")
 {
     const WorkingPrecision precision(256);
@@ -333,6 +470,19 @@ TEST_CASE("what cannot be had is refused")
     arb_add_error_2exp_si(vague.get(), -90);
     CHECK_THROWS_AS(ProvenLevels(vague, 1, 1e-9), BeyondReach);
     CHECK_THROWS_AS(ProvenLevels(Ball(2), vague, 1, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels::densities(Ball(2), vague, 1, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels::densities(Ball(2), Ball(-1), 1, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels(Ball(2), Ball(-1), 1, 1e-9), BeyondReach);
+    CHECK_THROWS_AS(ProvenLevels(Ball(2), 1, 1e-4), std::invalid_argument);
+    CHECK_THROWS_AS(ProvenLevels(Ball(2), 1, 1e-26), std::invalid_argument);
     const ProvenLevels levels(Ball(3), 1, 1e-8);
+    CHECK_THROWS_AS(levels.share(0, Ball(1)), BeyondReach);
+    CHECK_THROWS_AS(levels.share(ProvenLevels::usual_levels + 1, Ball(1)), BeyondReach);
+    { // known to 101 bits on one side only: next to a number that is half a unit of 107 bits above one of 106
+        const WorkingPrecision precision(256);
+        Ball uneven = Ball(1) + Ball::exactly(0x1p-54) + Ball::exactly(0x1p-108);
+        arb_add_error_2exp_si(uneven.get(), -99);
+        CHECK_THROWS_AS(levels.share(1, uneven), BeyondReach);
+    }
     CHECK(levels.share(3, Ball(*parse_rational("1e-200"))).relative_bits() <= 1);
 }

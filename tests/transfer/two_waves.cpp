@@ -28,14 +28,12 @@ Ball by_scale_one(const Rational& G, const Rational& P, const TwoWaves::Real& x)
     return transfer::scale_one_density(Variable::angle, q) * Ball(G);
 }
 
-} // namespace
-
-TEST_CASE("the density after two waves against one integral over the angle")
+struct WaveAndPressure {
+    const char *G, *P;
+};
+void against_one_integral(std::initializer_list<WaveAndPressure> cases)
 {
     const WorkingPrecision precision(200);
-    struct {
-        const char *G, *P;
-    } const cases[] = {{"3/2", "1/2"}, {"2", "1/100"}, {"21/20", "3"}, {"5/2", "19/10"}, {"3/2", "2"}, {"6/5", "1"}};
     for (const auto& c : cases) {
         const Rational G = *parse_rational(c.G), P = *parse_rational(c.P);
         const TwoWaves waves{Ball(G), Ball(P), 1e-22};
@@ -59,6 +57,23 @@ TEST_CASE("the density after two waves against one integral over the angle")
             CHECK(own.overlaps(by_scale_one(G, P, x)));
         }
     }
+}
+
+} // namespace
+
+TEST_CASE("the density after two waves against one integral over the angle, at ordinary pressures")
+{
+    against_one_integral({{"3/2", "1/2"}, {"6/5", "1"}});
+}
+
+TEST_CASE("the density after two waves against one integral over the angle, at a pressure near 0, and at 2, where both of its forms end")
+{
+    against_one_integral({{"2", "1/100"}, {"3/2", "2"}});
+}
+
+TEST_CASE("the density after two waves against one integral over the angle, next to pressure 2 and beyond it")
+{
+    against_one_integral({{"21/20", "3"}, {"5/2", "19/10"}});
 }
 
 TEST_CASE("a disc holds no singular point, and its bound holds")
@@ -97,13 +112,20 @@ TEST_CASE("the density is 0 up to the lowest ratio, and is not a thousandth abov
     }
 }
 
-TEST_CASE("a disc under full contact holds no more than a share of half the wave's length, and its bound is what the lemma says")
+TEST_CASE("a disc holds no more than a share of what it may, and its bound is what the lemma says")
 {
     const WorkingPrecision precision(200);
     constexpr double share = wave::disc_two_waves.share, most = wave::disc_two_waves.most;
     const TwoWaves far{Ball(10), Ball(3), 1e-12}; // from 2.5 to 2.7, the singular points at 2 and 4
     CHECK(far.on_disc(true, Ball(26), 1.99 * share) < 1000);
     CHECK(std::isinf(far.on_disc(true, Ball(26), 2.01 * share)));
+    // in partial contact a disc takes a share of x and of 1 - x, however far the wave's end is from singular points
+    const TwoWaves lower{Ball(10), Ball(1) / 10, 1e-12};
+    CHECK(lower.on_disc(false, Ball(9) / 10, 0.099 * share) < 1e4);
+    CHECK(std::isinf(lower.on_disc(false, Ball(9) / 10, 0.101 * share)));
+    const TwoWaves higher{Ball(10), Ball(9) / 5, 1e-12};
+    CHECK(higher.on_disc(false, Ball(1) / 10, 0.099 * share) < 1e4);
+    CHECK(std::isinf(higher.on_disc(false, Ball(1) / 10, 0.101 * share)));
     const TwoWaves coarse{Ball(3) / 2, Ball(1) / 2, 0.3};
     const auto [value, error] = coarse.value(TwoWaves::Real(2));
     CAPTURE(value.high);
@@ -138,6 +160,42 @@ TEST_CASE("the rectangles of a cover hold the upper half of the ellipse, and non
                 CHECK(std::hypot(across, (m.imag() - cover.half_height) / high) < 1.001);
             }
         }
+}
+
+TEST_CASE("what Gauss's rule errs by, and what moved nodes and roundings do, is within the bounds, which have their values")
+{
+    CHECK(transfer::gauss_error(2, 1) == doctest::Approx(256 / 45.).epsilon(1e-12));
+    CHECK(transfer::gauss_error(2, 3) == doctest::Approx(16 / 45.).epsilon(1e-12));
+    CHECK(transfer::gauss_error(4, 2) == doctest::Approx(64 / 225.).epsilon(1e-12));
+    CHECK(transfer::semi_axis(4) == 2.125);
+    const transfer::Surroundings about({3, 0x1p-60}, {3.5, 0}, 2);
+    CHECK(about.half >= 0.25);
+    CHECK(about.half <= 0.2503);
+    CHECK(about.radius == doctest::Approx(1.25 * about.half).epsilon(1e-12));
+    CHECK(transfer::levels::magnitude({-2, 0x1p-60}) >= 2);
+    CHECK(transfer::levels::magnitude({-2, 0x1p-60}) <= 2.003);
+    CHECK(transfer::levels::rounding_of_sum({-0.5, 0}, 36) == doctest::Approx(50 * 0x1p-101).epsilon(1e-12));
+    CHECK(transfer::moved_nodes_error(1, 0.5, 4, 3) == doctest::Approx(1.2).epsilon(1e-12));
+    CHECK(transfer::moved_nodes_error(0.5, 0.25, 1, 8) == doctest::Approx(8).epsilon(1e-12));
+    for (const int count : {1, 2, 4, 7}) {
+        const transfer::Gauss gauss(count);
+        const auto n = static_cast<std::size_t>(count);
+        for (const double pole : {1.1, 1.5, 4.}) // 1/(pole - x)
+            for (const double share : {0.5, 0.9, 0.99}) {
+                const double wide = 1 + share * (pole - 1), rho = wide + std::sqrt(wide * wide - 1), off = 1e-3 * (pole - 1);
+                double sum = 0, moved = 0;
+                for (std::size_t i = 0; i < n; ++i) {
+                    const double x = gauss.nodes[i].high, w = gauss.weights[i].high;
+                    sum += w / (pole - x);
+                    moved += w / (pole - x - off);
+                }
+                CAPTURE(count);
+                CAPTURE(pole);
+                CAPTURE(share);
+                CHECK(std::fabs(sum - std::log((pole + 1) / (pole - 1))) <= transfer::gauss_error(rho, n) / (pole - wide));
+                CHECK(moved - sum <= transfer::moved_nodes_error(1, off, wide, 1 / (pole - wide)));
+            }
+    }
 }
 
 TEST_CASE("the bounds of the second wave's density and of the first wave's kernel hold and are not far from them")
@@ -203,6 +261,37 @@ TEST_CASE("the bounds of the second wave's density and of the first wave's kerne
         }
 }
 
+TEST_CASE("two roots next to one another: the bounds of their integral, and where one of them moves, hold and are nearly attained")
+{
+    namespace levels = transfer::levels;
+    constexpr double margin = transfer::bounds::margin;
+    for (const double near : {0.01, 0.4})
+        for (const double share : {1e-12, 1e-3, 0.1, 0.9}) {
+            const double delta = share * near;
+            const double exact = std::numbers::pi + 2 * std::asinh(std::sqrt(1 / share)) + 2 * std::asinh(std::sqrt(1 / share - 1));
+            CAPTURE(near);
+            CAPTURE(share);
+            CHECK(exact <= margin * levels::two_roots(near, delta));
+            CHECK(exact >= (share > 0.1 ? 0.7 : 0.97) * levels::two_roots(near, delta));
+        }
+    // e = s at the middle of the interval and moves by x/G; the share of the measure within l/2 of the middle is (l/width)^(1/2)
+    for (const double G : {1.01, 3.})
+        for (const double width : {1e-12, 1e-3}) {
+            const double near = 0.2;
+            double counts = 0;
+            constexpr int steps = 10'000;
+            for (int k = 0; k < steps; ++k) {
+                const double share = (k + 0.5) / steps;
+                counts += levels::two_roots(near, share * share * width / (2 * G)) / steps;
+            }
+            CAPTURE(G);
+            CAPTURE(width);
+            CHECK(counts <= margin * levels::two_roots_on(near, width, G));
+            CHECK(counts >= 0.98 * levels::two_roots_on(near, width, G));
+        }
+    CHECK(levels::two_roots_on(0.2, 1e-3, 0.25) == doctest::Approx(levels::two_roots(0.2, 1e-3) + 4)); // e moves by more than x
+}
+
 TEST_CASE("roundings of the integrand are charged beside those of the sum")
 {
     const TwoWaves waves{Ball(3) / 2, Ball(1) / 2, 1e-30};
@@ -210,6 +299,40 @@ TEST_CASE("roundings of the integrand are charged beside those of the sum")
         const auto [value, error] = waves.value(TwoWaves::Real(x));
         CHECK(error > 1.004 * 2000 * 0x1p-101 * value.high);
     }
+}
+
+TEST_CASE("what an interval counts for is the sum of what the bounds of the second wave's density do, each cut next to its singular point")
+{
+    namespace second_wave = transfer::second_wave;
+    for (const double G : {1.2, 5.})
+        for (const double P : {0.3, 0.01, 0.8, 1.5, 3.})
+            for (const double x : {0.2, 1.5}) {
+                constexpr double width = 1e-6;
+                const auto counts = [&](double s, double factor) {
+                    const double near = std::min(s / 2, 1 / (2 * G));
+                    const double kernel = second_wave::first_wave(G, x, s);
+                    return factor / std::sqrt(near) + factor * kernel * transfer::levels::two_roots_on(near, width, G);
+                };
+                double all = 0;
+                if (P < 0.5) {
+                    // next to 1 the integral of (3/2) l^(1/2) P R^(-5/2) dR, l^2 = R^2 - P^2, is 3/4 B(1/2, 5/4) < 1.32: 1.52 is enough
+                    const double lower = P * P / 4;
+                    all = counts(lower, P * second_wave::at_lower) + counts(1 + P, second_wave::at_top)
+                          + P * second_wave::below_half / std::sqrt(std::min(lower, 1 / G) / 2)
+                          + std::sqrt(G) * 1.52 / std::numbers::sqrt2 * second_wave::about_one;
+                }
+                else {
+                    const auto bound = second_wave::bound(P);
+                    all = bound.elsewhere;
+                    for (const auto& r : bound.roots) all += counts(r.at, r.factor);
+                }
+                const double own = TwoWaves{Ball::exactly(G), Ball::exactly(P), 1e-6}.weight_on(x, width);
+                CAPTURE(G);
+                CAPTURE(P);
+                CAPTURE(x);
+                CHECK(own >= all);
+                CHECK(own <= 1.002 * all);
+            }
 }
 
 TEST_CASE("what an interval with a logarithm counts for is more than its mean")

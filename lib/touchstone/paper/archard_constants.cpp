@@ -77,6 +77,8 @@ void eta_block(std::vector<Ball>& eta, long first, long last, slong bits, slong 
     }
 }
 
+} // namespace
+
 /// eta(2), ..., eta(last), the k-th to about 2^-(bits - k step), in blocks with as many terms as the first of a block needs.
 std::vector<Ball> eta_values(long last, slong bits, slong step)
 {
@@ -86,6 +88,8 @@ std::vector<Ball> eta_values(long last, slong bits, slong step)
         eta_block(eta, first, std::min(last, first + block - 1), bits - (first - 2) * step, step);
     return eta;
 }
+
+namespace {
 
 /// x as an integer number of 2^-F, towards zero. The radius of x is at most 2^-F, or the answer is false.
 bool to_fixed_point(Integer& result, const Ball& x, slong F)
@@ -98,6 +102,8 @@ bool to_fixed_point(Integer& result, const Ball& x, slong F)
     fmpz_clear(units);
     return true;
 }
+
+} // namespace
 
 /// zeta(2), ..., zeta(last), the k-th to about 2^-(bits - k step): the even ones are Bernoulli numbers times powers of pi,
 /// the odd ones by Ramanujan's formula (Berndt, Rocky Mountain J. Math. 7, 1977, theorem 2.2): for s = 2n + 1 > 1 and alpha beta = pi^2,
@@ -171,6 +177,8 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
     }
     return zeta;
 }
+
+namespace {
 
 } // namespace
 

@@ -3,6 +3,7 @@
 
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/defects.hpp"
+#include "touchstone/transfer/level_bounds.hpp"
 
 #include <fmt/format.h>
 
@@ -102,11 +103,9 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
     const WorkingPrecision precision(256);
     const Real x = to_real(load), low = x * Real{1, -4 * u}, high = x * Real{1, 4 * u};
     if (!certainly(less(to_ball(low), load)) || !certainly(less(load, to_ball(high)))) throw BeyondReach("load not known to 101 bits");
-    const double top = double(high) * (1 + 0x1p-50), g = double(s.G) * (1 - 0x1p-50);
-    std::vector<double> reach{top};
-    for (int k = 0; k <= levels; ++k)
-        reach.push_back((reach.back() < 1 ? 2 * std::sqrt(reach.back()) / g : (reach.back() + 1) / g) * (1 + 0x1p-50));
-    const bool share = s.first->is_share(), exact = (to_ball(x) - load).is_exact() && (to_ball(x) - load).contains_zero();
+    const double top = not_below(high), g = not_above(s.G);
+    const std::vector<double> reach = highest_ratios(top, g, levels);
+    const bool share = s.first->is_share(), exact = is_exactly(load, x);
     Result below, above;
     s.V->apply(share ? low : x, below);
     s.V->apply(share ? high : x, above);

@@ -4,6 +4,7 @@
 
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/arc.hpp"
+#include "touchstone/transfer/ellipse_cover.hpp"
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/two_waves.hpp"
 
@@ -18,9 +19,9 @@ namespace {
 using Real = TwoWaves::Real;
 using std::max, std::min;
 using namespace bounds;
+using namespace levels;
 
 constexpr double rho = 4;                                  // of the ellipse on which the integrand of an interval is bounded
-constexpr double spread = (rho + 1 / rho) / 2 * margin;    // radius of a disc that holds it, per half of the interval
 constexpr double moved_node = 8 * u;                       // of a node, relative to t
 constexpr double narrowest = 256 * u;                      // half of an interval, relative to t: its nodes stay well inside the disc
 constexpr int node_steps = 4;                              // rules of a quarter of the nodes, of half of them, ...
@@ -62,7 +63,7 @@ public:
             sum += sums[i];
             error += errors[i];
         }
-        error += u * (static_cast<double>(sums.size() + rules_.back().nodes.size()) + 64) * std::fabs(sum.high); // all terms are positive
+        error += rounding_of_sum(sum, sums.size() + rules_.back().nodes.size());
         if (!(error < infinite)) throw BeyondReach("numbers of 106 bits do not reach so near to a singular point");
         const WorkingPrecision precision(bits);
         Ball value = to_ball(sum);
@@ -104,8 +105,8 @@ private:
     {
         const WorkingPrecision precision(bits);
         const Real middle = (low + high) * 0.5;
-        const double half = size(high - low) / 2, r = half * spread;
-        if (!(half >= narrowest * size(high))) return false;
+        const auto [half, r] = Surroundings(low, high, rho);
+        if (!(half >= narrowest * magnitude(high))) return false;
         const Ball a = arc.ratio(to_ball(low)), b = arc.ratio(to_ball(high));
         const bool above = !possibly(less(a, Ball(1))) && !possibly(less(b, Ball(1)));
         if (!above && (possibly(less(Ball(1), a)) || possibly(less(Ball(1), b)))) return false;
@@ -114,10 +115,9 @@ private:
         const double M = waves_.on_disc(above, arc.ratio(to_ball(middle)), moved) * weight;
         if (!(M < infinite)) return false;
         for (const Gauss& gauss : rules_) {
-            const double rule = 64.0 / 15 * half * M / (std::pow(rho, 2.0 * static_cast<double>(gauss.nodes.size()) - 2) * (1 - 1 / (rho * rho)));
+            const double rule = half * M * gauss_error(rho, gauss.nodes.size());
             if (!(rule <= tolerance_ / 1024)) continue;
-            const double off = moved_node * size(high), slope = M / (r - half - off); // within `off` of the interval, by Cauchy's bound
-            accepted_.push_back({arc, low, high, &gauss, margin * (rule + 2 * half * off * slope)});
+            accepted_.push_back({arc, low, high, &gauss, margin * (rule + moved_nodes_error(half, moved_node * magnitude(high), r, M))});
             return true;
         }
         return false;
@@ -128,9 +128,9 @@ private:
     {
         const WorkingPrecision precision(bits);
         const Ball a = arc.ratio(to_ball(low)), b = arc.ratio(to_ball(high)), length = abs(a - b);
-        const double width = size(to_real(length)), least = size(to_real(certainly(less(a, b)) ? a : b)), most = least + width;
+        const double width = magnitude(to_real(length)), least = magnitude(to_real(certainly(less(a, b)) ? a : b)), most = least + width;
         const double counts = margin * max(waves_.weight_on(least, width), waves_.weight_on(most, width)) * arc.share(low, high, width);
-        if (!(counts <= tolerance_ / 256) && size(high - low) > 4 * narrowest * size(high)) return false;
+        if (!(counts <= tolerance_ / 256) && magnitude(high - low) > 4 * narrowest * magnitude(high)) return false;
         holes_ += counts;
         ++hole_count_;
         return true;
@@ -149,7 +149,6 @@ private:
             error += margin * weight.high * lost;
         }
     }
-    static double size(const Real& v) { return std::fabs(v.high) * margin; }
 
     double unit_, tolerance_;
     TwoWaves waves_;

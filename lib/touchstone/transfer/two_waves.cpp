@@ -133,7 +133,7 @@ struct TwoWaves::Ends {
         lower = P * P / 4;
         bottom = P - 1;
         top = P + 1;
-        rule = margin * 64 / 15 / (std::pow(rho, 2.0 * static_cast<double>(gauss.nodes.size()) - 2) * (1 - 1 / (rho * rho)));
+        rule = margin * gauss_error(rho, gauss.nodes.size());
     }
 
     Ball at(Point p, const Ball& x, bool full_first) const
@@ -387,9 +387,7 @@ double TwoWaves::weight_on(double x, double width) const
     double sum = 0;
     const auto singular = [&](double s, double c) {
         const double near = min({s / 2, 1 / (2 * G)}), c_k = second_wave::first_wave(G, x, s);
-        // log(1/distance of e from s) counts as if distance were width/(2 G), plus 2: e moves by at least 1/G of x
-        const double logarithm = pi_below + 2 * std::log(4 * (1 + near / width)) + 2 * (max(0.0, std::log(2 * G)) + 2);
-        sum += c * (1 / std::sqrt(near) + c_k * logarithm);
+        sum += c * (1 / std::sqrt(near) + c_k * levels::two_roots_on(near, width, G));
     };
     if (P < 0.5) {
         const double lower = P * P / 4, near = min(lower / 2, 1 / (2 * G));

@@ -183,6 +183,73 @@ TEST_CASE("G known as a ball only gives what G known exactly does")
     }
 }
 
+TEST_CASE("roots and quotients on discs hold those of all points, are hardly wider, and are refused where they are not analytic")
+{
+    using namespace first_steps;
+    const WorkingPrecision precision(bits);
+    const auto wide_disc = [](const ComplexBall& m, const Ball& radius) {
+        ComplexBall z = m;
+        arb_add_error(acb_realref(z.get()), radius.get()); // the least disc that holds it has this radius
+        return z;
+    };
+    for (const ComplexBall& m : {ComplexBall(1), ComplexBall(Ball(3), Ball(-4)), ComplexBall(Ball(Rational(-1, 2)), Ball(2))}) {
+        const Ball clear = certainly(less(Ball(0), m.real())) ? abs(m) : abs(m.imag());
+        for (const Rational& t : {Rational(1, 100), Rational(1, 2), Rational(9, 10)}) {
+            const Ball radius = Ball(t) * clear, share = radius / abs(m);
+            const ComplexBall z = wide_disc(m, radius), r = root_on_disc(z), q = quotient_on_disc(ComplexBall(3), z);
+            CAPTURE(m.real().to_string());
+            CAPTURE(t.get_str());
+            for (int k = 0; k < 24; ++k) {
+                const ComplexBall turn = exp(ComplexBall(Ball(0), pi<Ball>() * Ball(k) / 12));
+                const ComplexBall point = m + ComplexBall(Ball(Rational(999, 1000)) * radius) * turn;
+                CHECK(acb_contains(r.get(), sqrt(point).get()) != 0);
+                CHECK(acb_contains(q.get(), (ComplexBall(3) / point).get()) != 0);
+            }
+            const Ball of_root = sqrt(abs(m)) * (1 - sqrt(1 - share)), of_quotient = 3 * share / (1 - share) / abs(m), hardly(Rational(1001, 1000));
+            CHECK(certainly(less(Ball::exactly(r.real().radius_bound()), hardly * of_root)));
+            CHECK(certainly(less(Ball::exactly(q.real().radius_bound()), hardly * of_quotient)));
+        }
+        CHECK_FALSE(root_on_disc(wide_disc(m, Ball(Rational(1001, 1000)) * clear)).is_finite());
+        CHECK_FALSE(quotient_on_disc(ComplexBall(1), wide_disc(m, Ball(Rational(1001, 1000)) * abs(m))).is_finite());
+    }
+    CHECK(within(Ball(2)).real().contains(Ball(-2)));
+    CHECK_FALSE(within(Ball(2)).imag().contains(Ball(3)));
+}
+
+TEST_CASE("(2/pi) arctan of a quotient of roots, refused on neighbourhoods that meet its cuts")
+{
+    using first_steps::two_angles;
+    const WorkingPrecision precision(bits);
+    const ComplexBall i(Ball(0), Ball(1));
+    CHECK(two_angles(ComplexBall(1), ComplexBall(1), true).real().contains(Rational(1, 2)));
+    CHECK(two_angles(sqrt(ComplexBall(3)), ComplexBall(1), false).real().contains(Rational(2, 3)));
+    CHECK(two_angles(ComplexBall(1), sqrt(ComplexBall(3)), true).real().contains(Rational(1, 3)));
+    CHECK(two_angles(i, ComplexBall(2), true).is_finite());
+    CHECK(two_angles(ComplexBall(1) + 3 * i, ComplexBall(1), true).is_finite());
+    CHECK_FALSE(two_angles(3 * i, ComplexBall(2), true).is_finite());
+    CHECK(two_angles(3 * i + ComplexBall(1), ComplexBall(2), false).is_finite());
+}
+
+TEST_CASE("ends are told apart, and what lies between them is exact where they are")
+{
+    using namespace first_steps;
+    const WorkingPrecision precision(bits);
+    const End half = End::rational(Rational(1, 2)), also_half = End::rational(Rational(1, 2)), root(sqrt(Ball(2)), sqrt(Exact(2)));
+    const End vague(Ball(Rational(1, 3)), std::nullopt);
+    CHECK(order(half, also_half) == 0);
+    CHECK(order(half, root) == -1);
+    CHECK(order(root, half) == 1);
+    CHECK(order(vague, half) == -1);
+    CHECK(order(half, vague) == 1);
+    CHECK(order(vague, vague) == 0);
+    CHECK_FALSE(below(half, also_half));
+    CHECK(below(half, root));
+    CHECK(arb_is_zero(difference(half, also_half).get()));
+    CHECK(difference(vague, half).contains(Rational(1, 6)));
+    CHECK(difference(half, End::rational(Rational(5, 2))).contains(Rational(2)));
+    CHECK_THROWS_AS(order(vague, End(Ball(Rational(1, 3)), std::nullopt)), BeyondReach);
+}
+
 TEST_CASE("the bound of the first wave's share holds, and next to where nothing is above it is the share")
 {
     const WorkingPrecision precision(bits);
