@@ -3,6 +3,7 @@
 #include "touchstone/transfer/fixed.hpp"
 
 #include <doctest/doctest.h>
+#include <malloc.h>
 
 #include <random>
 
@@ -72,6 +73,20 @@ TEST_CASE("what does not fit is refused")
     CHECK_THROWS_AS(f.put(a.data(), Ball::indeterminate()), std::logic_error);
     f.put(a.data(), Ball((1L << 15) - 1));
     f.put(a.data(), Ball(-(1L << 15) + 1));
+}
+
+TEST_CASE("what is refused is released")
+{
+    // under AddressSanitizer the counters are 0, and its search for leaks is the judge
+    const FixedFormat f(100);
+    std::vector<mp_limb_t> a(static_cast<std::size_t>(f.limbs()));
+    const auto in_use_after = [&](int refusals) {
+        for (int k = 0; k < refusals; ++k) CHECK_THROWS_AS(f.put(a.data(), Ball(1L << 15)), std::logic_error);
+        const auto m = mallinfo2();
+        return static_cast<double>(m.uordblks + m.hblkhd);
+    };
+    const double before = in_use_after(2);
+    CHECK(in_use_after(10'000) - before < 10'000);
 }
 
 TEST_CASE("coefficients of the polynomial through values, and a row of moments by nodal values, are off by what is counted for them")

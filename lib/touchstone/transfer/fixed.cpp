@@ -5,6 +5,19 @@
 
 namespace touchstone::transfer {
 
+namespace {
+
+/// fmpz_t with a lifetime: what does not fit is refused by an exception.
+struct Units {
+    Units() { fmpz_init(n); }
+    ~Units() { fmpz_clear(n); }
+    Units(const Units&) = delete;
+    Units& operator=(const Units&) = delete;
+    fmpz_t n;
+};
+
+} // namespace
+
 void FixedFormat::put(mp_limb_t* out, const fmpz_t units) const
 {
     mpz_t z;
@@ -24,15 +37,13 @@ void FixedFormat::put(mp_limb_t* out, const fmpz_t units) const
 void FixedFormat::put(mp_limb_t* out, const Ball& b) const
 {
     if (!b.is_finite()) throw std::logic_error("transfer: a number is not finite");
-    fmpz_t units;
+    Units units;
     arf_t scaled;
-    fmpz_init(units);
     arf_init(scaled);
     arf_mul_2exp_si(scaled, arb_midref(b.get()), fraction());
-    arf_get_fmpz(units, scaled, ARF_RND_FLOOR);
+    arf_get_fmpz(units.n, scaled, ARF_RND_FLOOR);
     arf_clear(scaled);
-    put(out, units);
-    fmpz_clear(units);
+    put(out, units.n);
 }
 
 void FixedFormat::get(fmpz_t units, const mp_limb_t* in) const
