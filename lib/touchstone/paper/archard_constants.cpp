@@ -178,10 +178,6 @@ std::vector<Ball> zeta_values(long last, slong bits, slong step)
     return zeta;
 }
 
-namespace {
-
-} // namespace
-
 Ball K_gamma_product(long n)
 {
     const slong target = WorkingPrecision::bits();
