@@ -93,21 +93,37 @@ TEST_CASE("an arc of a wave: the share of the angle that an interval of ratios h
             }
 }
 
-TEST_CASE("three waves in partial contact: the forward chain's densities, to twenty digits")
+namespace {
+
+/// In partial contact, to twenty digits.
+void is_that_of_the_forward_chain(const char* G_text, const char* P_text, const char* load_text)
 {
     const WorkingPrecision precision(256);
-    struct {
-        const char *G, *P, *load;
-    } const cases[] = {{"5/2", "1/4", "1/2"}, {"3", "1/100", "1"}, {"5/2", "3/5", "9/10"}};
-    for (const auto& c : cases) {
-        const Ball G = number(c.G), P = number(c.P), load = number(c.load);
-        const Ball known = transfer::density(transfer::Law::density, 2, [&] { return P * G * G; }, {[&] { return load; }, [&] { return G; }}, Accuracy{24}) * G * G;
-        const Ball own = density_after_three_waves(G, P, load, 1e-20).value;
-        INFO("G ", c.G, " P ", c.P, " load ", c.load, ": ", own.to_string(), " ", known.to_string());
-        CHECK(own.overlaps(known));
-        CHECK(own.radius_bound() < 2e-20);
-        CHECK(known.radius_bound() < 1e-22);
-    }
+    const Ball G = number(G_text), P = number(P_text), load = number(load_text);
+    const auto p = [&] { return P * G * G; };
+    const Ball known = transfer::density(transfer::Law::density, 2, p, {[&] { return load; }, [&] { return G; }}, Accuracy{24}) * G * G;
+    const Ball own = density_after_three_waves(G, P, load, 1e-20).value;
+    INFO("G ", G_text, " P ", P_text, " load ", load_text, ": ", own.to_string(), " ", known.to_string());
+    CHECK(own.overlaps(known));
+    CHECK(own.radius_bound() < 2e-20);
+    CHECK(known.radius_bound() < 1e-22);
+}
+
+} // namespace
+
+TEST_CASE("three waves in partial contact: the forward chain's density, to twenty digits")
+{
+    is_that_of_the_forward_chain("5/2", "1/4", "1/2");
+}
+
+TEST_CASE("three waves in partial contact: the forward chain's density at a low pressure and load 1")
+{
+    is_that_of_the_forward_chain("3", "1/100", "1");
+}
+
+TEST_CASE("three waves in partial contact: the forward chain's density at a high pressure")
+{
+    is_that_of_the_forward_chain("5/2", "3/5", "9/10");
 }
 
 TEST_CASE("three waves with full contact: a third route")
@@ -153,12 +169,20 @@ void coarse_holds_fine(const char* G, const char* P, std::initializer_list<const
 TEST_CASE("three waves: what is claimed coarsely holds what is claimed finely, next to singular points too")
 {
     coarse_holds_fine("3/2", "6/5", {"1.31", "1.31000000000000000000001"});
+}
+
+TEST_CASE("three waves: what is claimed coarsely holds what is claimed finely, where a wave's end and a jump meet")
+{
     coarse_holds_fine("2", "1", {"1"});
 }
 
-TEST_CASE("three waves: what is claimed coarsely holds what is claimed finely, next to load 1 and far above it")
+TEST_CASE("three waves: what is claimed coarsely holds what is claimed finely, next to load 1")
 {
     coarse_holds_fine("3/2", "1/2", {"0.999999999999999999999999999999"});
+}
+
+TEST_CASE("three waves: what is claimed coarsely holds what is claimed finely, far above load 1")
+{
     coarse_holds_fine("21/20", "3", {"90"});
 }
 
