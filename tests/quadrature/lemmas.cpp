@@ -396,14 +396,15 @@ TEST_CASE("turned path: a constant amplitude attains what lies beyond; the quadr
     attains(decimal("0.1"), supremum("sin(x)/x", 0, 10), Rational(6, 10));
     attains(exp(log(decimal("13")) * decimal("-0.5")), supremum("cos(x)/sqrt(x)", 3, 10), Rational(1, 10));
     attains(log(decimal("21")) / decimal("21"), supremum("cos(x)*log(1+x)/(1+x)", 0, 20), Rational(1, 4));
-    // J and Y are parts of (2/(pi w z))^(1/2) exp(i w z) times a factor that tends to 1, in all (2/pi) |K(-i w z)|: largest at z = X, or nearly
+    // J and Y are parts of (2/(pi w z))^(1/2) exp(i w z) times a factor that tends to 1, in all (2/pi) |K(-i w z)|: largest about z = X
     for (const auto& [formula, order, frequency, share] :
          {std::tuple{"besselj(0,3*x)/x", 0, 3, Rational(6, 10)}, std::tuple{"bessely(2,x/2)/x", 2, 0, Rational(1, 4)}}) {
         CAPTURE(formula);
         const Ball own = frequency != 0 ? Ball(frequency) : Ball(Rational(1, 2)), most = supremum(formula, 0, 10);
         for (const char* y : {"0", "0.1", "1", "10", "100"}) {
             const ComplexBall z(Ball(10), decimal(y)), rotated(own * z.imag(), -own * z.real());
-            const Ball k = abs(special_function(Op::bessel_k, Ball(order), rotated)), there = k * exp(own * z.imag()) * Ball(2) / pi<Ball>() / abs(z);
+            const Ball k = abs(special_function(Op::bessel_k, Ball(order), rotated));
+            const Ball there = k * exp(own * z.imag()) * Ball(2) / pi<Ball>() / abs(z);
             CHECK(arb_le(there.get(), most.get()));
             if (y[0] == '0' && y[1] == '\0') attains(there, most, share);
         }

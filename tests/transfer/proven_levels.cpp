@@ -163,7 +163,6 @@ TEST_CASE("the share of each level's defect that reaches a value is that of the 
     constexpr int scales = 5;
     const double load = 0.25;
     const ProvenLevels areas(Ball(3), 1, 1e-6, scales), above(Ball(3), Ball(1) / 100, 1, 1e-6, scales);
-    CHECK(double(areas.layer().panels.back().y1) > 1.005); // the mesh reaches farther than loads, which are not rounded to its edges
     std::vector<double> shares{1, 2 / std::numbers::pi * std::asin(std::sqrt(load))}; // T^k 1: nothing, one wave, k waves
     for (int k = 2; k <= scales; ++k) shares.push_back(middle(areas.share(k - 1, Ball::exactly(load))));
     for (const bool area : {true, false})

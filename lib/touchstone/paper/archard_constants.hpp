@@ -29,8 +29,8 @@ Ball K_gamma_product(long n);
 /// with its proven error, below 2 (3 + sqrt 8)^-N.
 Ball K_eta_series(long n);
 
-/// What the two routes sum, by k from 2 to `last`, the k-th to about 2^-(bits - k step): eta(k) = (1 - 2^(1-k)) zeta(k) for the second, zeta(k) for
-/// the first.
+/// What the two routes sum, by k from 2 to `last`, the k-th to about 2^-(bits - k step): eta(k) = (1 - 2^(1-k)) zeta(k) for
+/// the second, zeta(k) for the first.
 std::vector<Ball> eta_values(long last, slong bits, slong step);
 std::vector<Ball> zeta_values(long last, slong bits, slong step);
 

@@ -205,7 +205,8 @@ TEST_CASE("roots and quotients on discs hold those of all points, are hardly wid
                 CHECK(acb_contains(r.get(), sqrt(point).get()) != 0);
                 CHECK(acb_contains(q.get(), (ComplexBall(3) / point).get()) != 0);
             }
-            const Ball of_root = sqrt(abs(m)) * (1 - sqrt(1 - share)), of_quotient = 3 * share / (1 - share) / abs(m), hardly(Rational(1001, 1000));
+            const Ball of_root = sqrt(abs(m)) * (1 - sqrt(1 - share)), of_quotient = 3 * share / (1 - share) / abs(m);
+            const Ball hardly(Rational(1001, 1000));
             CHECK(certainly(less(Ball::exactly(r.real().radius_bound()), hardly * of_root)));
             CHECK(certainly(less(Ball::exactly(q.real().radius_bound()), hardly * of_quotient)));
         }
