@@ -133,7 +133,7 @@ const Ball& RealFormula::at(const Ball& x) const
 {
     const slong bits = WorkingPrecision::bits();
     const bool anew = bits_ != bits;
-    bits_ = bits;
+    bits_ = 0; // a constant that is refused by an exception is asked for again
     values_[0] = x;
     for (std::size_t k = 0; k < steps_.size(); ++k) {
         const Step& s = steps_[k];
@@ -151,6 +151,7 @@ const Ball& RealFormula::at(const Ball& x) const
         default: function_of(s.op)(y.get(), a.get(), bits);
         }
     }
+    bits_ = bits;
     return values_.back();
 }
 

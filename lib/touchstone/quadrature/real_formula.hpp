@@ -2,9 +2,9 @@
 /// \file
 /// A formula at real points, straight in balls (internal to quadrature/).
 ///
-/// Numbers that keep the powers of the distances to the ends (endpoint_number.hpp) cost tens of times what balls cost, and are needed only where
-/// differences cancel. At the nodes of a rule that stays away from the ends few bits do: there the formula is taken as it stands, with some
-/// bits more, and the ball itself says how many are left.
+/// Numbers that keep the powers of the distances to the ends (endpoint_number.hpp) cost several times what balls cost, and are needed only
+/// where differences cancel. At the nodes of a rule that stays away from the ends few bits do: there the formula is taken as it stands, with
+/// some bits more, and the ball itself says how many are left.
 #pragma once
 
 #include "touchstone/quadrature/integrand.hpp"
@@ -16,7 +16,8 @@ namespace touchstone::quadrature {
 
 class RealFormula {
 public:
-    /// Nothing if it has other operations than arithmetic, powers with rational exponents and elementary functions, or constants that are not real.
+    /// Nothing if it has other operations than arithmetic, powers with rational exponents or constant bases and elementary functions, or
+    /// constants that are not real.
     static std::optional<RealFormula> of(const ExpressionPtr&);
 
     /// Encloses the values on the ball at the working precision; non-finite unless all intermediate values are real numbers. The reference
