@@ -644,6 +644,15 @@ TEST_CASE("formulas as they stand enclose what compiled ones do, at any precisio
         CHECK_FALSE(RealFormula::of(parse_expression(formula)));
 }
 
+TEST_CASE("an ellipse on which a formula is huge beyond measure costs no boxes beyond what a rule does")
+{
+    const Integral I = integrate(parse_expression("exp(sin(33*x)^2)"), parse_limit("0"), parse_limit("1"), with_digits(20));
+    CHECK(I.digits == 20);
+    long evaluations = 0;
+    for (const Part& p : I.parts) evaluations += p.evaluations;
+    CHECK(evaluations < 4000); // 394412 where an exponent of the bound, some 10^9, was taken for a number of nodes
+}
+
 TEST_CASE("on a range formulas as they stand are had where few bits cancel, and at no other places")
 {
     const Range range{parse_limit("1"), parse_limit("3"), Map::finite};

@@ -65,11 +65,12 @@ using Bounds = std::vector<Ball>;
 
 class EllipseProof {
 public:
-    /// `guess`: about the largest ellipse.
-    EllipseProof(const EllipseFunction& f, double bits, double guess)
+    /// `guess`: about the largest ellipse. More than `most_nodes` are not taken, so that many more saved are worth no boxes.
+    EllipseProof(const EllipseFunction& f, double bits, double guess, long most_nodes)
         : f_(f)
         , bits_(bits)
         , guess_(guess)
+        , most_nodes_(static_cast<double>(most_nodes))
     {
     }
     struct Ellipse {
@@ -89,7 +90,7 @@ private:
     std::optional<Bounds> bounds_on(double sigma);
 
     const EllipseFunction& f_;
-    double bits_, guess_;
+    double bits_, guess_, most_nodes_;
     double failed_from_ = 0, failed_to_ = 0; // phi, where the last ellipse was not proved
     std::vector<ComplexBall> values_;
     std::vector<Ball> middles_; // m_k: of the first box looked at
@@ -160,8 +161,9 @@ std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_to
     std::optional<Ellipse> proved;
     std::optional<double> failed;
     const bool plain = std::all_of(f_.weights.begin(), f_.weights.end(), [](const SingularWeight& w) { return w.is_one(); });
-    const auto nodes = [&](double sigma) { // the bounds taken to be as large as on the ellipse that is proved
-        return proved ? nodes_for(*proved, log2_tolerance) * proved->sigma / sigma : bits_ * M_LN2 / ((plain ? 2 : 1) * sigma);
+    const auto nodes = [&](double sigma) { // the bounds taken to be as large as on the ellipse that is proved, where they may be exp(10^9)
+        const double n = proved ? nodes_for(*proved, log2_tolerance) * proved->sigma / sigma : bits_ * M_LN2 / ((plain ? 2 : 1) * sigma);
+        return std::min(n, most_nodes_);
     };
     const auto try_up_to = [&](double sigma, double below, double allowance) {
         Bounds bounds = proved ? proved->bounds : Bounds();
@@ -378,7 +380,7 @@ std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits,
     const Guess guess = guessed_ellipse(first, rough);
     const double size = of_absolute || (guess.is_resolved && rough_size > absolute - 1) ? absolute - 1 : absolute - believed;
     double log2_tolerance = size - bits - 2;
-    EllipseProof proof(f, bits, guess.sigma);
+    EllipseProof proof(f, bits, guess.sigma, most_nodes);
     const WorkingPrecision coarse(strip_bits);
     const auto ellipse = proof.best(log2_tolerance);
     if (!ellipse) return std::nullopt;
