@@ -608,6 +608,15 @@ TEST_CASE("points where the range is cut lie inside of it, and count once")
     }
 }
 
+TEST_CASE("a range from infinity to the same infinity is refused as such, and a sign of several bytes is named whole")
+{
+    for (const char* end : {"inf", "-inf"})
+        CHECK_THROWS_WITH_AS(integrate(parse_expression("exp(-x^2)"), parse_limit(end), parse_limit(end)),
+                             (std::string("the range from ") + end + " to " + end + " holds no number").c_str(), DomainError);
+    CHECK_THROWS_WITH_AS(parse_expression("x\xC3\x97" "2"), "column 2: an operator is expected before '\xC3\x97' (a product needs its *)",
+                         ExpressionError);
+}
+
 TEST_CASE("a Bessel function of half odd order is taken with its power at 0")
 {
     const Ball value = integrate(parse_expression("besselj(1/2,x)/sqrt(x)"), parse_limit("0"), parse_limit("1"), with_digits(25)).value;
