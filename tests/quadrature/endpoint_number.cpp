@@ -314,4 +314,9 @@ TEST_CASE("a bound is written as a decimal that is no less")
     CHECK(bound_text(Ball(1300)) == "1.31e3"); // rounded up
     CHECK(bound_text(Ball(Rational(13, 1000))) == "1.31e-2");
     CHECK(bound_text(Ball::indeterminate()) == "null");
+    CHECK(bound_text(Ball(0)) == "0");
+    CHECK(bound_text(exp(Ball(-1000000000000000000))) == "1.00e-100000000000000000"); // not 0, which it is above
+    CHECK(bound_text(exp(Ball(-100000000000))) == "1.00e-43429448189");               // e^(-10^11) = 4.7e-43429448191
+    CHECK(bound_text(exp(Ball(100000000000))) == "1.00e43429448192");
+    CHECK(bound_text(exp(Ball(1000000000000000000))) == "null");
 }

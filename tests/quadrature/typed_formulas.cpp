@@ -608,6 +608,15 @@ TEST_CASE("points where the range is cut lie inside of it, and count once")
     }
 }
 
+TEST_CASE("a range from infinity to the same infinity is refused as such, and a sign of several bytes is named whole")
+{
+    for (const char* end : {"inf", "-inf"})
+        CHECK_THROWS_WITH_AS(integrate(parse_expression("exp(-x^2)"), parse_limit(end), parse_limit(end)),
+                             (std::string("the range from ") + end + " to " + end + " holds no number").c_str(), DomainError);
+    CHECK_THROWS_WITH_AS(parse_expression("x\xC3\x97" "2"), "column 2: an operator is expected before '\xC3\x97' (a product needs its *)",
+                         ExpressionError);
+}
+
 TEST_CASE("a Bessel function of half odd order is taken with its power at 0")
 {
     const Ball value = integrate(parse_expression("besselj(1/2,x)/sqrt(x)"), parse_limit("0"), parse_limit("1"), with_digits(25)).value;
@@ -621,7 +630,7 @@ TEST_CASE("formulas as they stand enclose what compiled ones do, at any precisio
 {
     for (const char* formula : {"sqrt(1-x^2)", "x^(-3/2)+x^(2/3)*(1+x)^(-1/3)", "exp(x)*cos(3*x)-tan(x)/x^5", "log(x/2)^2-(-x)^3", "asin(x)+acos(x/2)*atan(7*x)",
                                 "sinh(x)+cosh(x)^-2-tanh(x)", "asinh(x)*acosh(1+x)+atanh(x/3)", "expm1(-x)+log1p(x^2)", "sqrt(sqrt(x))-pi*e^x/3+2^(1/2)",
-                                "(x+1)^0+x", "2^x+(1/3)^(x^2)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x"}) {
+                                "(x+1)^0+x", "2^x+(1/3)^(x^2)", "2^(3^(5^x))+7^(2^x)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x"}) {
         CAPTURE(std::string(formula));
         const auto straight = RealFormula::of(parse_expression(formula));
         REQUIRE(straight);
@@ -642,6 +651,15 @@ TEST_CASE("formulas as they stand enclose what compiled ones do, at any precisio
     for (int k = 0; k < 2; ++k) CHECK_THROWS_AS(refused->at(Ball(1)), DomainError);
     for (const char* formula : {"abs(x-1/2)", "gamma(x)", "x^x", "exp(i*x)", "max(x,1/2)", "besselj(0,x)", "re(x+i)", "x"})
         CHECK_FALSE(RealFormula::of(parse_expression(formula)));
+}
+
+TEST_CASE("an ellipse on which a formula is huge beyond measure costs no boxes beyond what a rule does")
+{
+    const Integral I = integrate(parse_expression("exp(sin(33*x)^2)"), parse_limit("0"), parse_limit("1"), with_digits(20));
+    CHECK(I.digits == 20);
+    long evaluations = 0;
+    for (const Part& p : I.parts) evaluations += p.evaluations;
+    CHECK(evaluations < 4000); // 394412 where an exponent of the bound, some 10^9, was taken for a number of nodes
 }
 
 TEST_CASE("on a range formulas as they stand are had where few bits cancel, and at no other places")

@@ -372,7 +372,8 @@ Integral Integration::run(const Limit& from, const Limit& to)
         const bool same = (from.exact && to.exact && *from.exact == *to.exact) || (from.infinite != 0 && from.infinite == to.infinite);
         const bool reversed = !same && (from.infinite > 0 || to.infinite < 0 ||
                                         (!from.infinite && !to.infinite && arb_gt(from.ball().get(), to.ball().get())));
-        if (same && !from.infinite) { // nothing to integrate over
+        if (same && from.infinite) throw DomainError("the range from " + from.text + " to " + to.text + " holds no number");
+        if (same) { // nothing to integrate over
             out.value = Ball(0);
             out.status = Status::certified;
             out.digits = options_.digits;
