@@ -5,6 +5,7 @@
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/polynomial.hpp"
 #include "touchstone/quadrature/real_formula.hpp"
+#include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/split.hpp"
 #include "touchstone/quadrature/substitution.hpp"
 
@@ -651,6 +652,25 @@ TEST_CASE("formulas as they stand enclose what compiled ones do, at any precisio
     for (int k = 0; k < 2; ++k) CHECK_THROWS_AS(refused->at(Ball(1)), DomainError);
     for (const char* formula : {"abs(x-1/2)", "gamma(x)", "x^x", "exp(i*x)", "max(x,1/2)", "besselj(0,x)", "re(x+i)", "x"})
         CHECK_FALSE(RealFormula::of(parse_expression(formula)));
+}
+
+TEST_CASE("the inverse hyperbolic sine of wide balls is enclosed where its argument is large, on either side of its cuts")
+{
+    const WorkingPrecision precision(64);
+    for (const int sign : {1, -1}) {
+        const ComplexBall wide(hull(Ball(20 * sign), Ball(30 * sign)), hull(Ball(-3), Ball(5)));
+        const ComplexBall value = special_function(Op::asinh, wide);
+        CHECK(value.is_finite()); // not so on the left by the arctangent of z/(1 + z^2)^(1/2)
+        for (const long x : {20, 23, 30})
+            for (const long y : {-3, 1, 5}) {
+                ComplexBall point;
+                acb_asinh(point.get(), ComplexBall(Ball(x * sign), Ball(y)).get(), 64);
+                CHECK(acb_contains(value.get(), point.get()));
+            }
+    }
+    CHECK_FALSE(special_function(Op::asinh, ComplexBall(hull(Ball(-1), Ball(1)), Ball(2))).is_finite()); // a cut
+    const Integral I = integrate(parse_expression("asinh(exp(-2*x)+1)"), parse_limit("-2"), parse_limit("3"), with_digits(20));
+    CHECK(I.digits == 20); // was refused
 }
 
 TEST_CASE("an ellipse on which a formula is huge beyond measure costs no boxes beyond what a rule does")
