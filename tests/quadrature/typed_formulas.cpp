@@ -154,6 +154,18 @@ TEST_CASE("the range is cut at kinks and steps, where they are exact")
     CHECK_THROWS_AS(cuts("floor(1000000*x)", "0", "1"), DomainError);
 }
 
+TEST_CASE("the larger of equal formulas is either, and what is 0 throughout has no sign and no kink")
+{
+    for (const auto& [formula, value] : {std::pair("max(x+2,x+2)", Rational(25, 2)), std::pair("min(x,2*x-x,x)", Rational(5, 2)),
+                                         std::pair("sign(x-x)*exp(x)+x", Rational(5, 2)), std::pair("abs(x^2-x*x)+x", Rational(5, 2))}) {
+        CAPTURE(formula);
+        const Integral i = integral(formula, "-2", "3", 20);
+        CHECK(i.status == Status::certified);
+        CHECK(i.value.contains(value));
+        CHECK(i.parts.size() == 1);
+    }
+}
+
 TEST_CASE("integrals of what has no branch cut hidden from the proof")
 {
     CHECK(integral("sqrt(x)", "-1", "1").status != Status::certified);
