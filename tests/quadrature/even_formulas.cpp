@@ -88,6 +88,11 @@ TEST_CASE("about a middle of 0 an even formula takes half of the values, an odd 
     const long shifted = integral("1/(2+(x-1)^2)", "0", "2", 40).parts.front().evaluations;
     CHECK(even * 3 < shifted * 2);
     CHECK(arb_overlaps(integral("1/(2+x^2)", "-1", "1", 40).value.get(), integral("1/(2+(x-1)^2)", "0", "2", 40).value.get()));
+    // of ends without an exact form nothing is said of their middle
+    const Ball inexact = integral("1/(2+x^2)", "-zeta(3)", "zeta(3)", 40).value;
+    CHECK(inexact.overlaps(integral("2/(2+x^2)", "0", "zeta(3)", 40).value));
+    CHECK(inexact.relative_bits() > 132);
+    CHECK(integral("cos(x)/sqrt(zeta(3)^2-x^2)", "0", "zeta(3)", 12).status != Status::certified);
     CHECK(integral("exp(x)", "-1", "1", 40).value.overlaps(at("exp(1)-exp(-1)", 0)));
 }
 
@@ -102,7 +107,13 @@ TEST_CASE("a power of a product or quotient: by its two factors where both lie i
     // the quotient of these wide balls meets the cut, neither of them does
     CHECK_FALSE(analytic::sqrt(value("sin(x)/cos(x)", square(0.75, 0, 0.4))).is_finite());
     CHECK(value("sqrt(sin(x)/cos(x))", square(0.75, 0, 0.4)).is_finite());
-    int finite = 0;
+    // so does their product
+    CHECK_FALSE(analytic::sqrt(value("exp(x)*cosh(x)", square(0, 0, 0.65))).is_finite());
+    const ComplexBall product = value("sqrt(exp(x)*cosh(x))", square(0, 0, 0.65));
+    CHECK(product.is_finite());
+    CHECK(acb_contains_int(product.get()) != 0); // 1 at 0
+    CHECK(arb_lt(touchstone::abs(product).get(), Ball(4).get()) != 0);
+    int finite = 0, wide_ones = 0;
     for (const Row& row : {Row{"sqrt(exp(x)/cosh(x))", "exp(x)/cosh(x)", {1, 2}}, Row{"sqrt(exp(x)*cosh(x))", "exp(x)*cosh(x)", {1, 2}},
                            Row{"(sin(x)/exp(x))^(1/3)", "sin(x)/exp(x)", {1, 3}}, Row{"(exp(x)*sin(x))^(-3/2)", "exp(x)*sin(x)", {-3, 2}},
                            Row{"sqrt(sin(x)*cos(x))", "sin(x)*cos(x)", {1, 2}}})
@@ -111,11 +122,14 @@ TEST_CASE("a power of a product or quotient: by its two factors where both lie i
                 CAPTURE(row.power);
                 CAPTURE(re);
                 CAPTURE(im);
-                const ComplexBall wide = value(row.power, square(re, im, 0.05));
-                if (!wide.is_finite()) continue;
-                ++finite;
-                const ComplexBall principal = analytic::rational_power(value(row.base, square(re, im, 0)), row.exponent);
-                CHECK(acb_overlaps(wide.get(), principal.get()) != 0);
+                for (const double half_side : {0.05, 0.3, 0.6, 0.9}) {
+                    const ComplexBall wide = value(row.power, square(re, im, half_side));
+                    if (!wide.is_finite()) continue;
+                    ++(half_side > 0.1 ? wide_ones : finite);
+                    const ComplexBall principal = analytic::rational_power(value(row.base, square(re, im, 0)), row.exponent);
+                    CHECK(acb_overlaps(wide.get(), principal.get()) != 0);
+                }
             }
     CHECK(finite > 100);
+    CHECK(wide_ones > 20);
 }

@@ -8,6 +8,7 @@
 #include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/split.hpp"
 #include "touchstone/quadrature/substitution.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include <doctest/doctest.h>
 
@@ -78,6 +79,23 @@ TEST_CASE("a text that is no formula is refused at its column")
     CHECK(column_of_error("besselj(x)") == 1);
     CHECK(column_of_error("x^(1/2)") == 0);
     CHECK(column_of_error(std::string(5000, '(').c_str()) > 0);
+}
+
+TEST_CASE("what stands where an operator is expected is shown, one sign of it")
+{
+    const auto message = [](const char* text) -> std::string {
+        try {
+            parse_expression(text);
+        }
+        catch (const ExpressionError& e) {
+            return e.what();
+        }
+        return {};
+    };
+    for (const auto& [text, sign] : {std::pair("2x+1", "'x'"), std::pair("x\u00d72", "'\u00d7'"), std::pair("x\u2212\u2212", "'\u2212'"), std::pair("x)", "')'")}) {
+        CAPTURE(text);
+        CHECK(message(text).find(std::string("an operator is expected before ") + sign + " ") != std::string::npos);
+    }
 }
 
 TEST_CASE("exact constants: zero is recognised, and only zero")
@@ -681,6 +699,17 @@ TEST_CASE("the inverse hyperbolic sine of wide balls is enclosed where its argum
             }
     }
     CHECK_FALSE(special_function(Op::asinh, ComplexBall(hull(Ball(-1), Ball(1)), Ball(2))).is_finite()); // a cut
+    CHECK_FALSE(special_function(Op::asinh, ComplexBall(hull(Ball(-1), Ball(1)), Ball::exactly(1.5))).is_finite());
+    CHECK(special_function(Op::asinh, ComplexBall(Ball(Rational(0)), Ball::exactly(0.5))).is_finite()); // below it
+    for (const double x : {-9.5, -3.0, -1.25, -0.5, 0.5, 1.25, 3.0, 9.5}) // whichever of its two forms is taken
+        for (const double y : {-2.5, -0.75, 0.0, 0.75, 2.5}) {
+            CAPTURE(x);
+            CAPTURE(y);
+            ComplexBall z(Ball::exactly(x), Ball::exactly(y)), exact;
+            acb_asinh(exact.get(), z.get(), 200);
+            widen(z, Ball::exactly(1e-9));
+            CHECK(acb_overlaps(special_function(Op::asinh, z).get(), exact.get()) != 0);
+        }
     const Integral I = integrate(parse_expression("asinh(exp(-2*x)+1)"), parse_limit("-2"), parse_limit("3"), with_digits(20));
     CHECK(I.digits == 20); // was refused
 }
