@@ -177,12 +177,14 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f,
 
 bool is_about_zero(const Range& r)
 {
-    return r.map == Map::finite && r.from.exact && r.to.exact && (*r.from.exact + *r.to.exact).is_zero();
+    if (!r.from.exact || !r.to.exact) return false; // an end at infinity too
+    return (*r.from.exact + *r.to.exact).is_zero();
 }
 
 bool begins_or_ends_at_zero(const Range& r)
 {
-    return r.map == Map::finite && r.from.exact && r.to.exact && (r.from.exact->is_zero() || r.to.exact->is_zero());
+    if (!r.from.exact || !r.to.exact) return false;
+    return r.from.exact->is_zero() || r.to.exact->is_zero();
 }
 
 std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr& e, const Range& range, long digits, bool of_absolute)
