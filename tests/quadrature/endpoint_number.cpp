@@ -306,7 +306,15 @@ TEST_CASE("exponents multiply as the rational numbers they are")
             CAPTURE(b.get_str());
             CHECK((Exponent(a) * Exponent(b)).rational() == a * b);
             CHECK((Exponent(a) + Exponent(b)).rational() == a + b);
+            CHECK((Exponent(a) < Exponent(b)) == (a < b));
         }
+    // up to the largest numerator there is, of either sign
+    constexpr long most = std::numeric_limits<long>::max();
+    CHECK((Exponent(most - 1) + Exponent(1)).num() == most);
+    CHECK((Exponent(1 - most) + Exponent(-1)).num() == -most);
+    CHECK_THROWS_AS(Exponent(most) + Exponent(1), DomainError);
+    CHECK_THROWS_AS(Exponent(-most) + Exponent(-1), DomainError);
+    CHECK((Exponent(most - 1, 14) + Exponent(most - 1, 14)).rational() == Rational(most - 1) / 7);
 }
 
 TEST_CASE("a bound is written as a decimal that is no less")
