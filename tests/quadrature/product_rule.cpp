@@ -152,7 +152,7 @@ TEST_CASE("a number with logarithms has no value but in sums and products")
     REQUIRE(l.has_logarithms());
     CHECK((l * l + u).has_logarithms());
     CHECK(((l + N(1)) * (l - N(1))).logarithms().size() == 2);
-    CHECK(to_power(l, Exponent(8)).logarithms().front().left == 8); // as many products are multiplied out
+    CHECK(to_power(l, Exponent(8)).logarithms().back().left == 8); // as many products are multiplied out
     for (const long n : {9L, 0L}) CHECK_FALSE(to_power(l, Exponent(n)).has_logarithms());
     for (const N& x : {l, N(l + N(1)), N(l * u)}) {
         CHECK_FALSE(x.factor().is_finite());
