@@ -856,3 +856,25 @@ TEST_CASE("the form for small pressures: what interpolation and nodes of one pan
         }
     }
 }
+
+TEST_CASE("what a row leaves out beyond its reach is what both laws allow there, over the power of d and the constant of the next level")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(3);
+        for (const long k : {2L, 3L}) {
+            const Level& from = *levels.levels[static_cast<std::size_t>(k)];
+            const double e = about(from.edge), C = about(levels.constant_after(from)), n = static_cast<double>(k);
+            for (const double d : {3., 50.})
+                for (const double reach : {2., 40.}) {
+                    const double there = law == Law::density ? 4.1 * 4 / std::numbers::pi * std::pow(1 - e, -1.5) * from.tail * std::exp(-reach) * std::pow(d, -(n - 1) / 2)
+                                                             : std::sqrt(e) * std::exp(-reach / 2) * std::pow(d, -(n + 1) / 2);
+                    const double found = levels.dropped(from, Kind::step, d, reach);
+                    CAPTURE(k);
+                    CHECK(found >= there / C);
+                    CHECK(found <= there / C * (1 + 3e-6));
+                }
+        }
+    }
+}
