@@ -177,6 +177,7 @@ TEST_CASE("logistic: functions in a sector are as small as is claimed, and nearl
     // the disc of a bound is the square about it, and the bound is taken at the least cosine of the sector at once with the least |x|
     const std::vector<Function> all{
         {"exp(-x)", function_of(Op::exp, -x), [](const ComplexBall& z) { return abs(exp(-z)); }, Rational(1, 100)},
+        {"exp(-4x)", function_of(Op::exp, x * Complex(-4)), [](const ComplexBall& z) { return abs(exp(ComplexBall(-4) * z)); }, Rational(0)},
         {"exp(-x^2)", function_of(Op::exp, -(x * x)), [](const ComplexBall& z) { return abs(exp(-z * z)); }, Rational(0)},
         {"erfc", function_of(Op::erfc, x), of(Op::erfc), Rational(0)},
         {"K", function_of(Op::bessel_k, n, x), ordered(Op::bessel_k, 2), Rational(1, 1000)},
