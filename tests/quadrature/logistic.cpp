@@ -172,12 +172,15 @@ TEST_CASE("logistic: functions in a sector are as small as is claimed, and nearl
     const Ball n(2);
     const auto of = [](Op op) { return [op](const ComplexBall& z) { return abs(special_function(op, z)); }; };
     const Complex part = x * Complex(Rational(1, 16));
-    const auto of_part = [](const std::function<Ball(const ComplexBall&)>& f) { return [=](const ComplexBall& z) { return f(z / ComplexBall(16)); }; };
+    const auto of_part = [](const std::function<Ball(const ComplexBall&)>& f) {
+        return [=](const ComplexBall& z) { return f(z / ComplexBall(16)); };
+    };
     const auto ordered = [](Op op, long order) { return [=](const ComplexBall& z) { return abs(special_function(op, Ball(order), z)); }; };
     // the disc of a bound is the square about it, and the bound is taken at the least cosine of the sector at once with the least |x|
     const std::vector<Function> all{
         {"exp(-x)", function_of(Op::exp, -x), [](const ComplexBall& z) { return abs(exp(-z)); }, Rational(1, 100)},
-        {"exp(-4x)", function_of(Op::exp, x * Complex(-4)), [](const ComplexBall& z) { return abs(exp(ComplexBall(-4) * z)); }, Rational(0)},
+        {"exp(-4x)", function_of(Op::exp, x * Complex(-4)), [](const ComplexBall& z) { return abs(exp(z * ComplexBall(-4))); },
+         Rational(0)},
         {"exp(-x^2)", function_of(Op::exp, -(x * x)), [](const ComplexBall& z) { return abs(exp(-z * z)); }, Rational(0)},
         {"erfc", function_of(Op::erfc, x), of(Op::erfc), Rational(0)},
         {"K", function_of(Op::bessel_k, n, x), ordered(Op::bessel_k, 2), Rational(1, 1000)},

@@ -211,8 +211,11 @@ TEST_CASE("what is told of an ellipse's proof are its bounds, of the integral as
     CHECK(found->value.overlaps(exp(Ball(1)) - exp(Ball(-1))));
     CHECK(found->value.relative_bits() >= 100);
     CHECK(arb_le(radius_of(found->value).get(), (found->discretisation * Ball(2)).get()));
-    const std::string text = found->proof(Ball(-1000)), rho = "rho = " + std::to_string(std::exp(found->sigma)).substr(0, 4);
-    for (const std::string& part : {"|f| <= " + bound_text(found->bound * Ball(1000)), rho, "at most " + std::to_string(found->pieces) + " boxes",
-                                    "|discretisation| <= " + bound_text(found->discretisation * Ball(1000)), "rounding <= " + bound_text(radius_of(found->value) * Ball(1000))})
+    const std::string text = found->proof(Ball(-1000));
+    const auto scaled = [](const Ball& x) { return bound_text(x * Ball(1000)); };
+    for (const std::string& part :
+         {"|f| <= " + scaled(found->bound), "rho = " + std::to_string(std::exp(found->sigma)).substr(0, 4),
+          "at most " + std::to_string(found->pieces) + " boxes", "|discretisation| <= " + scaled(found->discretisation),
+          "rounding <= " + scaled(radius_of(found->value))})
         CHECK_MESSAGE(text.find(part) != std::string::npos, part, " is not in ", text);
 }

@@ -730,9 +730,11 @@ TEST_CASE("a certificate tells what the row at p is off by, relative to its valu
         for (const double d : {0.01, 4., 80.}) { // v is far from 1 at the last two
             const Levels::Value q = levels.density(2, Ball(1), Ball::exactly(d));
             const double v = std::fabs(about(q.row.value));
-            const std::string errors = fmt::format("{:.1e}, interpolation {:.1e}, carried {:.1e}\n", q.row.rule_error / v, q.row.interpolation / v, q.row.carried / v);
+            const std::string errors = fmt::format("{:.1e}, interpolation {:.1e}, carried {:.1e}\n", q.row.rule_error / v,
+                                                   q.row.interpolation / v, q.row.carried / v);
             const bool small = law == Law::exceedance && d > 40;
-            const std::string told = small ? fmt::format("  at p: small, by parts over E_2 up to delta = {:.1f}; of q: beyond ", q.cut) : fmt::format("  at p: {} points; of v: rule ", q.nodes);
+            const std::string told = small ? fmt::format("  at p: small, by parts over E_2 up to delta = {:.1f}; of q: beyond ", q.cut)
+                                           : fmt::format("  at p: {} points; of v: rule ", q.nodes);
             CAPTURE(d);
             CHECK((q.cut > 0) == small);
             CHECK(forward.certificate(2, Ball(1), Ball::exactly(d)).ends_with(told + errors));
@@ -748,7 +750,8 @@ TEST_CASE("what a node's error does to a row, and to its slope, is what the row 
         levels.extend_to(3);
         const Level& from = *levels.levels[3];
         const auto set = [&](Panel& panel, const std::function<Ball(std::size_t)>& coefficient) {
-            for (std::size_t k = 0; k < static_cast<std::size_t>(panel.points); ++k) arb_set(panel.polynomial->coeffs + k, coefficient(k).get());
+            for (std::size_t k = 0; k < static_cast<std::size_t>(panel.points); ++k)
+                arb_set(panel.polynomial->coeffs + k, coefficient(k).get());
             levels.make_fixed(panel);
         };
         const auto nothing = [](std::size_t) { return Ball(0); };
@@ -767,7 +770,8 @@ TEST_CASE("what a node's error does to a row, and to its slope, is what the row 
             for (const std::size_t node : {std::size_t{0}, N / 3, N - 1}) {
                 set(panel, [&](std::size_t k) { return A[k * N + node]; });
                 panel.errors[node] = 1;
-                const Levels::Row values = levels.row(from, Kind::step, Ball::exactly(d), rule), slopes = levels.row(from, Kind::slope, Ball::exactly(d), rule);
+                const Levels::Row values = levels.row(from, Kind::step, Ball::exactly(d), rule),
+                                  slopes = levels.row(from, Kind::slope, Ball::exactly(d), rule);
                 panel.errors[node] = 0;
                 CAPTURE(which);
                 CAPTURE(node);
@@ -798,8 +802,8 @@ TEST_CASE("the bound of a step is the sum over sectors of the angle, each with t
     for (const int above : {shell - 4, shell + 1, shell + 3, shell + 5}) {
         double sum = 0, all = 0;
         for (std::size_t i = 0; i < share.size(); ++i) {
-            const double s = std::pow(std::sin(std::numbers::pi / 2 * static_cast<double>(i + 1) / static_cast<double>(share.size())), 2); // its largest
-            const double reaches = 2 * levels.shells.radius(shell) * s;
+            const double angle = std::numbers::pi / 2 * static_cast<double>(i + 1) / static_cast<double>(share.size()); // its largest
+            const double reaches = 2 * levels.shells.radius(shell) * std::pow(std::sin(angle), 2);
             sum += share[i] * (reaches > levels.shells.radius(above) * (1 + 1e-6) ? 2 : 1);
             all += share[i];
         }
@@ -815,12 +819,14 @@ TEST_CASE("where the level is multiplied out, its bound on an ellipse has the mu
     Level to;
     to.k = 3;
     to.boxes.bound.assign(static_cast<std::size_t>(levels.shells.count() + 1) * n_directions, 1);
-    const double a = 0.7, b = 1.1, rho = 2.5, mid = std::log(a * b) / 2, half = std::log(b / a) / 2, A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+    const double a = 0.7, b = 1.1, rho = 2.5, A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+    const double mid = std::log(a * b) / 2, half = std::log(b / a) / 2;
     constexpr int arcs = 40;
     const double radius = half * A * std::numbers::pi / (2 * arcs);
     double most = 0; // of |e^(d/2) d^(3/2)|, d = e^z
     for (int i = 0; i < arcs; ++i) {
-        const double phi = std::numbers::pi * (i + 0.5) / arcs, x = mid + half * A * std::cos(phi) + radius, y = std::max(0.0, half * B * std::sin(phi) - radius);
+        const double phi = std::numbers::pi * (i + 0.5) / arcs;
+        const double x = mid + half * A * std::cos(phi) + radius, y = std::max(0.0, half * B * std::sin(phi) - radius);
         most = std::max(most, std::exp((std::exp(x) * std::cos(y) + 3 * x) / 2));
     }
     const double bound = levels.ellipse_bound(to, a, b, true, rho, true);
@@ -842,7 +848,8 @@ TEST_CASE("the form for small pressures: what interpolation and nodes of one pan
             panel.interpolation = panel.worst = 1;
             const Levels::Row found = levels.small_density(n, Ball(80)).row;
             panel.interpolation = panel.worst = 0;
-            const double x = e * std::exp(-panel.a), back = panel.logarithmic ? 1 : std::pow(panel.b, static_cast<double>(n) / 2); // E_n is v_n times that
+            const double x = e * std::exp(-panel.a);
+            const double back = panel.logarithmic ? 1 : std::pow(panel.b, static_cast<double>(n) / 2); // E_n is v_n times that
             const auto h = [e](double delta) { return 1.26 * std::pow(1 - e * std::exp(-delta), -1.5); };
             double off = C * h(panel.a) * (0.8 + 1.75 * x / (1 - x)) * 2 * (std::exp(panel.b / 2) - std::exp(panel.a / 2)) * back;
             if (&panel == level.panels.back().get()) off += C * h(panel.b) * std::exp(panel.b / 2);
@@ -868,7 +875,8 @@ TEST_CASE("what a row leaves out beyond its reach is what both laws allow there,
             const double e = about(from.edge), C = about(levels.constant_after(from)), n = static_cast<double>(k);
             for (const double d : {3., 50.})
                 for (const double reach : {2., 40.}) {
-                    const double there = law == Law::density ? 4.1 * 4 / std::numbers::pi * std::pow(1 - e, -1.5) * from.tail * std::exp(-reach) * std::pow(d, -(n - 1) / 2)
+                    const double kernel = 4 / std::numbers::pi * std::pow(1 - e, -1.5);
+                    const double there = law == Law::density ? 4.1 * kernel * from.tail * std::exp(-reach) * std::pow(d, -(n - 1) / 2)
                                                              : std::sqrt(e) * std::exp(-reach / 2) * std::pow(d, -(n + 1) / 2);
                     const double found = levels.dropped(from, Kind::step, d, reach);
                     CAPTURE(k);
