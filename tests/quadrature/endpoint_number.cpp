@@ -183,6 +183,32 @@ TEST_CASE("sums keep the smaller exponent, products add, all exactly")
     CHECK_THROWS_AS(Exponent(1L << 62) * Exponent(4), DomainError);
 }
 
+TEST_CASE("a number without powers of distances is the ball it has, to every operation and function of a scalar")
+{
+    const WorkingPrecision precision(120);
+    using Traits = ScalarTraits<N>;
+    const ComplexBall x = at(0.75, 0.25), y = at(-1.5, 0.5);
+    const auto is = [](const N& found, const ComplexBall& expected) {
+        CHECK(found.value().overlaps(expected));
+        CHECK(acb_rel_accuracy_bits(found.value().get()) > 90);
+    };
+    N z(x);
+    is(z *= N(y), x * y);
+    is(z += N(3), x * y + ComplexBall(3));
+    is(z -= N(y), x * y + ComplexBall(3) - y);
+    is(z /= N(x), (x * y + ComplexBall(3) - y) / x);
+    is(atan2(N(x), N(3)), analytic::atan(x / ComplexBall(3)));
+    is(acos(N(x)), ComplexBall(pi<Ball>() / Ball(2)) - analytic::asin(x));
+    is(pow(N(x), N(y)), analytic::exp(y * analytic::log(x)));
+    is(Traits::sin_pi(N(x)), sin(ComplexBall(pi<Ball>()) * x));
+    is(Traits::cos_pi(N(x)), cos(ComplexBall(pi<Ball>()) * x));
+    is(Traits::powm1(N(x), N(y)), analytic::exp(y * analytic::log(x)) - ComplexBall(1));
+    is(Traits::hypot(N(x), N(2)), analytic::sqrt(x * x + ComplexBall(4)));
+    is(Traits::sqrt_positive_part(N(x)), analytic::sqrt(x));
+    is(Traits::quotient(3, 8) * Traits::integer(4), ComplexBall(Ball(3) / Ball(2)));
+    is(Traits::power_of_two(-3) + Traits::pi(), ComplexBall(Ball(1) / Ball(8) + pi<Ball>()));
+}
+
 TEST_CASE("nothing finite comes from nothing: every function of an unknown number is unknown")
 {
     for (const N& x : {left(StripPiece::everywhere()).map([](const ComplexBall& v) { return v; }), N(ComplexBall(Ball::indeterminate())),
@@ -307,7 +333,15 @@ TEST_CASE("exponents multiply as the rational numbers they are")
             CAPTURE(b.get_str());
             CHECK((Exponent(a) * Exponent(b)).rational() == a * b);
             CHECK((Exponent(a) + Exponent(b)).rational() == a + b);
+            CHECK((Exponent(a) < Exponent(b)) == (a < b));
         }
+    // up to the largest numerator there is, of either sign
+    constexpr long most = std::numeric_limits<long>::max();
+    CHECK((Exponent(most - 1) + Exponent(1)).num() == most);
+    CHECK((Exponent(1 - most) + Exponent(-1)).num() == -most);
+    CHECK_THROWS_AS(Exponent(most) + Exponent(1), DomainError);
+    CHECK_THROWS_AS(Exponent(-most) + Exponent(-1), DomainError);
+    CHECK((Exponent(most - 1, 14) + Exponent(most - 1, 14)).rational() == Rational(most - 1) / 7);
 }
 
 TEST_CASE("a bound is written as a decimal that is no less")

@@ -78,6 +78,9 @@ TEST_CASE("what is not finite, or does not settle, is not called converged")
     CHECK((!pole.converged || pole.error > 1e-3 * std::fabs(pole.value)));
     CHECK_FALSE(estimate<double>([](double, double, double) { return std::numeric_limits<double>::quiet_NaN(); }, Interval::finite(0, 1)).converged);
     Mpfr::default_precision(50);
+    const auto nothing = estimate<Mpfr>([](const Mpfr&, const Mpfr&, const Mpfr&) { return Mpfr(0); }, Interval::finite(0, 1));
+    CHECK(nothing.converged);
+    CHECK(nothing.value == 0);
     CHECK_FALSE(estimate<Mpfr>([](const Mpfr& x, const Mpfr&, const Mpfr&) { return Mpfr(abs(x - Mpfr(1) / 3)); }, Interval::finite(-1, 1), Mpfr(0), 8).converged);
     CHECK_FALSE(estimate<Mpfr>([](const Mpfr&, const Mpfr&, const Mpfr&) { return std::numeric_limits<Mpfr>::quiet_NaN(); }, Interval::finite(0, 1)).converged);
 }

@@ -321,8 +321,13 @@ TEST_CASE("functions with a logarithm at an end are themselves on both sides of 
                 CHECK(value.overlaps(special_function(op, Ball(order), s)));
                 CHECK(value.relative_bits() > 140);
             }
+        for (const long order : {0L, 1L, 2L, 5L}) {
+            const Ball value = function_of(Op::bessel_k_scaled, Ball(order), u).value();
+            CHECK(value.overlaps(special_function(Op::bessel_k_scaled, Ball(order), s)));
+            CHECK(value.relative_bits() > 140);
+        }
         for (const long twice : {1L, -1L, 3L, -5L})
-            for (const Op op : {Op::bessel_j, Op::bessel_i}) {
+            for (const Op op : {Op::bessel_j, Op::bessel_i, Op::bessel_i_scaled}) {
                 const Ball order = Ball(twice) / Ball(2), value = function_of(op, order, u).value();
                 CHECK(value.overlaps(special_function(op, order, s)));
                 CHECK(value.relative_bits() > 140);

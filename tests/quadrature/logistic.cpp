@@ -171,16 +171,27 @@ TEST_CASE("logistic: functions in a sector are as small as is claimed, and nearl
     };
     const Ball n(2);
     const auto of = [](Op op) { return [op](const ComplexBall& z) { return abs(special_function(op, z)); }; };
+    const Complex part = x * Complex(Rational(1, 16));
+    const auto of_part = [](const std::function<Ball(const ComplexBall&)>& f) {
+        return [=](const ComplexBall& z) { return f(z / ComplexBall(16)); };
+    };
     const auto ordered = [](Op op, long order) { return [=](const ComplexBall& z) { return abs(special_function(op, Ball(order), z)); }; };
     // the disc of a bound is the square about it, and the bound is taken at the least cosine of the sector at once with the least |x|
     const std::vector<Function> all{
         {"exp(-x)", function_of(Op::exp, -x), [](const ComplexBall& z) { return abs(exp(-z)); }, Rational(1, 100)},
+        {"exp(-4x)", function_of(Op::exp, x * Complex(-4)), [](const ComplexBall& z) { return abs(exp(z * ComplexBall(-4))); },
+         Rational(0)},
         {"exp(-x^2)", function_of(Op::exp, -(x * x)), [](const ComplexBall& z) { return abs(exp(-z * z)); }, Rational(0)},
         {"erfc", function_of(Op::erfc, x), of(Op::erfc), Rational(0)},
         {"K", function_of(Op::bessel_k, n, x), ordered(Op::bessel_k, 2), Rational(1, 1000)},
         {"scaled I", function_of(Op::bessel_i_scaled, n, x), ordered(Op::bessel_i_scaled, 2), Rational(1, 4)},
         {"scaled K", function_of(Op::bessel_k_scaled, n, x), ordered(Op::bessel_k_scaled, 2), Rational(1, 5)},
         {"scaled erfc", function_of(Op::erfc_scaled, x), of(Op::erfc_scaled), Rational(1, 3)},
+        // of x/16: what x is beside its distance, and not 1, enters the bounds
+        {"K of x/16", function_of(Op::bessel_k, Ball(0), part), of_part(ordered(Op::bessel_k, 0)), Rational(1, 100)},
+        {"scaled I of x/16", function_of(Op::bessel_i_scaled, Ball(0), part), of_part(ordered(Op::bessel_i_scaled, 0)), Rational(1, 4)},
+        {"scaled K of x/16", function_of(Op::bessel_k_scaled, Ball(0), part), of_part(ordered(Op::bessel_k_scaled, 0)), Rational(1, 4)},
+        {"scaled erfc of x/16", function_of(Op::erfc_scaled, part), of_part(of(Op::erfc_scaled)), Rational(1, 4)},
     };
     for (const Function& g : all) {
         INFO(g.name);

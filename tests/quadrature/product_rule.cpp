@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Product integration: its weights against closed forms, the numbers with logarithms as symbols, which formulas it takes and which it must
 // not.
+#include "touchstone/quadrature/ellipse_rule.hpp"
 #include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/product_rule.hpp"
 #include "touchstone/quadrature/singular_weights.hpp"
+#include "touchstone/quadrature/upper.hpp"
 
 #include <doctest/doctest.h>
 
@@ -152,6 +154,8 @@ TEST_CASE("a number with logarithms has no value but in sums and products")
     REQUIRE(l.has_logarithms());
     CHECK((l * l + u).has_logarithms());
     CHECK(((l + N(1)) * (l - N(1))).logarithms().size() == 2);
+    CHECK(to_power(l, Exponent(8)).logarithms().back().left == 8); // as many products are multiplied out
+    for (const long n : {9L, 0L}) CHECK_FALSE(to_power(l, Exponent(n)).has_logarithms());
     for (const N& x : {l, N(l + N(1)), N(l * u)}) {
         CHECK_FALSE(x.factor().is_finite());
         CHECK_FALSE(x.value().is_finite());
@@ -194,4 +198,24 @@ TEST_CASE("K and E by means against Arb's")
     }
     CHECK_FALSE(elliptic_of_complement(Ball(-1)).k.is_finite());
     CHECK_FALSE(elliptic_of_complement(Ball(0)).e.is_finite());
+}
+
+TEST_CASE("what is told of an ellipse's proof are its bounds, of the integral as it is scaled")
+{
+    const WorkingPrecision precision(200);
+    EllipseFunction f;
+    f.in_plane = [](const EllipseBox& box, std::vector<ComplexBall>& c) { c.assign(1, exp(box.z)); };
+    f.at_node = [](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) { c.assign(1, exp(mirrored ? -e.z : e.z)); };
+    const auto found = by_ellipse(f, 100, false, 700);
+    REQUIRE(found);
+    CHECK(found->value.overlaps(exp(Ball(1)) - exp(Ball(-1))));
+    CHECK(found->value.relative_bits() >= 100);
+    CHECK(arb_le(radius_of(found->value).get(), (found->discretisation * Ball(2)).get()));
+    const std::string text = found->proof(Ball(-1000));
+    const auto scaled = [](const Ball& x) { return bound_text(x * Ball(1000)); };
+    for (const std::string& part :
+         {"|f| <= " + scaled(found->bound), "rho = " + std::to_string(std::exp(found->sigma)).substr(0, 4),
+          "at most " + std::to_string(found->pieces) + " boxes", "|discretisation| <= " + scaled(found->discretisation),
+          "rounding <= " + scaled(radius_of(found->value))})
+        CHECK_MESSAGE(text.find(part) != std::string::npos, part, " is not in ", text);
 }

@@ -55,8 +55,10 @@ TEST_CASE("a declared exponent that is better than what is proved is refused; a 
     Options options;
     options.left_exponent = Rational(1, 2);
     CHECK(mentions(check_refused(f, Interval::finite(0, 1), options), "declared exponent 1/2"));
-    options.left_exponent = Rational(1, 10);
-    CHECK(tanh_sinh(f, Interval::finite(0, 1), options).status == Status::certified);
+    for (const Rational& declared : {Rational(-1), Rational(-9, 10)}) {
+        options.left_exponent = declared + 1; // of u^(e + 1) dw
+        CHECK(tanh_sinh(f, Interval::finite(0, 1), options).status == Status::certified);
+    }
     options.right_exponent = Rational(3, 2);
     check_refused(f, Interval::finite(0, 1), options);
 }
@@ -84,6 +86,8 @@ TEST_CASE("ends that are no interval are refused")
     Options none;
     none.digits = 0;
     check_refused(one, Interval::finite(0, 1), none);
+    none.digits = 1;
+    CHECK(tanh_sinh(one, Interval::finite(0, 1), none).status == Status::certified);
 }
 
 TEST_CASE("an exhausted proof budget is a refusal, not a guess")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a typed formula is made of: parser, exact constants, exact expansions, cuts; and that each says no where it must.
+#include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/half_powers.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
@@ -64,6 +65,17 @@ TEST_CASE("formulas are read with the usual precedence")
     CHECK(at("0.1+1e-1", 0).contains(Rational(1, 5)));
     CHECK(at("max(x,2,min(7,5))", 3).contains(Rational(5)));
     CHECK(!at("log(x)", -1).is_finite());
+}
+
+TEST_CASE("equal parts of a formula are one node, however deep they stand, and what has none stays as it is")
+{
+    const ExpressionPtr e = with_shared_parts(parse_expression("sin(x+1)+exp(sin(x+1))"));
+    CHECK(e->args[0] == e->args[1]->args[0]);
+    const ExpressionPtr of_an_integral = with_shared_parts(parse_expression("integral(exp(t*x)*exp(t*x),t,0,1)"));
+    REQUIRE(of_an_integral->integrand);
+    CHECK(of_an_integral->integrand->args[0] == of_an_integral->integrand->args[1]);
+    const ExpressionPtr other = parse_expression("sin(x)+cos(x+1)");
+    CHECK(with_shared_parts(other)->args[0]->op == Op::sin);
 }
 
 TEST_CASE("a text that is no formula is refused at its column")
@@ -147,7 +159,9 @@ TEST_CASE("the coefficients of an expansion are those of the function")
     const WorkingPrecision precision(400);
     const Rational small(1, 1000);
     for (const char* formula : {"exp(x)-1", "log(1+x)", "tan(x)", "x/sinh(x)", "asin(x)", "atan(x)", "asinh(x)", "atanh(x)", "lambertw(x)",
-                                "erf(x)", "sec(x)", "(1+x)^(1/3)", "besselj(1,x)", "tanh(x)", "1/(2-x)^2", "si(x)"}) {
+                                "erf(x)", "sec(x)", "(1+x)^(1/3)", "besselj(1,x)", "tanh(x)", "1/(2-x)^2", "si(x)", "acos(x)", "log1p(x)",
+                                "expm1(x)", "sinh(x)", "cosh(x)", "cot(x)", "coth(x)", "csc(x)", "csch(x)", "sech(x)", "sinc(x)", "erfi(x)",
+                                "besseli(2,x)", "cos(x+pi/3)", "sin(x+pi/4)"}) {
         CAPTURE(formula);
         const auto s = series(formula, 0);
         REQUIRE(s);

@@ -6,6 +6,7 @@
 #include "touchstone/recursion/from_the_edge/levels.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <complex>
 #include <random>
@@ -717,5 +718,171 @@ TEST_CASE("what the form for small pressures leaves out is what the header prove
         CAPTURE(c);
         CHECK(found.row.rule_error >= left_out);
         CHECK(found.row.rule_error <= 1.0001 * left_out);
+    }
+}
+
+TEST_CASE("a certificate tells what the row at p is off by, relative to its value, and of which form it is")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        Forward forward(law, [] { return Ball(3); }, [] { return Ball(Rational(1, 10)); }, 20);
+        for (const double d : {0.01, 4., 80.}) { // v is far from 1 at the last two
+            const Levels::Value q = levels.density(2, Ball(1), Ball::exactly(d));
+            const double v = std::fabs(about(q.row.value));
+            const std::string errors = fmt::format("{:.1e}, interpolation {:.1e}, carried {:.1e}\n", q.row.rule_error / v,
+                                                   q.row.interpolation / v, q.row.carried / v);
+            const bool small = law == Law::exceedance && d > 40;
+            const std::string told = small ? fmt::format("  at p: small, by parts over E_2 up to delta = {:.1f}; of q: beyond ", q.cut)
+                                           : fmt::format("  at p: {} points; of v: rule ", q.nodes);
+            CAPTURE(d);
+            CHECK((q.cut > 0) == small);
+            CHECK(forward.certificate(2, Ball(1), Ball::exactly(d)).ends_with(told + errors));
+        }
+    }
+}
+
+TEST_CASE("what a node's error does to a row, and to its slope, is what the row makes of the polynomial that is 1 at that node alone")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(3);
+        const Level& from = *levels.levels[3];
+        const auto set = [&](Panel& panel, const std::function<Ball(std::size_t)>& coefficient) {
+            for (std::size_t k = 0; k < static_cast<std::size_t>(panel.points); ++k)
+                arb_set(panel.polynomial->coeffs + k, coefficient(k).get());
+            levels.make_fixed(panel);
+        };
+        const auto nothing = [](std::size_t) { return Ball(0); };
+        for (const auto& panel : from.panels) {
+            set(*panel, nothing);
+            panel->interpolation = panel->slope = panel->worst = 0;
+            std::fill(panel->errors.begin(), panel->errors.end(), 0);
+        }
+        const double d = 0.8;
+        const RowRule rule = levels.make_rule(from, Kind::step, d * 0.99, d * 1.01, 0, 1e-9);
+        for (const std::size_t which : {std::size_t{0}, from.panels.size() / 2}) {
+            Panel& panel = *from.panels[which];
+            if (panel.a > d) continue;
+            const auto N = static_cast<std::size_t>(panel.points);
+            const auto& A = levels.monomial_matrix(panel.points);
+            for (const std::size_t node : {std::size_t{0}, N / 3, N - 1}) {
+                set(panel, [&](std::size_t k) { return A[k * N + node]; });
+                panel.errors[node] = 1;
+                const Levels::Row values = levels.row(from, Kind::step, Ball::exactly(d), rule),
+                                  slopes = levels.row(from, Kind::slope, Ball::exactly(d), rule);
+                panel.errors[node] = 0;
+                CAPTURE(which);
+                CAPTURE(node);
+                CHECK(values.carried == doctest::Approx(std::fabs(about(values.value))).epsilon(1e-6));
+                CHECK(slopes.carried == doctest::Approx(std::fabs(about(slopes.slope))).epsilon(1e-6));
+            }
+            set(panel, nothing);
+        }
+    }
+}
+
+TEST_CASE("the bound of a step is the sum over sectors of the angle, each with the shells that it reaches")
+{
+    const WorkingPrecision precision(bits);
+    Levels levels(Law::density, Ball(3), Ball(Rational(1, 10)), 20);
+    Level &from = *levels.levels[1], to;
+    to.k = 2;
+    from.boxes.disc = 6;
+    const auto share = Levels::sector_shares(levels.power(1));
+    const int shell = 20; // so near the edge that the kernel is a constant
+    const auto bound = [&](int above) { // where the level is 1 up to that shell, and 2 beyond
+        for (int j = 0; j <= levels.shells.count(); ++j)
+            for (int m = 0; m < n_directions; ++m) from.boxes.at(j, m) = j <= above ? 1 : 2;
+        levels.bound_boxes(from, to);
+        return to.boxes.at(shell, 0);
+    };
+    const double one = bound(levels.shells.count());
+    for (const int above : {shell - 4, shell + 1, shell + 3, shell + 5}) {
+        double sum = 0, all = 0;
+        for (std::size_t i = 0; i < share.size(); ++i) {
+            const double angle = std::numbers::pi / 2 * static_cast<double>(i + 1) / static_cast<double>(share.size()); // its largest
+            const double reaches = 2 * levels.shells.radius(shell) * std::pow(std::sin(angle), 2);
+            sum += share[i] * (reaches > levels.shells.radius(above) * (1 + 1e-6) ? 2 : 1);
+            all += share[i];
+        }
+        CAPTURE(above);
+        CHECK(bound(above) / one == doctest::Approx(sum / all).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("where the level is multiplied out, its bound on an ellipse has the multiplier's at the far side of each disc")
+{
+    const WorkingPrecision precision(bits);
+    const Levels levels(Law::exceedance, Ball(3), Ball(Rational(1, 10)), 30);
+    Level to;
+    to.k = 3;
+    to.boxes.bound.assign(static_cast<std::size_t>(levels.shells.count() + 1) * n_directions, 1);
+    const double a = 0.7, b = 1.1, rho = 2.5, A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+    const double mid = std::log(a * b) / 2, half = std::log(b / a) / 2;
+    constexpr int arcs = 40;
+    const double radius = half * A * std::numbers::pi / (2 * arcs);
+    double most = 0; // of |e^(d/2) d^(3/2)|, d = e^z
+    for (int i = 0; i < arcs; ++i) {
+        const double phi = std::numbers::pi * (i + 0.5) / arcs;
+        const double x = mid + half * A * std::cos(phi) + radius, y = std::max(0.0, half * B * std::sin(phi) - radius);
+        most = std::max(most, std::exp((std::exp(x) * std::cos(y) + 3 * x) / 2));
+    }
+    const double bound = levels.ellipse_bound(to, a, b, true, rho, true);
+    CHECK(bound >= most);
+    CHECK(bound <= most * (1 + 2e-6));
+}
+
+TEST_CASE("the form for small pressures: what interpolation and nodes of one panel may change is what the header has of both")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    Levels levels(Law::exceedance, Ball(3), Ball(Rational(1, 10)), 20);
+    for (const long n : {2L, 3L}) {
+        levels.small_density(n, Ball(80));
+        const Level& level = *levels.whole[n];
+        const double e = above(level.edge_bound), C = about(level.C);
+        for (const auto& panel : level.panels) panel->interpolation = panel->worst = 0;
+        for (const std::size_t which : {std::size_t{0}, level.panels.size() / 2}) {
+            Panel& panel = *level.panels[which];
+            panel.interpolation = panel.worst = 1;
+            const Levels::Row found = levels.small_density(n, Ball(80)).row;
+            panel.interpolation = panel.worst = 0;
+            const double x = e * std::exp(-panel.a);
+            const double back = panel.logarithmic ? 1 : std::pow(panel.b, static_cast<double>(n) / 2); // E_n is v_n times that
+            const auto h = [e](double delta) { return 1.26 * std::pow(1 - e * std::exp(-delta), -1.5); };
+            double off = C * h(panel.a) * (0.8 + 1.75 * x / (1 - x)) * 2 * (std::exp(panel.b / 2) - std::exp(panel.a / 2)) * back;
+            if (&panel == level.panels.back().get()) off += C * h(panel.b) * std::exp(panel.b / 2);
+            const double lebesgue = 2 / std::numbers::pi * std::log(static_cast<double>(panel.points)) + 1;
+            CAPTURE(n);
+            CAPTURE(which);
+            CHECK(found.interpolation >= off);
+            CHECK(found.interpolation <= off * (1 + 2e-6));
+            CHECK(found.carried >= off * lebesgue);
+            CHECK(found.carried <= off * lebesgue * (1 + 2e-6));
+        }
+    }
+}
+
+TEST_CASE("what a row leaves out beyond its reach is what both laws allow there, over the power of d and the constant of the next level")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(3);
+        for (const long k : {2L, 3L}) {
+            const Level& from = *levels.levels[static_cast<std::size_t>(k)];
+            const double e = about(from.edge), C = about(levels.constant_after(from)), n = static_cast<double>(k);
+            for (const double d : {3., 50.})
+                for (const double reach : {2., 40.}) {
+                    const double kernel = 4 / std::numbers::pi * std::pow(1 - e, -1.5);
+                    const double there = law == Law::density ? 4.1 * kernel * from.tail * std::exp(-reach) * std::pow(d, -(n - 1) / 2)
+                                                             : std::sqrt(e) * std::exp(-reach / 2) * std::pow(d, -(n + 1) / 2);
+                    const double found = levels.dropped(from, Kind::step, d, reach);
+                    CAPTURE(k);
+                    CHECK(found >= there / C);
+                    CHECK(found <= there / C * (1 + 3e-6));
+                }
+        }
     }
 }

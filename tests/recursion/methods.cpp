@@ -156,7 +156,7 @@ TEST_CASE("light loads are a matter of seconds up to scale 12: the power series,
             }
 }
 
-TEST_CASE("the power series says where it would take too many terms")
+TEST_CASE("the power series says where it would take too many terms, and at which G it is not used")
 {
     const Method series = power_series();
     const auto refused = [&](long n, const char* load, const Rational& G) { return series.refusal(problem(Asked::area, n, exactly(load), G, 0)); };
@@ -164,6 +164,9 @@ TEST_CASE("the power series says where it would take too many terms")
     CHECK(refused(18, "1e-300", exactly("2.1")).find("too many terms") != std::string::npos);
     CHECK(refused(21, "1e-300", exactly("2.1")).find("too many terms") != std::string::npos);
     CHECK(refused(2, "1e-99", 3).find("1e-100") != std::string::npos);
+    CHECK(refused(2, "1e-300", exactly("2.0000005")).find("for G from 2.000001") != std::string::npos);
+    CHECK(refused(2, "1e-300", exactly("2.000001")).empty());
+    CHECK(refused(2, "1e-300", exactly("1e9")).find("to 10^9") != std::string::npos);
 }
 
 TEST_CASE("a light load's area agrees with its witness")

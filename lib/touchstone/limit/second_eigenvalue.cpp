@@ -89,6 +89,17 @@ Ball larger(const Ball& a, const Ball& b)
     return !x.is_finite() || arb_gt(x.get(), y.get()) ? x : y;
 }
 
+} // namespace
+
+NoiseBeyond beyond_the_noise(const Ball& G, const Ball& last)
+{
+    // |psi| and |bend| are largest at v = x, or psi is 1/2 at v = 0
+    const Ball x = 4 / (G * G), z = 1 / (2 * (1 - x));
+    return {32 / (3 * Traits::pi()) * exp(-3 * last), larger(upper_ball(1 - z), Ball(Rational(1, 2))), upper_ball(z * (2 * z - 1))};
+}
+
+namespace {
+
 /// (D w)' and D w, proven: what is integrated is analytic in tau and s on ellipses about the panels of tau and about [low, high] of log s.
 class Derivative {
 public:
@@ -140,12 +151,10 @@ private:
             if (!certainly(less(s / 2 + log_half_G + log(cosh) - log(1 - exp(-s)) / 2, s_high))) throw BeyondReach("the noise is cut off too late");
     }
 
-    /// What is left out beyond the last tau: int sech^3 <= (8/3) exp(-3 tau), |psi| and |bend| are largest at v = x or psi is 1/2 at v = 0,
-    /// |w| <= sum |c_k| and |w'| <= sum |c'_k| dt/ds, also where w is constant.
+    /// What is left out beyond the last tau: |w| <= sum |c_k| and |w'| <= sum |c'_k| dt/ds, also where w is constant.
     void cut_off(const Ball& G)
     {
-        const Ball x = 4 / (G * G), z = 1 / (2 * (1 - x)), psi = larger(upper_ball(1 - z), Ball(Rational(1, 2))), bend = upper_ball(z * (2 * z - 1));
-        const Ball mass = 32 / (3 * Traits::pi()) * exp(-3 * Ball::exactly(panels.back()));
+        const auto [mass, psi, bend] = beyond_the_noise(G, Ball::exactly(panels.back()));
         const Ball most = size_on_ellipse(w.value, Ball(1)), steepest = size_on_ellipse(w.slope, Ball(1)) * w.stretch() / exp(Ball::exactly(w.low));
         slope_beyond_ = upper_ball(mass * (bend * most + psi * psi * steepest));
         value_beyond_ = upper_ball(mass * psi * most);

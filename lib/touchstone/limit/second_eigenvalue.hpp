@@ -25,6 +25,13 @@ struct EigenvalueProof {
 Ball weight_of_slopes(const Ball& r);
 Ball integral_of_weight(const Ball& r);
 
+/// What the noise beyond `last` has at most: its mass (4/pi) int sech^3 <= (32/(3 pi)) exp(-3 last), and the sizes of psi and d psi/ds
+/// there, at every ratio from 0 to 4/G^2.
+struct NoiseBeyond {
+    Ball mass, psi, bend;
+};
+NoiseBeyond beyond_the_noise(const Ball& G, const Ball& last);
+
 /// Bounds of w' on intervals, to a precision of its own.
 class Slopes {
 public:

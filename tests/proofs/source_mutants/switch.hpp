@@ -3,7 +3,7 @@
 /// Many changes of a source in one compilation, one of them switched on at run time: what mutate_sources.py and mutate_library.py write into a copy
 /// of a source.
 ///
-///     a + b  ->  a + mutant::Sign{17} * b          times -1 if change 17 is on
+///     a + b  ->  a + mutant::Sign{17} * b          times -1 if change 17 is on, or 0 - b where b has no sign to change
 ///     a * b  ->  a * (mutant::Inverse{18} ->* b)   divided by b if change 18 is on; ->* binds tighter than *
 ///     3      ->  mutant::number(19, 3)             4 if change 19 is on
 ///     a < b  ->  a < mutant::Compared{20} < b      a <= b if change 20 is on: both are read from the left, and bind as the one did
@@ -49,6 +49,9 @@ constexpr auto operator*(Sign s, const T& x)
     if constexpr (requires { value_t<decltype(-x)>(x); }) {
         using V = value_t<decltype(-x)>;
         return on(s.id) ? V(-x) : V(x);
+    } else if constexpr (requires { requires std::is_same_v<value_t<T>, value_t<decltype(T{} - x)>>; }) {
+        using V = value_t<T>;
+        return on(s.id) ? V(V{} - x) : V(x);
     } else {
         return x; // a string: its + has no -
     }
