@@ -737,6 +737,13 @@ TEST_CASE("an ellipse on which a formula is huge beyond measure costs no boxes b
     CHECK(evaluations < 4000); // 394412 where an exponent of the bound, some 10^9, was taken for a number of nodes
 }
 
+TEST_CASE("where many digits leave no use for an ellipse without a guess, one with a guess from more nodes is still tried")
+{
+    const Integral I = integrate(parse_expression("sqrt(1-x)*cos(30*x)/(1+4*x^2)"), parse_limit("0"), parse_limit("1"), with_digits(120));
+    CHECK(I.digits == 120);
+    CHECK(I.parts.front().rule == "product integration"); // tanh-sinh while an ellipse never tried was taken for one that had failed
+}
+
 TEST_CASE("on a range formulas as they stand are had where few bits cancel, and at no other places")
 {
     const Range range{parse_limit("1"), parse_limit("3"), Map::finite};

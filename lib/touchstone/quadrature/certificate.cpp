@@ -24,7 +24,7 @@ std::string bound_text(const Ball& x)
 {
     if (!x.is_finite()) return "null";
     if (arb_is_zero(x.get())) return "0";
-    constexpr double tells_fractions = 1e9, tells_exponents = 1e17; // a double as an exponent
+    constexpr double tells_fractions = 1e7, tells_exponents = 1e17; // a double as an exponent
     const double l = log2_upper(x) * M_LN2 / M_LN10, e = std::floor(l);
     if (l >= tells_exponents) return "null";
     if (std::fabs(l) > tells_fractions)

@@ -227,14 +227,14 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     }
 }
 
-/// Re, Im and conj of what is real are what they are; |f|^2 = f f*.
+/// Re and conj of what is real are what it is, Im is 0 where that has a value: sqrt(x^2 - 1) has none on (0, 1). |f|^2 = f f*.
 NodePtr Compiler::part_of(const ExpressionPtr& e) const
 {
     const ExpressionPtr& a = e->args[0];
     if (e->op == Op::abs) return power(of(Op::real_part, product(a, of(Op::conjugate, a))), make_number(Rational(1, 2)));
     const bool of_value = e->op == Op::real_value || e->op == Op::imaginary_value;
     const bool imaginary = e->op == Op::imaginary_part || e->op == Op::imaginary_value;
-    if (is_real(*a) && !(of_value && has_complex_point(*a))) return imaginary ? constant(ExactSum(0)) : compile(a);
+    if (is_real(*a) && !(of_value && has_complex_point(*a))) return compile(imaginary ? product(make_number(0), a) : a);
     return node(e->op == Op::conjugate ? Kind::conjugate : imaginary ? Kind::imaginary_part : Kind::real_part, {a}, e->op);
 }
 

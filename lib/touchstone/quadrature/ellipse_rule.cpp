@@ -206,7 +206,7 @@ std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_to
     const auto look_closer = [&] {
         guess_ = closer_guess_();
         is_guided = guess_ < highest;
-        if (is_guided) failed_ = std::min(*failed_, beyond * guess_);
+        if (is_guided && failed_) failed_ = std::min(*failed_, beyond * guess_); // none failed where none was worth a try
     };
     if (!is_guided) {
         search_from(unguided, 1, log2_tolerance, very_few_boxes);
