@@ -2,6 +2,7 @@
 #include "touchstone/paper/gamma_product.hpp"
 
 #include "touchstone/scalar/flint_headers.hpp"
+#include "touchstone/scalar/log_factorial.hpp"
 #if __has_include(<flint/bernoulli.h>)
 #include <flint/bernoulli.h>
 #else
@@ -83,7 +84,7 @@ long stirling_terms(const Shifted& g)
     long L = 1;
     const auto left_out = [&](long terms) { // its logarithm; B_2l as below
         const double after = static_cast<double>(2 * terms);
-        return std::log(4.0 * static_cast<double>(g.W)) + std::lgamma(after + 1) - (after + 2) * std::log(2 * M_PI) - (after + 1) * std::log(z);
+        return std::log(4.0 * static_cast<double>(g.W)) + log_factorial(after) - (after + 2) * std::log(2 * M_PI) - (after + 1) * std::log(z);
     };
     while (left_out(L) > wanted && 6 * L < g.twice_z) ++L;
     return L;

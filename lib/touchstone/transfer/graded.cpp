@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/graded.hpp"
 
+#include "touchstone/scalar/log_factorial.hpp"
 #include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/parallel.hpp"
 
@@ -8,7 +9,7 @@ namespace touchstone::transfer {
 namespace {
 
 /// log c_g
-double strength(int g) { return g * std::log(0.4) - 0.5 * std::lgamma(g + 1.0); }
+double strength(int g) { return g * std::log(0.4) - 0.5 * log_factorial(g); }
 
 double floor_of(int g, const GradedRule& rule)
 {
