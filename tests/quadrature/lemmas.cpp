@@ -463,7 +463,7 @@ TEST_CASE("quadrant: r = 1/(1 + z), its logarithm and its powers are enclosed, a
     attains(exp(Ball(-5) + Ball(5) * log(Ball(15))), top, Rational(999, 1000));
 }
 
-TEST_CASE("Bessel functions have no value on a ball that meets their cut, and those without a cut have one")
+TEST_CASE("Bessel functions and polylogarithms have no value on a ball that meets their cut, and those without a cut have one")
 {
     const WorkingPrecision precision(100);
     ComplexBall z(Ball(-2));
@@ -473,4 +473,8 @@ TEST_CASE("Bessel functions have no value on a ball that meets their cut, and th
         for (const Op op : {Op::bessel_j, Op::bessel_i}) CHECK(special_function(op, Ball(order), z).is_finite());
     }
     for (const Op op : {Op::bessel_j, Op::bessel_i}) CHECK_FALSE(special_function(op, Ball(1) / Ball(2), z).is_finite());
+    ComplexBall beyond_one(Ball(3) / Ball(2)); // the cut of polylogarithms
+    widen(beyond_one, Ball(1) / Ball(4));
+    CHECK_FALSE(special_function(Op::polylog, Ball(2), beyond_one).is_finite());
+    CHECK(special_function(Op::polylog, Ball(2), z).is_finite());
 }
