@@ -132,6 +132,21 @@ TEST_CASE("what has no value on a path is refused, and says why")
     CHECK_THROWS_AS(parse_limit("i"), ExpressionError);
 }
 
+TEST_CASE("the imaginary part of a real formula is 0 where that has a value, and none elsewhere")
+{
+    for (const char* formula : {"im(sqrt(x^2-1))", "im(log(-1-x))", "x+im(acos(x+3))"}) {
+        CAPTURE(formula);
+        CHECK(along(formula, {"0", "1"}).status != Status::certified); // with a logarithm of -1 of i*pi they would not be 0
+    }
+    for (const char* formula : {"im(x^2)", "im(sqrt(x))", "im(log(x))", "im(abs(x-1/2))"}) {
+        CAPTURE(formula);
+        const Integral i = along(formula, {"0", "1"});
+        CHECK(i.status == Status::certified);
+        CHECK(i.value.is_exact());
+        CHECK(i.value.contains_zero());
+    }
+}
+
 TEST_CASE("parameters that are balls: the integral for every number of the ball, and not much more")
 {
     const Parameters parameters{{"a", {Rational(1, 2), Rational(1, 1000000)}}, {"b", {Rational(3), Rational(0)}}};

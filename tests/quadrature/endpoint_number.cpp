@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/tanh_sinh.hpp"
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/quadrature/nodes.hpp"
 #include "touchstone/quadrature/upper.hpp"
@@ -348,4 +349,36 @@ TEST_CASE("a bound is written as a decimal that is no less")
     CHECK(bound_text(Ball(1300)) == "1.31e3"); // rounded up
     CHECK(bound_text(Ball(Rational(13, 1000))) == "1.31e-2");
     CHECK(bound_text(Ball::indeterminate()) == "null");
+    CHECK(bound_text(Ball(0)) == "0");
+    CHECK(bound_text(exp(Ball(-1000000000000000000))) == "1.00e-100000000000000000"); // not 0, which it is above
+    CHECK(bound_text(exp(Ball(-100000000000))) == "1.00e-43429448189");               // e^(-10^11) = 4.7e-43429448191
+    CHECK(bound_text(exp(Ball(100000000000))) == "1.00e43429448192");
+    CHECK(bound_text(exp(Ball(1000000000000000000))) == "null");
+    Ball far(1); // 2^(33 10^15), whose exponent in binary64 is only told to within ten or so
+    arb_mul_2exp_si(far.get(), far.get(), 33000000000000000);
+    const std::string text = bound_text(far);
+    REQUIRE(text.rfind("1.00e", 0) == 0);
+    const long exponent = std::stol(text.substr(5)), least = 9933989856911380; // 33 10^15 log10(2), rounded up
+    CHECK(exponent >= least);
+    CHECK(exponent < least + 1000);
+    Ball below_a_power = Ball(1) - Ball(Rational(1, 1L << 25));
+    arb_mul_2exp_si(below_a_power.get(), below_a_power.get(), 1888145391);
+    CHECK(bound_text(below_a_power) == "1.00e568388400"); // 7.34e568388398 is less: the logarithm as a double does not hold three digits
+}
+
+TEST_CASE("a certificate in JSON has a bound as a number, or as a text where binary64 could not hold it, or null")
+{
+    quadrature::Certificate c;
+    c.panels.resize(1);
+    quadrature::Panel& p = c.panels.front();
+    p.bound_left = Ball::indeterminate();
+    p.bound_right = exp(Ball(-2000));
+    p.strip_integral = Ball(2);
+    p.discretisation = p.truncation = p.rounding = Ball(0);
+    const std::string text = c.to_json();
+    CAPTURE(text);
+    CHECK(text.find("\"K\":[null,\"") != std::string::npos);
+    CHECK(text.find("e-869\"]") != std::string::npos);
+    CHECK(text.find("\"truncation\":0,") != std::string::npos);
+    CHECK(text.find("\"strip_integral\":2.0") != std::string::npos);
 }

@@ -53,6 +53,7 @@ private:
     Case in_the_plane(long family);
     Case of_several_kinds(long family);
     Case on_half_lines(long family);
+    Case even_or_a_power_of_two_factors(long family);
     std::mt19937_64 random_;
 };
 
@@ -245,16 +246,37 @@ Case Draw::on_half_lines(long family)
     }
 }
 
+/// Even about 0, on one side of it and on both; powers of a product and of a quotient.
+Case Draw::even_or_a_power_of_two_factors(long family)
+{
+    const Rational a = positive(), b = positive(), e = exponent(), half(1, 2);
+    const Rational q = between(0, 1) ? quotient(between(-99, 99), 100) : between(0, 1) ? half : Rational(-half);
+    const std::string A = text(a), B = text(b), D = text(distance()), E = text(e), Q = text(q);
+    const auto half_beta = [](const Rational& s, const Rational& t) {
+        return "gamma" + text(s) + "*gamma" + text(t) + "/(2*gamma" + text(Rational(s + t)) + ")";
+    };
+    switch (family) {
+    case 0: return {"quarter of a circle", "sqrt(" + A + "^2-x^2)*cos(" + B + "*x)", "0", A, "pi*" + A + "/(2*" + B + ")*besselj(1," + A + "*" + B + ")"};
+    case 1: return {"weight left of 0", "cos(" + B + "*x)/sqrt(" + A + "^2-x^2)", "-" + A, "0", "pi/2*besselj(0," + A + "*" + B + ")"};
+    case 2: return {"even poles beside", "1/((x^2+" + D + "^2)*sqrt(1-x^2))", "0", "1", "pi/(2*" + D + "*sqrt(1+" + D + "^2))"};
+    case 3: return {"power of a tangent", "tan(x)^" + Q, "0", "pi/2", "pi/(2*cos(pi*" + Q + "/2))"};
+    case 4: return {"power of a quotient", "(x/(1-x^2))^" + Q, "0", "1", half_beta(Rational((q + 1) / 2), Rational(1 - q))};
+    case 5: return {"power of a product", "(x*(1-x^2))^" + E, "0", "1", half_beta(Rational((e + 1) / 2), Rational(e + 1))};
+    default: return {"even on both sides", "x*sin(" + B + "*x)", "-" + A, A, "2*(sin(" + A + "*" + B + ")-" + A + "*" + B + "*cos(" + A + "*" + B + "))/" + B + "^2"};
+    }
+}
+
 Case Draw::next()
 {
-    const long kind = between(0, 6), family = between(0, 6);
+    const long kind = between(0, 7), family = between(0, 6);
     Case c = kind == 0   ? at_the_ends(family)
              : kind == 1 ? beside(family)
              : kind == 2 ? infinite(family)
              : kind == 3 ? not_by_one_rule(family)
              : kind == 4 ? in_the_plane(family)
              : kind == 5 ? of_several_kinds(family)
-                         : on_half_lines(family);
+             : kind == 6 ? on_half_lines(family)
+                         : even_or_a_power_of_two_factors(family);
     if (c.value.empty()) c.value = c.formula.find(")^0") != std::string::npos ? "1/a" : "1/a^2";
     return c;
 }

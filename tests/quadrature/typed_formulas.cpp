@@ -6,8 +6,10 @@
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/polynomial.hpp"
 #include "touchstone/quadrature/real_formula.hpp"
+#include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/split.hpp"
 #include "touchstone/quadrature/substitution.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include <doctest/doctest.h>
 
@@ -91,6 +93,23 @@ TEST_CASE("a text that is no formula is refused at its column")
     CHECK(column_of_error(std::string(5000, '(').c_str()) > 0);
 }
 
+TEST_CASE("what stands where an operator is expected is shown, one sign of it")
+{
+    const auto message = [](const char* text) -> std::string {
+        try {
+            parse_expression(text);
+        }
+        catch (const ExpressionError& e) {
+            return e.what();
+        }
+        return {};
+    };
+    for (const auto& [text, sign] : {std::pair("2x+1", "'x'"), std::pair("x\u00d72", "'\u00d7'"), std::pair("x\u2212\u2212", "'\u2212'"), std::pair("x)", "')'")}) {
+        CAPTURE(text);
+        CHECK(message(text).find(std::string("an operator is expected before ") + sign + " ") != std::string::npos);
+    }
+}
+
 TEST_CASE("exact constants: zero is recognised, and only zero")
 {
     const ExactSum two = *ExactSum(2).sqrt(), three = *ExactSum(3).sqrt(), six = *ExactSum(6).sqrt();
@@ -165,6 +184,18 @@ TEST_CASE("the range is cut at kinks and steps, where they are exact")
     CHECK(cuts("abs(sin(x))", "0", "7").size() == 2);
     CHECK(cuts("abs(x^2-2)", "0", "2") == std::vector{*ExactSum(2).sqrt()});
     CHECK_THROWS_AS(cuts("floor(1000000*x)", "0", "1"), DomainError);
+}
+
+TEST_CASE("the larger of equal formulas is either, and what is 0 throughout has no sign and no kink")
+{
+    for (const auto& [formula, value] : {std::pair("max(x+2,x+2)", Rational(25, 2)), std::pair("min(x,2*x-x,x)", Rational(5, 2)),
+                                         std::pair("sign(x-x)*exp(x)+x", Rational(5, 2)), std::pair("abs(x^2-x*x)+x", Rational(5, 2))}) {
+        CAPTURE(formula);
+        const Integral i = integral(formula, "-2", "3", 20);
+        CHECK(i.status == Status::certified);
+        CHECK(i.value.contains(value));
+        CHECK(i.parts.size() == 1);
+    }
 }
 
 TEST_CASE("integrals of what has no branch cut hidden from the proof")
@@ -622,6 +653,15 @@ TEST_CASE("points where the range is cut lie inside of it, and count once")
     }
 }
 
+TEST_CASE("a range from infinity to the same infinity is refused as such, and a sign of several bytes is named whole")
+{
+    for (const char* end : {"inf", "-inf"})
+        CHECK_THROWS_WITH_AS(integrate(parse_expression("exp(-x^2)"), parse_limit(end), parse_limit(end)),
+                             (std::string("the range from ") + end + " to " + end + " holds no number").c_str(), DomainError);
+    CHECK_THROWS_WITH_AS(parse_expression("x\xC3\x97" "2"), "column 2: an operator is expected before '\xC3\x97' (a product needs its *)",
+                         ExpressionError);
+}
+
 TEST_CASE("a Bessel function of half odd order is taken with its power at 0")
 {
     const Ball value = integrate(parse_expression("besselj(1/2,x)/sqrt(x)"), parse_limit("0"), parse_limit("1"), with_digits(25)).value;
@@ -635,7 +675,7 @@ TEST_CASE("formulas as they stand enclose what compiled ones do, at any precisio
 {
     for (const char* formula : {"sqrt(1-x^2)", "x^(-3/2)+x^(2/3)*(1+x)^(-1/3)", "exp(x)*cos(3*x)-tan(x)/x^5", "log(x/2)^2-(-x)^3", "asin(x)+acos(x/2)*atan(7*x)",
                                 "sinh(x)+cosh(x)^-2-tanh(x)", "asinh(x)*acosh(1+x)+atanh(x/3)", "expm1(-x)+log1p(x^2)", "sqrt(sqrt(x))-pi*e^x/3+2^(1/2)",
-                                "(x+1)^0+x", "2^x+(1/3)^(x^2)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x"}) {
+                                "(x+1)^0+x", "2^x+(1/3)^(x^2)", "2^(3^(5^x))+7^(2^x)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x"}) {
         CAPTURE(std::string(formula));
         const auto straight = RealFormula::of(parse_expression(formula));
         REQUIRE(straight);
@@ -656,6 +696,52 @@ TEST_CASE("formulas as they stand enclose what compiled ones do, at any precisio
     for (int k = 0; k < 2; ++k) CHECK_THROWS_AS(refused->at(Ball(1)), DomainError);
     for (const char* formula : {"abs(x-1/2)", "gamma(x)", "x^x", "exp(i*x)", "max(x,1/2)", "besselj(0,x)", "re(x+i)", "x"})
         CHECK_FALSE(RealFormula::of(parse_expression(formula)));
+}
+
+TEST_CASE("the inverse hyperbolic sine of wide balls is enclosed where its argument is large, on either side of its cuts")
+{
+    const WorkingPrecision precision(64);
+    for (const int sign : {1, -1}) {
+        const ComplexBall wide(hull(Ball(20 * sign), Ball(30 * sign)), hull(Ball(-3), Ball(5)));
+        const ComplexBall value = special_function(Op::asinh, wide);
+        CHECK(value.is_finite()); // not so on the left by the arctangent of z/(1 + z^2)^(1/2)
+        for (const long x : {20, 23, 30})
+            for (const long y : {-3, 1, 5}) {
+                ComplexBall point;
+                acb_asinh(point.get(), ComplexBall(Ball(x * sign), Ball(y)).get(), 64);
+                CHECK(acb_contains(value.get(), point.get()));
+            }
+    }
+    CHECK_FALSE(special_function(Op::asinh, ComplexBall(hull(Ball(-1), Ball(1)), Ball(2))).is_finite()); // a cut
+    CHECK_FALSE(special_function(Op::asinh, ComplexBall(hull(Ball::exactly(-1e-3), Ball::exactly(1e-3)), Ball::exactly(1.5))).is_finite());
+    CHECK(special_function(Op::asinh, ComplexBall(Ball(Rational(0)), Ball::exactly(0.5))).is_finite()); // below it
+    for (const double x : {-9.5, -3.0, -1.25, -0.5, 0.5, 1.25, 3.0, 9.5}) // whichever of its two forms is taken
+        for (const double y : {-2.5, -0.75, 0.0, 0.75, 2.5}) {
+            CAPTURE(x);
+            CAPTURE(y);
+            ComplexBall z(Ball::exactly(x), Ball::exactly(y)), exact;
+            acb_asinh(exact.get(), z.get(), 200);
+            widen(z, Ball::exactly(1e-9));
+            CHECK(acb_overlaps(special_function(Op::asinh, z).get(), exact.get()) != 0);
+        }
+    const Integral I = integrate(parse_expression("asinh(exp(-2*x)+1)"), parse_limit("-2"), parse_limit("3"), with_digits(20));
+    CHECK(I.digits == 20); // was refused
+}
+
+TEST_CASE("an ellipse on which a formula is huge beyond measure costs no boxes beyond what a rule does")
+{
+    const Integral I = integrate(parse_expression("exp(sin(33*x)^2)"), parse_limit("0"), parse_limit("1"), with_digits(20));
+    CHECK(I.digits == 20);
+    long evaluations = 0;
+    for (const Part& p : I.parts) evaluations += p.evaluations;
+    CHECK(evaluations < 4000); // 394412 where an exponent of the bound, some 10^9, was taken for a number of nodes
+}
+
+TEST_CASE("where many digits leave no use for an ellipse without a guess, one with a guess from more nodes is still tried")
+{
+    const Integral I = integrate(parse_expression("sqrt(1-x)*cos(30*x)/(1+4*x^2)"), parse_limit("0"), parse_limit("1"), with_digits(120));
+    CHECK(I.digits == 120);
+    CHECK(I.parts.front().rule == "product integration"); // tanh-sinh while an ellipse never tried was taken for one that had failed
 }
 
 TEST_CASE("on a range formulas as they stand are had where few bits cancel, and at no other places")

@@ -3,6 +3,7 @@
 #include "touchstone/quadrature/tanh_sinh.hpp"
 #include "touchstone/quadrature/upper.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -22,9 +23,12 @@ std::string to_string(Status s)
 std::string bound_text(const Ball& x)
 {
     if (!x.is_finite()) return "null";
-    const double l = log2_upper(x) * M_LN2 / M_LN10;
-    if (l < -1e15) return "0";
-    const double e = std::floor(l);
+    if (arb_is_zero(x.get())) return "0";
+    constexpr double tells_fractions = 1e7, tells_exponents = 1e17; // a double as an exponent
+    const double l = log2_upper(x) * M_LN2 / M_LN10, e = std::floor(l);
+    if (l >= tells_exponents) return "null";
+    if (std::fabs(l) > tells_fractions)
+        return "1.00e" + std::to_string(static_cast<long>(std::max(std::ceil(l + 1 + std::fabs(l) * 1e-14), -tells_exponents)));
     std::ostringstream out;
     out.precision(2);
     out << std::fixed << std::ceil((std::pow(10.0, l - e) + 1e-6) * 100) / 100 << "e" << static_cast<long>(e);
@@ -38,8 +42,9 @@ std::string json_bound(const Ball& x)
 {
     constexpr double farthest = 300 * M_LN10 / M_LN2;
     const double l = log2_upper(x);
-    const bool is_double = !x.is_finite() || l < -1e15 || std::fabs(l) < farthest;
-    return is_double ? bound_text(x) : '"' + bound_text(x) + '"';
+    const std::string text = bound_text(x);
+    const bool is_double = text == "null" || text == "0" || std::fabs(l) < farthest;
+    return is_double ? text : '"' + text + '"';
 }
 
 Ball sum(const std::vector<Panel>& panels, Ball Panel::*term)

@@ -50,6 +50,7 @@ private:
     int sign_of_linear(const Expression& e) const;
     bool rises_far_out(const Expression& e) const;
     ExpressionPtr settled(const ExpressionPtr& e) const;
+    static bool is_zero(const Expression& e);
 
     Place place_;
     mutable std::array<std::optional<Expansions>, 2> expansions_; // about the ends that are exact
@@ -226,14 +227,14 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     }
 }
 
-/// Re, Im and conj of what is real are what they are; |f|^2 = f f*.
+/// Re and conj of what is real are what it is, Im is 0 where that has a value: sqrt(x^2 - 1) has none on (0, 1). |f|^2 = f f*.
 NodePtr Compiler::part_of(const ExpressionPtr& e) const
 {
     const ExpressionPtr& a = e->args[0];
     if (e->op == Op::abs) return power(of(Op::real_part, product(a, of(Op::conjugate, a))), make_number(Rational(1, 2)));
     const bool of_value = e->op == Op::real_value || e->op == Op::imaginary_value;
     const bool imaginary = e->op == Op::imaginary_part || e->op == Op::imaginary_value;
-    if (is_real(*a) && !(of_value && has_complex_point(*a))) return imaginary ? constant(ExactSum(0)) : compile(a);
+    if (is_real(*a) && !(of_value && has_complex_point(*a))) return compile(imaginary ? product(make_number(0), a) : a);
     return node(e->op == Op::conjugate ? Kind::conjugate : imaginary ? Kind::imaginary_part : Kind::real_part, {a}, e->op);
 }
 
@@ -279,6 +280,13 @@ NodePtr Compiler::power(const ExpressionPtr& base, const ExpressionPtr& exponent
     return node(Kind::general_power, {base, exponent});
 }
 
+/// Whether it is the polynomial 0, as x - x is.
+bool Compiler::is_zero(const Expression& e)
+{
+    const auto p = polynomial(e);
+    return p && std::all_of(p->begin(), p->end(), [](const ExactSum& c) { return c.is_zero(); });
+}
+
 /// The sign that a linear function keeps on the finite range (zero at an end at most): 1, -1; 0 if it keeps none or is not linear.
 int Compiler::sign_of_linear(const Expression& e) const
 {
@@ -310,6 +318,7 @@ ExpressionPtr Compiler::settled(const ExpressionPtr& e) const
     ExpressionPtr r = settled(e->args[0]);
     for (std::size_t i = 1; i < e->args.size(); ++i) {
         const ExpressionPtr other = settled(e->args[i]);
+        if (is_zero(*difference(r, other))) continue;
         const int sign = sign_of_linear(*difference(r, other));
         if (sign == 0) return e;
         if ((sign > 0) == (e->op == Op::min)) r = other;
@@ -330,6 +339,7 @@ NodePtr Compiler::without_branch(const ExpressionPtr& e) const
         }
         return compile(r);
     }
+    if ((e->op == Op::abs || e->op == Op::sign) && is_zero(*a)) return constant(ExactSum(0));
     const auto p = polynomial(*a);
     const bool is_step = e->op == Op::floor || e->op == Op::ceil;
     if (is_step && !depends_on_x(*a) && p && p->size() == 1)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <sstream>
 
@@ -63,13 +64,17 @@ const EllipseBox& kept_box(double s1, double s2, double phi1, double phi2)
 /// Bounds M_k, in the order of the weights.
 using Bounds = std::vector<Ball>;
 
+constexpr double half_turn = 3.1416; // a little more than pi
+
 class EllipseProof {
 public:
-    /// `guess`: about the largest ellipse.
-    EllipseProof(const EllipseFunction& f, double bits, double guess)
+    /// `guess`: about the sigma of the largest ellipse; `closer_guess` says it again from more nodes; ellipses that ask for more than `most_nodes` are of no use.
+    EllipseProof(const EllipseFunction& f, double bits, double guess, std::function<double()> closer_guess, long most_nodes)
         : f_(f)
         , bits_(bits)
         , guess_(guess)
+        , closer_guess_(std::move(closer_guess))
+        , most_nodes_(static_cast<double>(most_nodes))
     {
     }
     struct Ellipse {
@@ -85,17 +90,25 @@ public:
 private:
     std::optional<Bounds> value(double s1, double s2, double phi1, double phi2);
     bool is_covered(double s1, double s2, double phi1, double phi2, double smallest, long budget, Bounds& bounds);
+    void try_up_to(double sigma, double below, double most_boxes);
+    void search_from(double sigma, int attempts, double log2_tolerance, double most_boxes);
+    double nodes_at(double sigma, double log2_tolerance) const;
+    double turn() const { return f_.is_even ? half_turn / 2 : half_turn; } ///< phi up to here is enough
     std::optional<Ellipse> largest_proved(double log2_tolerance);
     std::optional<Bounds> bounds_on(double sigma);
 
     const EllipseFunction& f_;
     double bits_, guess_;
-    double failed_from_ = 0, failed_to_ = 0; // phi, where the last ellipse was not proved
+    std::function<double()> closer_guess_;
+    double most_nodes_;
+    std::optional<Ellipse> proved_;          // the largest so far
+    std::optional<double> failed_;           // the smallest sigma above it that was not proved
+    double failed_from_ = 0, failed_to_ = 0; // phi, where that was
     std::vector<ComplexBall> values_;
     std::vector<Ball> middles_; // m_k: of the first box looked at
 };
 
-constexpr double half_turn = 3.1416; // a little more than pi
+constexpr double nodes_a_box = 3;    // a value in the plane costs about as much as so many at nodes
 
 void take_larger(Bounds& all, const Bounds& some)
 {
@@ -153,40 +166,67 @@ double EllipseProof::nodes_for(const Ellipse& e, double log2_tolerance) const
     return most;
 }
 
-/// The upper half of the ellipse is enough: F is real on the real line. A value in the plane costs about two at nodes.
+/// The upper half of the ellipse is enough: F is real on the real line; the right half of that, where F is even. What lies up to `below` is proved already.
+void EllipseProof::try_up_to(double sigma, double below, double most_boxes)
+{
+    Bounds bounds = proved_ ? proved_->bounds : Bounds();
+    const double smallest = (sigma - below) / 4;
+    const long budget = pieces + static_cast<long>(most_boxes);
+    // where the one before failed this one will fail first
+    const bool likely = failed_to_ <= failed_from_ || is_covered(below, sigma, failed_from_, failed_to_, smallest, budget, bounds);
+    if (likely && is_covered(below, sigma, 0, turn(), smallest, budget, bounds))
+        proved_ = Ellipse{sigma, bounds};
+    else
+        failed_ = sigma;
+}
+
+/// About as many nodes the ellipse asks for, its bounds taken to be as large as on the one that is proved.
+double EllipseProof::nodes_at(double sigma, double log2_tolerance) const
+{
+    if (proved_) return nodes_for(*proved_, log2_tolerance) * proved_->sigma / sigma;
+    const bool plain = std::all_of(f_.weights.begin(), f_.weights.end(), [](const SingularWeight& w) { return w.is_one(); });
+    return bits_ * M_LN2 / ((plain ? 2 : 1) * sigma);
+}
+
+/// That ellipse or a smaller one, in so many boxes each.
+void EllipseProof::search_from(double sigma, int attempts, double log2_tolerance, double most_boxes)
+{
+    constexpr double smaller = 0.7;
+    for (; attempts > 0 && !proved_ && nodes_at(sigma, log2_tolerance) <= most_nodes_; --attempts, sigma *= smaller)
+        try_up_to(sigma, 0, most_boxes);
+}
+
 std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_tolerance)
 {
-    constexpr double highest = 3, least = 0.1, few_pieces = 60, least_saved = 16, step = 2.25, trusted = 0.8, smaller = 0.7;
-    std::optional<Ellipse> proved;
-    std::optional<double> failed;
-    const bool plain = std::all_of(f_.weights.begin(), f_.weights.end(), [](const SingularWeight& w) { return w.is_one(); });
-    const auto nodes = [&](double sigma) { // the bounds taken to be as large as on the ellipse that is proved
-        return proved ? nodes_for(*proved, log2_tolerance) * proved->sigma / sigma : bits_ * M_LN2 / ((plain ? 2 : 1) * sigma);
-    };
-    const auto try_up_to = [&](double sigma, double below, double allowance) {
-        Bounds bounds = proved ? proved->bounds : Bounds();
-        const double smallest = (sigma - below) / 4;
-        const long budget = pieces + static_cast<long>(allowance);
-        // where the one before failed this one will fail first
-        const bool likely = failed_to_ <= failed_from_ || is_covered(below, sigma, failed_from_, failed_to_, smallest, budget, bounds);
-        if (likely && is_covered(below, sigma, 0, half_turn, smallest, budget, bounds))
-            proved = Ellipse{sigma, bounds};
-        else
-            failed = sigma;
-    };
-    const bool is_bounded = guess_ < highest;
-    constexpr double unguided = 2.0 / 3;
-    double sigma = is_bounded ? std::max(trusted * guess_, least) : unguided;
-    for (int attempt = 0; attempt < 3 && !proved && sigma >= least; ++attempt, sigma *= smaller)
-        try_up_to(sigma, 0, few_pieces + nodes(sigma) / 6);
+    constexpr double highest = 3, trusted = 0.8, beyond = 1.25, unguided = 2.0 / 3, step = 2.25, smaller = 0.7;
+    constexpr double few_boxes = 70, very_few_boxes = 24, a_glance = 16, least_saved = 16; // boxes, and nodes
+    constexpr int attempts = 3;
     constexpr long easily = 4; // boxes: then the guess was far too cautious, as for waves that few nodes do not resolve
-    while (proved && (!is_bounded || failed || pieces <= easily)) {
-        const double middle = failed ? (proved->sigma + *failed) / 2 : std::min(highest, step * proved->sigma);
-        const double saved = nodes(proved->sigma) - nodes(middle);
-        if (saved < least_saved) break;
-        try_up_to(middle, proved->sigma, saved / 1.5);
+    bool is_guided = guess_ < highest;
+    const auto look_closer = [&] {
+        guess_ = closer_guess_();
+        is_guided = guess_ < highest;
+        if (is_guided && failed_) failed_ = std::min(*failed_, beyond * guess_); // none failed where none was worth a try
+    };
+    if (!is_guided) {
+        search_from(unguided, 1, log2_tolerance, very_few_boxes);
+        if (!proved_) look_closer();
     }
-    return proved;
+    // an ellipse that is of no use is not tried where one as large as the guess is of some
+    const double useful = nodes_at(1, log2_tolerance) / most_nodes_, trusting = std::max(trusted * guess_, std::min(guess_, useful));
+    const double first = failed_ ? std::min(trusting, unguided * smaller) : trusting;
+    if (!proved_) search_from(first, failed_ ? attempts - 1 : attempts, log2_tolerance, few_boxes);
+    // where bounds are as large as exp(10^9) nodes are saved for nobody
+    const auto worth = [&](double sigma) { return std::min(nodes_at(sigma, log2_tolerance), 2 * most_nodes_); };
+    while (proved_ && (!is_guided || failed_ || pieces <= easily)) {
+        const bool is_blind = !is_guided && !failed_;
+        const double middle = failed_ ? (proved_->sigma + *failed_) / 2 : std::min(highest, step * proved_->sigma);
+        const double saved = worth(proved_->sigma) - worth(middle);
+        if (saved < least_saved) break;
+        try_up_to(middle, proved_->sigma, is_blind ? std::min(a_glance, saved / nodes_a_box) : saved / nodes_a_box);
+        if (is_blind && failed_) look_closer();
+    }
+    return proved_;
 }
 
 /// On the boundary: the box with the largest bound is halved as long as that lowers the bound.
@@ -197,7 +237,8 @@ std::optional<Bounds> EllipseProof::bounds_on(double sigma)
         std::optional<Bounds> sizes;
         double bits; // log2 of the largest
     };
-    constexpr int at_first = 4, most_halvings = 12;
+    const int at_first = f_.is_even ? 2 : 4;
+    constexpr int most_halvings = 12;
     constexpr double worth_while = 1; // in bits
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     std::vector<Arc> arcs;
@@ -209,7 +250,7 @@ std::optional<Bounds> EllipseProof::bounds_on(double sigma)
         }
         arcs.push_back(std::move(arc));
     };
-    for (int k = 0; k < at_first; ++k) add(half_turn * k / at_first, half_turn * (k + 1) / at_first);
+    for (int k = 0; k < at_first; ++k) add(turn() * k / at_first, turn() * (k + 1) / at_first);
     const auto smaller = [](const Arc& a, const Arc& b) { return a.bits < b.bits; };
     for (int k = 0; k < most_halvings; ++k) {
         const auto largest = std::max_element(arcs.begin(), arcs.end(), smaller);
@@ -277,7 +318,7 @@ Sum sum_of(const EllipseFunction& f, long n, slong bits, bool keeps_values = fal
         const bool is_middle = n % 2 != 0 && k + 1 == entries.size();
         for (const bool mirrored : {false, true}) {
             if (mirrored && is_middle) continue;
-            f.at_node(entries[k], mirrored, c);
+            if (!mirrored || !f.is_even) f.at_node(entries[k], mirrored, c);
             for (std::size_t i = 0; i < c.size(); ++i) {
                 const Ball& weight = weights[i] ? weights[i]->at(k, mirrored) : entries[k].weight;
                 arb_addmul(sum.value.get(), c[i].get(), weight.get(), bits);
@@ -295,45 +336,59 @@ struct Guess {
     bool is_resolved; ///< whether the nodes show how F varies at all
 };
 
+/// |coefficients| of Legendre's polynomials that the values at n nodes show for the i-th function.
+std::vector<double> legendre_coefficients(const Sum& rough, std::size_t i)
+{
+    const std::size_t count = rough.at_nodes.size();
+    const auto nodes = GaussNodes::get(static_cast<long>(count), strip_bits);
+    const auto& entries = nodes->entries();
+    std::vector<double> a(count, 0);
+    for (std::size_t j = 0; j < count; ++j) {
+        const auto& e = entries[std::min(j, count - 1 - j)];
+        const double z = j < count - 1 - j ? to_double(e.z) : -to_double(e.z),
+                     value = to_double(rough.at_nodes[j][i]) * to_double(e.weight);
+        double before = 0, now = 1;
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto degree = static_cast<double>(k);
+            a[k] += value * now * (degree + 0.5);
+            const double next = ((2 * degree + 1) * z * now - degree * before) / (degree + 1);
+            before = now;
+            now = next;
+        }
+    }
+    for (double& x : a) x = std::fabs(x);
+    return a;
+}
+
 /// About the sigma of the largest ellipse, by how fast the coefficients of Legendre's polynomials fall that the values at a few nodes show;
 /// some large number where they show none. Nothing is claimed of it: it says where the proof is to begin.
-Guess guessed_ellipse(const Sum& rough, long n)
+Guess guessed_ellipse(const Sum& rough)
 {
     constexpr double unknown = 9, noise = 1e-13;
-    const auto nodes = GaussNodes::get(n, strip_bits);
-    const auto& entries = nodes->entries();
-    const auto count = static_cast<std::size_t>(n);
+    constexpr double entire = 1.5; // falling ever faster
     double least = unknown;
     for (std::size_t i = 0; i < rough.at_nodes.front().size(); ++i) {
-        std::vector<double> a(count, 0);
-        for (std::size_t j = 0; j < count; ++j) {
-            const auto& e = entries[std::min(j, count - 1 - j)];
-            const double z = j < count - 1 - j ? to_double(e.z) : -to_double(e.z),
-                         value = to_double(rough.at_nodes[j][i]) * to_double(e.weight);
-            double before = 0, now = 1;
-            for (std::size_t k = 0; k < count; ++k) {
-                a[k] += value * now * (static_cast<double>(k) + 0.5);
-                const double next =
-                    ((2 * static_cast<double>(k) + 1) * z * now - static_cast<double>(k) * before) / (static_cast<double>(k) + 1);
-                before = now;
-                now = next;
-            }
-        }
-        const auto largest = [&](std::size_t from, std::size_t to) {
-            double most = 0;
-            for (std::size_t k = from; k < to; ++k) most = std::max(most, std::fabs(a[k]));
-            return most;
+        const std::vector<double> a = legendre_coefficients(rough, i);
+        const std::size_t width = a.size() / 3;
+        const auto largest = [&](std::size_t from) {
+            return *std::max_element(a.begin() + static_cast<long>(from), a.begin() + static_cast<long>(from + width));
         };
-        constexpr std::size_t width = 5;
-        constexpr double entire = 1.5; // falling ever faster
-        const double early = largest(1, 1 + width), middle = largest(1 + width, 1 + 2 * width),
-                     late = largest(1 + 2 * width, 1 + 3 * width);
-        if (!(middle > 0) || !(late > noise * largest(0, count))) continue;
-        const double first_fall = std::log(early / middle), second_fall = std::log(middle / late);
-        if (first_fall > 0 && second_fall > entire * first_fall) continue;
-        least = std::min(least, std::max(0.0, first_fall + second_fall) / static_cast<double>(2 * width));
+        const double early = largest(1), middle = largest(1 + width), late = largest(std::min(1 + 2 * width, a.size() - width));
+        const double seen = noise * *std::max_element(a.begin(), a.end());
+        if (!(middle > seen)) continue;
+        const double first_fall = std::log(early / middle), second_fall = std::log(middle / std::max(late, seen));
+        constexpr std::size_t many = 24; // of few nodes this is how entire functions look
+        if (late <= seen) {
+            if (a.size() >= many) least = std::min(least, first_fall / static_cast<double>(width));
+            continue;
+        }
+        const bool has_begun = first_fall > 0 || a.size() >= many; // to fall: what still grows is not resolved
+        if (has_begun && second_fall > entire * first_fall) continue;
+        // of many nodes the later ones are the better ones
+        const double fall = a.size() >= many ? second_fall : (first_fall + second_fall) / 2;
+        least = std::min(least, std::max(0.0, fall) / static_cast<double>(width));
     }
-    constexpr double unresolved = 0.15;
+    const double unresolved = 2.4 / static_cast<double>(rough.at_nodes.size()); // beyond it the coefficients looked at are no tail
     return least < unresolved ? Guess{unknown, false} : Guess{least, true};
 }
 
@@ -366,7 +421,7 @@ std::string EllipseIntegral::proof(const Ball& scale) const
 
 std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits, bool of_absolute, long most_nodes)
 {
-    constexpr long rough = 16;      // nodes that show the size
+    constexpr long rough = 16, closer = 48; // nodes that show the size, and how far F is analytic
     constexpr double believed = 10; // bits that may cancel, where the rough values show that some do
     constexpr int most_attempts = 3;
     constexpr slong guard = 12;
@@ -375,10 +430,11 @@ std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits,
     const double absolute = log2_upper(first.absolute);
     if (!std::isfinite(absolute)) return std::nullopt;
     const double rough_size = log2_upper(first.value);
-    const Guess guess = guessed_ellipse(first, rough);
+    const Guess guess = guessed_ellipse(first);
     const double size = of_absolute || (guess.is_resolved && rough_size > absolute - 1) ? absolute - 1 : absolute - believed;
     double log2_tolerance = size - bits - 2;
-    EllipseProof proof(f, bits, guess.sigma);
+    const auto closer_guess = [&] { return guessed_ellipse(sum_of(f, closer, strip_bits, true)).sigma; };
+    EllipseProof proof(f, bits, guess.sigma, closer_guess, most_nodes);
     const WorkingPrecision coarse(strip_bits);
     const auto ellipse = proof.best(log2_tolerance);
     if (!ellipse) return std::nullopt;
@@ -394,7 +450,7 @@ std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits,
         widen(sum.value, discretisation);
         const Ball largest = *std::max_element(ellipse->bounds.begin(), ellipse->bounds.end(),
                                                [](const Ball& a, const Ball& b) { return arb_lt(a.get(), b.get()) != 0; });
-        out = {sum.value, out.nodes + n, proof.pieces, ellipse->sigma, largest, discretisation};
+        out = {sum.value, out.nodes + (f.is_even ? (n + 1) / 2 : n), proof.pieces, ellipse->sigma, largest, discretisation};
         const double shortfall = bits - static_cast<double>(out.value.relative_bits());
         if (shortfall <= 0 || of_absolute) break;
         log2_tolerance -= std::min(shortfall + 2, bits);

@@ -6,9 +6,9 @@
 /// on it, m_k a constant. Where w_k is 1 the n-point rule of Gauss and Legendre is off by at most lemma::gauss_legendre; where it is a
 /// weight that is singular at an end (singular_weights.hpp) the rule at the same nodes that has its moments, by lemma::interpolation
 /// (tanh_sinh.md, section 19). The ellipse is covered by boxes in (s, phi), halved where F is not proved analytic; M_k is taken from the
-/// boxes of its boundary alone.
+/// boxes of its boundary alone. Which ellipse is tried is a guess from few values (guessed_ellipse); nothing of the bound rests on it.
 ///
-/// Cost: some tens of values in 53-bit complex balls, then n values in real ones.
+/// Cost: some tens of values in 53-bit complex balls, then n values in real ones; of an even F half of both.
 #pragma once
 
 #include "touchstone/quadrature/singular_weights.hpp"
@@ -27,6 +27,8 @@ struct EllipseBox {
 
 /// A real function of z in [-1, 1] in two arithmetics: the c_k beside its weights, in their order.
 struct EllipseFunction {
+    /// Whether the only weight is 1 and F(-z) = F(z): then half of the ellipse and of the nodes are enough.
+    bool is_even = false;
     std::vector<SingularWeight> weights{SingularWeight{}};
     std::function<void(const EllipseBox&, std::vector<ComplexBall>& c)> in_plane; ///< non-finite unless analytic on the whole ball
     std::function<void(const GaussNodes::Entry&, bool mirrored, std::vector<Ball>& c)> at_node; ///< at z, or at -z
@@ -34,7 +36,7 @@ struct EllipseFunction {
 
 struct EllipseIntegral {
     Ball value;
-    long nodes = 0, pieces = 0;
+    long nodes = 0, pieces = 0; ///< values at nodes, and in boxes
     double sigma = 0;
     Ball bound, discretisation; ///< the largest M_k; of the error, on [-1, 1]
 

@@ -244,6 +244,24 @@ N<V> logarithm_near_one(const N<V>& x, const N<V>& v)
     }
 }
 
+/// (a b)^e or (a/b)^e for an e that is no integer. Where a and b lie in the right half plane it is a^e b^e or a^e/b^e, since log(a b) =
+/// log a + log b and log(a/b) = log a - log b there; a product of wide balls may meet the cut although neither of them comes near it.
+N<ComplexBall> power_of_two_factors(Kind kind, const N<ComplexBall>& a, const N<ComplexBall>& b, const Exponent& e)
+{
+    using C = N<ComplexBall>;
+    const C whole = to_power(C(kind == Kind::divide ? a / b : a * b), e);
+    const auto is_to_the_right = [](const C& x) { return !x.has_logarithms() && arb_is_positive(acb_realref(x.factor().get())) != 0; };
+    if (!whole.factor().is_finite() && is_to_the_right(a) && is_to_the_right(b))
+        return kind == Kind::divide ? to_power(a, e) / to_power(b, e) : to_power(a, e) * to_power(b, e);
+    return whole;
+}
+
+/// Whether the value is a product or a quotient as it stands.
+bool has_two_factors(const Node& node)
+{
+    return (node.kind == Kind::divide || node.kind == Kind::multiply) && !node.zero[0] && !node.zero[1];
+}
+
 template <class V>
 N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
 {
@@ -263,7 +281,11 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
     case Kind::add: return sum(node, p, place);
     case Kind::multiply: return arg(0) * arg(1);
     case Kind::divide: return arg(0) / arg(1);
-    case Kind::power: return to_power(arg(0), node.exponent);
+    case Kind::power:
+        if constexpr (std::same_as<V, ComplexBall>) // a real base that stands elsewhere too is not computed again
+            if (const Node& base = *node.args[0]; !node.exponent.is_integer() && has_two_factors(base))
+                return power_of_two_factors(base.kind, evaluate(*base.args[0], p, place), evaluate(*base.args[1], p, place), node.exponent);
+        return to_power(arg(0), node.exponent);
     case Kind::ball_power: {
         const N<V> exponent = arg(1);
         if constexpr (std::same_as<V, Ball>)

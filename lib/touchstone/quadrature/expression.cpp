@@ -243,9 +243,12 @@ ExpressionPtr parse_expression(std::string_view text, const Parameters& paramete
         throw ExpressionError(position,
                               (expected.starts_with('\'') ? expected : std::string("a number, x, a function or '('")) + " is expected");
     }
-    if (here != text.end())
+    if (here != text.end()) {
+        const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }; // a sign of several bytes, in UTF-8
+        const std::string sign(here, std::find_if_not(here + 1, text.end(), goes_on));
         throw ExpressionError(static_cast<std::size_t>(here - start) + 1,
-                              std::string("an operator is expected before '") + *here + "' (a product needs its *)");
+                              "an operator is expected before '" + sign + "' (a product needs its *)");
+    }
     result = with_names_bound(result, parameters);
     require_shallow(*result, 0);
     return result;

@@ -6,6 +6,7 @@
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace touchstone::quadrature::detail {
@@ -71,7 +72,8 @@ bool is_of_the_kind(const PanelIntegrand& f)
 
 std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const Interval& interval, const Options& options)
 {
-    const long most_nodes = options.digits <= 100 ? 300 : 200; // a table of more costs more than tanh-sinh
+    // More nodes than that cost more than tanh-sinh's, and so does a table of them where the digits are many.
+    const long most_nodes = options.digits <= 100 ? std::min(400L, 100 + 5 * options.digits) : 200;
     constexpr double bits_per_digit = 3.3219281;
     {
         const WorkingPrecision precision(strip_bits);
@@ -79,6 +81,7 @@ std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const I
         if (!is_of_the_kind(f)) return std::nullopt;
     }
     EllipseFunction g;
+    g.is_even = f.is_even;
     g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
         const Angle<ComplexBall> a(box.sine, box.cosine);
         c.assign(1, times_slope(f.on_strip(a), a));

@@ -3,6 +3,7 @@
 
 #include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
+#include "touchstone/quadrature/parity.hpp"
 #include "touchstone/quadrature/rules.hpp"
 #include "touchstone/quadrature/substitution.hpp"
 #include "touchstone/quadrature/upper.hpp"
@@ -94,8 +95,15 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
         const bool plain = options_.gauss_legendre && !complex_ && !kinks && !options_.quick && !f->has_inner_integral();
         if (plain) {
             const bool algebraic = map != Map::right_exponential && map != Map::left_exponential && map != Map::line_exponential;
-            auto a = regular ? by_one_ellipse(*f, digits, options_.of_absolute)
-                     : algebraic ? by_half_powers(f, digits, options_.of_absolute) : std::nullopt;
+            const bool even = is_about_zero(f->range()) && parity(*e_) == Parity::even;
+            std::optional<Attempt> a;
+            if (regular)
+                a = by_one_ellipse(*f, even, digits, options_.of_absolute);
+            else if (algebraic) {
+                if (begins_or_ends_at_zero(f->range()) && parity(*e_) == Parity::even)
+                    a = by_half_powers_on_both_sides(e_, f->range(), digits, options_.of_absolute);
+                if (!a || !a->value.is_finite()) a = by_half_powers(f, even, digits, options_.of_absolute);
+            }
             if (a && a->value.is_finite()) return *a;
             if (!regular) a = by_product_rule(f, digits, options_.of_absolute);
             if (a && a->value.is_finite()) return *a;
@@ -364,7 +372,8 @@ Integral Integration::run(const Limit& from, const Limit& to)
         const bool same = (from.exact && to.exact && *from.exact == *to.exact) || (from.infinite != 0 && from.infinite == to.infinite);
         const bool reversed = !same && (from.infinite > 0 || to.infinite < 0 ||
                                         (!from.infinite && !to.infinite && arb_gt(from.ball().get(), to.ball().get())));
-        if (same && !from.infinite) { // nothing to integrate over
+        if (same && from.infinite) throw DomainError("the range from " + from.text + " to " + to.text + " holds no number");
+        if (same) { // nothing to integrate over
             out.value = Ball(0);
             out.status = Status::certified;
             out.digits = options_.digits;

@@ -89,7 +89,9 @@ private:
     {
         if (!depends_on_x(*e->args[0])) {
             const ExpressionPtr by_log = make(Op::multiply, {e->args[1], make(Op::log, {e->args[0]})});
-            return value_of(alive_.emplace_back(make(Op::exp, {e->args[0]->op == Op::e ? e->args[1] : by_log})));
+            const ExpressionPtr exponential = make(Op::exp, {e->args[0]->op == Op::e ? e->args[1] : by_log});
+            alive_.push_back(exponential); // and no reference into alive_, which grows where powers stand in the exponent
+            return value_of(exponential);
         }
         const auto base = value_of(e->args[0]);
         const auto exact = depends_on_x(*e->args[1]) ? std::nullopt : exact_value(*e->args[1]);

@@ -29,7 +29,7 @@ private:
         Op op = Op::number;
         std::size_t first = 0, second = 0; ///< of earlier values, 0 being x
         long numerator = 1, denominator = 1; ///< of Op::power
-        ExpressionPtr constant;              ///< of Op::number
+        ExpressionPtr constant{};            ///< of Op::number
     };
     class Builder;
 

@@ -110,7 +110,7 @@ std::optional<Attempt> by_gauss_legendre(const Integrand& f, bool complex, long 
     return a;
 }
 
-std::optional<Attempt> by_one_ellipse(const Integrand& f, long digits, bool of_absolute)
+std::optional<Attempt> by_one_ellipse(const Integrand& f, bool even, long digits, bool of_absolute)
 {
     constexpr long most_nodes = 700; // the table of more costs too much
     const Range& range = f.range();
@@ -126,6 +126,7 @@ std::optional<Attempt> by_one_ellipse(const Integrand& f, long digits, bool of_a
     std::optional<StraightValues> straight;
     if (f.straight() != nullptr) straight.emplace(*f.straight(), range);
     EllipseFunction g;
+    g.is_even = even;
     g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
         prepare();
         c.assign(1, f.in_plane(ComplexBall(ends.middle) + ComplexBall(ends.half) * box.z));
@@ -151,7 +152,7 @@ std::optional<Attempt> by_one_ellipse(const Integrand& f, long digits, bool of_a
     return a;
 }
 
-std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f, long digits, bool of_absolute)
+std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f, bool even, long digits, bool of_absolute)
 {
     Options options;
     options.digits = digits;
@@ -164,12 +165,38 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f,
         straight.emplace(*f->straight(), f->range());
         whole.straight = [&straight](const Ball& sine, const Ball& cosine) { return straight->in_angle(sine, cosine); };
     }
+    whole.is_even = even;
     const auto e = detail::integrate_half_powers(whole, *interval, options);
     if (!e) return std::nullopt;
     Attempt a = attempt_of(*e, f->range());
     a.part.rule = "gauss-legendre in the angle";
     a.part.evaluations = e->evaluations;
     a.part.proof = e->proof;
+    return a;
+}
+
+bool is_about_zero(const Range& r)
+{
+    if (!r.from.exact || !r.to.exact) return false; // an end at infinity too
+    return (*r.from.exact + *r.to.exact).is_zero();
+}
+
+bool begins_or_ends_at_zero(const Range& r)
+{
+    if (!r.from.exact || !r.to.exact) return false;
+    return r.from.exact->is_zero() || r.to.exact->is_zero();
+}
+
+std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr& e, const Range& range, long digits, bool of_absolute)
+{
+    const Limit& far = range.from.exact->is_zero() ? range.to : range.from;
+    const Limit mirrored = limit_at(-*far.exact, "-(" + far.text + ")");
+    const bool to_the_right = range.from.exact->is_zero();
+    const Range both{to_the_right ? mirrored : far, to_the_right ? far : mirrored, Map::finite};
+    auto a = by_half_powers(std::make_shared<const Integrand>(e, both), true, digits, of_absolute);
+    if (!a) return std::nullopt;
+    arb_mul_2exp_si(a->value.get(), a->value.get(), -1);
+    a->part.rule += ", both sides of 0";
     return a;
 }
 

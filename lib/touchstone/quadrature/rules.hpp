@@ -23,11 +23,20 @@ struct Attempt {
 /// Across `kinks` panels are halved down to the tolerance, where an enclosure of the values is enough.
 std::optional<Attempt> by_gauss_legendre(const Integrand&, bool complex, long digits, bool kinks, bool quick);
 
-/// One panel with one ellipse (ellipse_rule.hpp), of a real formula without kinks that is analytic about both ends.
-std::optional<Attempt> by_one_ellipse(const Integrand&, long digits, bool of_absolute);
+/// One panel with one ellipse (ellipse_rule.hpp), of a real formula without kinks that is analytic about both ends. `even`: about the
+/// middle of the range.
+std::optional<Attempt> by_one_ellipse(const Integrand&, bool even, long digits, bool of_absolute);
 
 /// half_powers.hpp, of a real formula without kinks on a finite range or an algebraic map.
-std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>&, long digits, bool of_absolute);
+std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>&, bool even, long digits, bool of_absolute);
+
+/// The same, of an even formula whose range is on one side of 0: half of the integral over both sides. What is singular beyond 0, at the
+/// distance of the other end, is then at an end.
+std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr&, const Range&, long digits, bool of_absolute);
+
+/// Whether the range is finite and 0 is its middle, or one of its ends.
+bool is_about_zero(const Range&);
+bool begins_or_ends_at_zero(const Range&);
 
 /// product_rule.hpp, of a real formula without kinks.
 std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, long digits, bool of_absolute);

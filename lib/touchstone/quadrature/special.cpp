@@ -66,6 +66,17 @@ ComplexBall better(const ComplexBall& a, const ComplexBall& b)
     return acb_rel_accuracy_bits(a.get()) > acb_rel_accuracy_bits(b.get()) ? a : b;
 }
 
+/// Arb takes asinh z by the arctangent of z/(1 + z^2)^(1/2), which comes near to that one's singular points where z is large. For Re z > 0
+/// it is log(z + (1 + z^2)^(1/2)) as well: there 1 + z^2 is off the cut and both terms have positive real parts. For Re z < 0 it is odd.
+ComplexBall inverse_hyperbolic_sine(const ComplexBall& z)
+{
+    const ComplexBall plain = by(acb_asinh, z);
+    const bool in_left = arb_is_negative(acb_realref(z.get())) != 0;
+    if (!in_left && !arb_is_positive(acb_realref(z.get()))) return plain;
+    const ComplexBall y = in_left ? -z : z, logarithm = analytic::log(y + analytic::sqrt(ComplexBall(1) + y * y));
+    return better(in_left ? -logarithm : logarithm, plain);
+}
+
 /// exp(z^2) erfc(z) = U(1/2, 1/2, z^2)/sqrt(pi) in the right half plane (DLMF 7.11.5), where erfc itself is too small; else the product.
 ComplexBall scaled_erfc(const ComplexBall& z)
 {
@@ -140,10 +151,10 @@ ComplexBall bessel_k_by_its_size(const Ball& order, const ComplexBall& z)
 ComplexBall special_function(Op op, const ComplexBall& z)
 {
     const auto off = [&](bool meets, auto&& f) { return meets ? ComplexBall::indeterminate() : by(f, z); };
-    const auto off_imaginary = [&](auto&& f) {
-        if (!arb_contains_zero(acb_realref(z.get()))) return by(f, z);
+    const auto asinh_off_its_cuts = [&] {
         const Ball y = touchstone::abs(z.imag());
-        return arb_lt(y.get(), Ball(1).get()) ? by(f, z) : ComplexBall::indeterminate();
+        const bool may_meet = arb_contains_zero(acb_realref(z.get())) && !arb_lt(y.get(), Ball(1).get());
+        return may_meet ? ComplexBall::indeterminate() : inverse_hyperbolic_sine(z);
     };
     switch (op) {
     case Op::exp: return analytic::exp(z);
@@ -158,7 +169,7 @@ ComplexBall special_function(Op op, const ComplexBall& z)
     case Op::asin: return analytic::asin(z);
     case Op::acos: return off(meets_up_to(z, Ball(-1)) || meets_from(z, Ball(1)), acb_acos);
     case Op::atan: return analytic::atan(z);
-    case Op::asinh: return off_imaginary(acb_asinh);
+    case Op::asinh: return asinh_off_its_cuts();
     case Op::acosh: return off(meets_up_to(z, Ball(1)), acb_acosh);
     case Op::atanh: return off(meets_up_to(z, Ball(-1)) || meets_from(z, Ball(1)), acb_atanh);
     case Op::expm1: return by(acb_expm1, z);

@@ -115,6 +115,7 @@ struct PanelIntegrand {
     /// f dx/da where the fractions of the range are u = sin^2 a, r = cos^2 a, straight in balls, if about the working precision is left of
     /// it; there may be none.
     std::function<std::optional<Ball>(const Ball& sine, const Ball& cosine)> straight;
+    bool is_even = false; ///< the same where u and r change places
 };
 
 using MakePanel = std::function<PanelIntegrand(const Rational& from, const Rational& to)>;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Even formulas, of which half is enough, and powers of products and quotients.
+#include "touchstone/quadrature/endpoint_number.hpp"
+#include "touchstone/quadrature/integrate.hpp"
+#include "touchstone/quadrature/parity.hpp"
+#include "touchstone/quadrature/widen.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+Ball at(const char* formula, const Rational& x) { return evaluate_at(*parse_expression(formula), Ball(x)); }
+
+Integral integral(const char* formula, const char* from, const char* to, long digits = 30)
+{
+    IntegralOptions options;
+    options.digits = digits;
+    return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), options);
+}
+
+/// About re + i im, in either direction as far as that.
+ComplexBall square(double re, double im, double half_side)
+{
+    ComplexBall z(Ball::exactly(re), Ball::exactly(im));
+    widen(z, Ball::exactly(half_side));
+    return z;
+}
+
+} // namespace
+
+TEST_CASE("even and odd formulas are told by their parts, and what is neither is not taken for it")
+{
+    const auto of = [](const char* text) { return parity(*parse_expression(text)); };
+    for (const char* even : {"x^2", "sqrt(1-x^2)", "cos(x)", "abs(x)*exp(-x^2)", "x*sin(x)", "tan(x)/x", "x^3/sinh(x)", "3", "besselj(0,x^2)",
+                             "max(x^2,cos(x))", "x^(-4)", "cosh(3*x)^(-1/2)", "sqrt(x^2)", "2^(x^2)"}) {
+        CAPTURE(even);
+        CHECK(of(even) == Parity::even);
+    }
+    for (const char* odd : {"x", "-x^3", "sin(x)*cos(x)", "x+atan(x)", "x/(1+x^2)", "erf(x)", "x^(-1)", "(x^3)^5"}) {
+        CAPTURE(odd);
+        CHECK(of(odd) == Parity::odd);
+    }
+    for (const char* neither : {"x+1", "exp(x)", "x+x^2", "sqrt(x)", "cos(x+1)", "x^(1/3)", "x^x", "acos(x)", "max(x,x^2)", "(x^2)^x", "log(x)",
+                                "integral(exp(t*x),t,0,1)", "floor(x)"}) {
+        CAPTURE(neither);
+        CHECK(of(neither) == Parity::unknown);
+    }
+}
+
+TEST_CASE("an even formula with a root at an end: half of the integral over both sides, where that is one without a singularity in between")
+{
+    const auto is_both_sides = [](const Integral& i) { return i.parts.front().rule.find("both sides") != std::string::npos; };
+    for (const auto& [from, to] : {std::pair("0", "1"), std::pair("-1", "0")}) {
+        const Integral i = integral("sqrt(1-x^2)", from, to, 50);
+        CHECK(is_both_sides(i));
+        CHECK(arb_overlaps(i.value.get(), (pi<Ball>() / Ball(4)).get()));
+        CHECK(i.value.relative_bits() > 166);
+        CHECK(i.parts.front().evaluations > 10);
+        CHECK(i.parts.front().evaluations < 50);
+    }
+    // singular at 0 as well, a wave, another half width, an end that is no rational number
+    const Integral kink = integral("sqrt(x^2)*sqrt(1-x^2)", "0", "1");
+    CHECK_FALSE(is_both_sides(kink));
+    CHECK(kink.value.contains(Rational(1, 3)));
+    const WorkingPrecision precision(256);
+    const Integral bessel = integral("cos(3*x)/sqrt(4-x^2)", "0", "2", 40);
+    CHECK(is_both_sides(bessel));
+    CHECK(arb_overlaps(bessel.value.get(), (at("besselj(0,6)", 0) * pi<Ball>() / Ball(2)).get()));
+    CHECK(bessel.value.relative_bits() > 132);
+    const Integral to_pi = integral("1/sqrt(pi^2-x^2)", "0", "pi", 40);
+    CHECK(arb_overlaps(to_pi.value.get(), (pi<Ball>() / Ball(2)).get()));
+    // neither even nor about 0
+    for (const auto& [formula, from, to] : {std::tuple("x*sqrt(1-x^2)", "0", "1"), std::tuple("sqrt(1-x^2)", "1/2", "1"),
+                                            std::tuple("sqrt(1-x^2)*(1+x)", "0", "1"), std::tuple("sqrt(1-x^2)", "-1/2", "1")}) {
+        CAPTURE(formula);
+        CHECK_FALSE(is_both_sides(integral(formula, from, to)));
+    }
+    CHECK(integral("x*sqrt(1-x^2)", "-1", "1/2", 20).value.overlaps(at("-sqrt(27)/24", 0)));
+}
+
+TEST_CASE("about a middle of 0 an even formula takes half of the values, an odd one or a shifted one all")
+{
+    const long even = integral("1/(2+x^2)", "-1", "1", 40).parts.front().evaluations;
+    const long shifted = integral("1/(2+(x-1)^2)", "0", "2", 40).parts.front().evaluations;
+    CHECK(even * 3 < shifted * 2);
+    CHECK(arb_overlaps(integral("1/(2+x^2)", "-1", "1", 40).value.get(), integral("1/(2+(x-1)^2)", "0", "2", 40).value.get()));
+    // of ends without an exact form nothing is said of their middle
+    const Ball inexact = integral("1/(2+x^2)", "-zeta(3)", "zeta(3)", 40).value;
+    CHECK(inexact.overlaps(integral("2/(2+x^2)", "0", "zeta(3)", 40).value));
+    CHECK(inexact.relative_bits() > 132);
+    CHECK(integral("1/(2+x^2)", "-zeta(3)", "1", 40).value.overlaps(at("(atan(zeta(3)/sqrt(2))+atan(1/sqrt(2)))/sqrt(2)", 0)));
+    CHECK(integral("cos(x)/sqrt(zeta(3)^2-x^2)", "0", "zeta(3)", 12).status != Status::certified);
+    CHECK(integral("exp(x)", "-1", "1", 40).value.overlaps(at("exp(1)-exp(-1)", 0)));
+}
+
+TEST_CASE("a power of a product or quotient: by its two factors where both lie in the right half plane, else its principal value or none")
+{
+    const WorkingPrecision precision(64);
+    const auto value = [](const char* text, const ComplexBall& z) { return PlainFormula(parse_expression(text)).at(z); };
+    struct Row {
+        const char *power, *base;
+        Exponent exponent;
+    };
+    // the quotient of these wide balls meets the cut, neither of them does
+    CHECK_FALSE(analytic::sqrt(value("sin(x)/cos(x)", square(0.75, 0, 0.4))).is_finite());
+    CHECK(value("sqrt(sin(x)/cos(x))", square(0.75, 0, 0.4)).is_finite());
+    // so does their product
+    CHECK_FALSE(analytic::sqrt(value("exp(x)*cosh(x)", square(0, 0, 0.65))).is_finite());
+    const ComplexBall product = value("sqrt(exp(x)*cosh(x))", square(0, 0, 0.65));
+    CHECK(product.is_finite());
+    CHECK(acb_contains_int(product.get()) != 0); // 1 at 0
+    CHECK(arb_lt(touchstone::abs(product).get(), Ball(4).get()) != 0);
+    int finite = 0, wide_ones = 0;
+    for (const Row& row : {Row{"sqrt(exp(x)/cosh(x))", "exp(x)/cosh(x)", {1, 2}}, Row{"sqrt(exp(x)*cosh(x))", "exp(x)*cosh(x)", {1, 2}},
+                           Row{"(sin(x)/exp(x))^(1/3)", "sin(x)/exp(x)", {1, 3}}, Row{"(exp(x)*sin(x))^(-3/2)", "exp(x)*sin(x)", {-3, 2}},
+                           Row{"sqrt(sin(x)*cos(x))", "sin(x)*cos(x)", {1, 2}}})
+        for (const double re : {-2.5, -1.0, 0.4, 1.1, 2.0, 3.9, 5.0})
+            for (const double im : {-1.5, -0.3, 0.2, 0.9}) {
+                CAPTURE(row.power);
+                CAPTURE(re);
+                CAPTURE(im);
+                for (const double half_side : {0.05, 0.3, 0.6, 0.9}) {
+                    const ComplexBall wide = value(row.power, square(re, im, half_side));
+                    if (!wide.is_finite()) continue;
+                    ++(half_side > 0.1 ? wide_ones : finite);
+                    const ComplexBall principal = analytic::rational_power(value(row.base, square(re, im, 0)), row.exponent);
+                    CHECK(acb_overlaps(wide.get(), principal.get()) != 0);
+                }
+            }
+    CHECK(finite > 100);
+    CHECK(wide_ones > 20);
+}
