@@ -9,6 +9,7 @@
 #include "touchstone/quadrature/singular_weights.hpp"
 #include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include <doctest/doctest.h>
 
@@ -460,4 +461,20 @@ TEST_CASE("quadrant: r = 1/(1 + z), its logarithm and its powers are enclosed, a
     arb_get_ubound_arf(arb_midref(top.get()), top.get(), 53);
     mag_zero(arb_radref(top.get()));
     attains(exp(Ball(-5) + Ball(5) * log(Ball(15))), top, Rational(999, 1000));
+}
+
+TEST_CASE("Bessel functions and polylogarithms have no value on a ball that meets their cut, and those without a cut have one")
+{
+    const WorkingPrecision precision(100);
+    ComplexBall z(Ball(-2));
+    widen(z, Ball(1) / Ball(4));
+    for (const long order : {0L, 1L}) {
+        for (const Op op : {Op::bessel_y, Op::bessel_k, Op::bessel_k_scaled}) CHECK_FALSE(special_function(op, Ball(order), z).is_finite());
+        for (const Op op : {Op::bessel_j, Op::bessel_i}) CHECK(special_function(op, Ball(order), z).is_finite());
+    }
+    for (const Op op : {Op::bessel_j, Op::bessel_i}) CHECK_FALSE(special_function(op, Ball(1) / Ball(2), z).is_finite());
+    ComplexBall beyond_one(Ball(3) / Ball(2)); // the cut of polylogarithms
+    widen(beyond_one, Ball(1) / Ball(4));
+    CHECK_FALSE(special_function(Op::polylog, Ball(2), beyond_one).is_finite());
+    CHECK(special_function(Op::polylog, Ball(2), z).is_finite());
 }
