@@ -318,8 +318,9 @@ ExpressionPtr Compiler::settled(const ExpressionPtr& e) const
     ExpressionPtr r = settled(e->args[0]);
     for (std::size_t i = 1; i < e->args.size(); ++i) {
         const ExpressionPtr other = settled(e->args[i]);
-        if (is_zero(*difference(r, other))) continue;
-        const int sign = sign_of_linear(*difference(r, other));
+        const ExpressionPtr gap = difference(r, other);
+        if (is_zero(*gap)) continue;
+        const int sign = sign_of_linear(*gap);
         if (sign == 0) return e;
         if ((sign > 0) == (e->op == Op::min)) r = other;
     }

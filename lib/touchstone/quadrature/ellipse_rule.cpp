@@ -68,7 +68,8 @@ constexpr double half_turn = 3.1416; // a little more than pi
 
 class EllipseProof {
 public:
-    /// `guess`: about the sigma of the largest ellipse; `closer_guess` says it again from more nodes; ellipses that ask for more than `most_nodes` are of no use.
+    /// `guess`: about the sigma of the largest ellipse; `closer_guess` says it again from more nodes; ellipses that ask for more than
+    /// `most_nodes` are of no use.
     EllipseProof(const EllipseFunction& f, double bits, double guess, std::function<double()> closer_guess, long most_nodes)
         : f_(f)
         , bits_(bits)
@@ -108,7 +109,8 @@ private:
     std::vector<Ball> middles_; // m_k: of the first box looked at
 };
 
-constexpr double nodes_a_box = 3;    // a value in the plane costs about as much as so many at nodes
+constexpr double nodes_a_box = 3; // a value in the plane costs about as much as so many at nodes
+constexpr double shrunk = 0.7;    // times the sigma of an ellipse that failed: the next to be tried
 
 void take_larger(Bounds& all, const Bounds& some)
 {
@@ -166,7 +168,8 @@ double EllipseProof::nodes_for(const Ellipse& e, double log2_tolerance) const
     return most;
 }
 
-/// The upper half of the ellipse is enough: F is real on the real line; the right half of that, where F is even. What lies up to `below` is proved already.
+/// The upper half of the ellipse is enough: F is real on the real line; the right half of that, where F is even. What lies up to `below` is
+/// proved already.
 void EllipseProof::try_up_to(double sigma, double below, double most_boxes)
 {
     Bounds bounds = proved_ ? proved_->bounds : Bounds();
@@ -191,14 +194,13 @@ double EllipseProof::nodes_at(double sigma, double log2_tolerance) const
 /// That ellipse or a smaller one, in so many boxes each.
 void EllipseProof::search_from(double sigma, int attempts, double log2_tolerance, double most_boxes)
 {
-    constexpr double smaller = 0.7;
-    for (; attempts > 0 && !proved_ && nodes_at(sigma, log2_tolerance) <= most_nodes_; --attempts, sigma *= smaller)
+    for (; attempts > 0 && !proved_ && nodes_at(sigma, log2_tolerance) <= most_nodes_; --attempts, sigma *= shrunk)
         try_up_to(sigma, 0, most_boxes);
 }
 
 std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_tolerance)
 {
-    constexpr double highest = 3, trusted = 0.8, beyond = 1.25, unguided = 2.0 / 3, step = 2.25, smaller = 0.7;
+    constexpr double highest = 3, trusted = 0.8, beyond = 1.25, unguided = 2.0 / 3, step = 2.25;
     constexpr double few_boxes = 70, very_few_boxes = 24, a_glance = 16, least_saved = 16; // boxes, and nodes
     constexpr int attempts = 3;
     constexpr long easily = 4; // boxes: then the guess was far too cautious, as for waves that few nodes do not resolve
@@ -214,7 +216,7 @@ std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_to
     }
     // an ellipse that is of no use is not tried where one as large as the guess is of some
     const double useful = nodes_at(1, log2_tolerance) / most_nodes_, trusting = std::max(trusted * guess_, std::min(guess_, useful));
-    const double first = failed_ ? std::min(trusting, unguided * smaller) : trusting;
+    const double first = failed_ ? std::min(trusting, unguided * shrunk) : trusting;
     if (!proved_) search_from(first, failed_ ? attempts - 1 : attempts, log2_tolerance, few_boxes);
     // where bounds are as large as exp(10^9) nodes are saved for nobody
     const auto worth = [&](double sigma) { return std::min(nodes_at(sigma, log2_tolerance), 2 * most_nodes_); };
