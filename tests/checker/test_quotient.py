@@ -177,7 +177,7 @@ class Quotients(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.path = pathlib.Path(cls.folder.name) / "c"
         cls.texts = {}
-        for quantity, inputs in (("limit.exceedance", "p=3/4"), ("limit.force", "p=3/4"), ("limit.segments", "a=1/5"), ("limit.density", "p=1/2")):
+        for quantity, inputs in (("limit.exceedance", "p=3/4"), ("limit.force", "p=3/4"), ("limit.segments", "a=1/5"), ("limit.density", "p=3/2")):
             said = program("certificate", quantity, inputs, "G=2", "--digits", 1, "--out", cls.path)
             assert said.returncode == 0, said.stderr
             cls.texts[quantity] = cls.path.read_text()
