@@ -58,6 +58,7 @@ class Cluster:
             f"SlurmctldLogFile={folder}/slurmctld.log", f"SlurmdLogFile={folder}/%n.log", "ProctrackType=proctrack/linuxproc", "TaskPlugin=task/none",
             "SwitchType=switch/none", "MpiDefault=none", "JobAcctGatherType=jobacct_gather/none", "SelectType=select/cons_tres", "SelectTypeParameters=CR_CPU",
             "SlurmdParameters=config_overrides", "ReturnToService=2", "JobRequeue=0",
+            "SchedulerParameters=batch_sched_delay=0,sched_interval=1,bf_interval=1", "EpilogMsgTime=0",
             *(f"NodeName={node} NodeHostname={host} NodeAddr=127.0.0.1 Port={port} CPUs=1 State=UNKNOWN" for node, port in zip(NODES, ports)),
             f"PartitionName=all Nodes={','.join(NODES)} Default=YES MaxTime=INFINITE State=UP", "")))
         self.env = dict(os.environ, PATH=f"{path}:{PATH}", SLURM_CONF=str(folder / "slurm.conf"), TOUCHSTONE_CLUSTER=self.mark, HOME=str(folder))

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <tuple>
+
 using namespace touchstone;
 using namespace touchstone::transfer;
 
@@ -42,14 +44,13 @@ bool near(const Ball& a, const Ball& b, const char* within) { return certainly(l
 TEST_CASE("two grids, two schemes, one area, and tight balls")
 {
     const WorkingPrecision precision(bits);
-    for (const auto& [load, G] : {std::pair{"10", "4"}, {"1.5", "16"}, {"100", "12"}})
-        for (const long n : {1L, 3L, 20L}) {
-            CAPTURE(load); CAPTURE(G); CAPTURE(n);
-            const Ball a = area_at_heavy_load(Scheme::force_weighted, n, at(load, G), wanted()), b = area_at_heavy_load(Scheme::area, n, at(load, G), wanted());
-            CHECK(a.overlaps(b));
-            CHECK(a.relative_bits() > 62);
-            CHECK(b.relative_bits() > 62);
-        }
+    for (const auto& [load, G, n] : {std::tuple{"10", "4", 1L}, {"10", "4", 20L}, {"1.5", "16", 3L}, {"100", "12", 3L}}) {
+        CAPTURE(load); CAPTURE(G); CAPTURE(n);
+        const Ball a = area_at_heavy_load(Scheme::force_weighted, n, at(load, G), wanted()), b = area_at_heavy_load(Scheme::area, n, at(load, G), wanted());
+        CHECK(a.overlaps(b));
+        CHECK(a.relative_bits() > 62);
+        CHECK(b.relative_bits() > 62);
+    }
 }
 
 TEST_CASE("nested by hand, n = 1 and 2")

@@ -224,7 +224,7 @@ unsigned long seed()
 TEST_CASE("T V beside the same in balls: V jumps at every edge, and edges crowd at the ends of the kernel")
 {
     Draw draw{std::mt19937_64(seed())};
-    CHECK(attack(draw, 60, 1e-25, 2 * narrowest, constants) > 1e-3);
+    CHECK(attack(draw, 30, 1e-25, 2 * narrowest, constants) > 1e-3);
 }
 
 TEST_CASE("T V beside the same in balls: polynomials of the highest degree")
