@@ -288,6 +288,19 @@ TEST_CASE("a callable with half-integer powers at both ends, others by tanh-sinh
     CHECK(third.value.overlaps(Ball(3) / Ball(4)));
 }
 
+TEST_CASE("terms whose poles, or powers, cancel at an end: where they leave a whole power it is found, elsewhere that is refused")
+{
+    const Integral logarithm = integral("log(1/x-1/sin(x)+1/x)", "0", "1", 25);
+    CHECK_MESSAGE(logarithm.status == Status::certified, logarithm.reason);
+    CHECK(logarithm.value.overlaps(parse_limit("0.9366000184517215625799732315915990059").ball())); // mpmath, of 2/x - 1/sin(x)
+    for (const char* formula : {"(x^(1/3)-sin(x^(1/3)))^(1/2)", "log(sqrt(x+x^3)-sqrt(x))", "log(1/x^2-cos(x)/x^4)"}) {
+        CAPTURE(formula);
+        const Integral refused = integral(formula, "0", "1", 15);
+        CHECK(refused.status != Status::certified);
+        CHECK(refused.reason.find("not proved to be a power") != std::string::npos);
+    }
+}
+
 TEST_CASE("what cannot be told from 0 is given up soon, with its enclosure")
 {
     IntegralOptions about_zero = with_digits(30);

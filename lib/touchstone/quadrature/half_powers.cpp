@@ -108,8 +108,9 @@ std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const I
     HalfPowers e;
     {
         const WorkingPrecision precision(static_cast<slong>(wanted) + 64);
-        e.value = found->value * pi<Ball>() / Ball(4);
-        e.proof = found->proof(pi<Ball>() / Ball(4));
+        const Ball quarter_turn = pi<Ball>() / Ball(4); // du = (pi/4) dt
+        e.value = found->value * quarter_turn;
+        e.proof = found->proof(quarter_turn);
     }
     const double have = static_cast<double>(e.value.relative_bits());
     if (have < wanted - 1 && !options.of_absolute) return std::nullopt;

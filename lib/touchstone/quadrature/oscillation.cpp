@@ -19,8 +19,6 @@ using Linear = std::optional<std::pair<ExactSum, ExactSum>>; // value at 0, slop
 
 constexpr std::size_t most_waves = 256;
 
-ExpressionPtr scaled(const ExpressionPtr& e, const Rational& by) { return by == 1 ? e : make(Op::multiply, {make_number(by), e}); }
-
 bool oscillates(const Expression& e)
 {
     if (e.op == Op::real_value || e.op == Op::imaginary_value) return true;
@@ -71,8 +69,8 @@ Waves product(const Wave& a, const Wave& b)
     const Wave &first = mixed && b.kernel == Op::sin ? b : a, &second = mixed && b.kernel == Op::sin ? a : b;
     std::vector<Wave> all;
     for (const long sign : {1L, -1L}) {
-        const Rational weight = both_sines && sign > 0 ? Rational(-1, 2) : Rational(1, 2);
-        const auto part = normalised({scaled(amplitude, weight), kernel, first.phase + ExactSum(sign) * second.phase,
+        const ExpressionPtr weight = make_number(both_sines && sign > 0 ? Rational(-1, 2) : Rational(1, 2));
+        const auto part = normalised({make(Op::multiply, {weight, amplitude}), kernel, first.phase + ExactSum(sign) * second.phase,
                                       first.frequency + ExactSum(sign) * second.frequency, nullptr});
         if (!part) return std::nullopt;
         all.insert(all.end(), part->begin(), part->end());

@@ -70,9 +70,9 @@ std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) co
     const double span = range.map == Map::finite ? to_double(range.to.ball() - range.from.ball()) / 2 : 1;
     if (shows_its_order(n, side, span * beside)) return std::nullopt;
     const auto series = expand();
-    if (!series || series->is_exactly_zero || series->valuation.get_den() != 1 || series->valuation < 0 ||
-        !series->valuation.get_num().fits_slong_p())
-        return std::nullopt;
+    if (!series) return std::nullopt;
+    const bool whole = series->valuation.get_den() == 1 && series->valuation.get_num().fits_slong_p();
+    if (!whole || series->valuation < 0 || series->is_exactly_zero) return std::nullopt;
     Zero zero;
     zero.order = series->valuation.get_num().get_si();
     zero.c = series->c;
