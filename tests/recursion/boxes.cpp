@@ -860,6 +860,9 @@ TEST_CASE("the form for small pressures: what interpolation and nodes of one pan
             CHECK(found.interpolation <= off * (1 + 2e-6));
             CHECK(found.carried >= off * lebesgue);
             CHECK(found.carried <= off * lebesgue * (1 + 2e-6));
+            const double together = found.interpolation + found.carried + found.rule_error, radius = found.value.radius_bound();
+            CHECK(radius >= together * (1 - 1e-9));
+            CHECK(radius <= together * (1 + 2e-5)); // radii have a few bits fewer
         }
     }
 }
