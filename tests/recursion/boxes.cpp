@@ -228,7 +228,7 @@ TEST_CASE("beyond the last shell the first two levels stay below the bounds of t
 {
     const WorkingPrecision precision(Levels::precision_for(10));
     for (const Law law : {Law::density, Law::exceedance})
-        for (const Rational& load : {Rational(1), Rational(1, 2), Rational(1, 1000)}) {
+        for (const Rational& load : {Rational(1), Rational(1, 2), Rational(1, 1000), Rational(1, 1'000'000)}) {
             Levels levels(law, Ball(3), Ball(load), 10);
             levels.extend_to(2);
             const Direct direct{law, 3, about(Ball(load)), load == 1};
@@ -605,6 +605,36 @@ TEST_CASE("a row leaves out what lies beyond the longest distance that its rule 
         CHECK(rule.reach >= levels.delta_max * low / high * (1 - 1e-4));
     }
     CHECK(std::isinf(levels.make_rule(from, Kind::step, 0.4 * levels.delta_max, 0.45 * levels.delta_max, 0, 1e-6).reach));
+}
+
+TEST_CASE("over a narrow disc the bound of a row's integrand, of the tangent of half the angle, is that of its factors at the middle")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(3);
+        Points points;
+        int looked_at = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Level& from = *levels.levels[1 + static_cast<std::size_t>(i % 3)];
+            const Z d = std::polar(points.scale(0.01, 10), points.between(0, 0.5)), t(points.between(0.1, 0.9), points.between(-0.3, 0.3));
+            const Z sine = 2.0 * t / (1.0 + t * t), cosine = (1.0 - t * t) / (1.0 + t * t), delta = 2.0 * d * sine * sine;
+            constexpr double narrow = 1e-11;
+            const auto about_it = [](const Z& z) { return Disc(z, narrow * std::abs(z)); };
+            const double u = levels.lookup(from.boxes, polar(about_it(delta)));
+            for (const Kind kind : {Kind::step, Kind::share}) {
+                const double kernel = levels.kernel_bound(disc(from.edge_bound), about_it(d), about_it(sine * sine), about_it(cosine * cosine), infinity, kind);
+                const double bound = levels.integrand_bound(from, kind, about_it(d), about_it(t));
+                double product = 2 / std::abs(1.0 + t * t) * std::pow(std::abs(sine), static_cast<double>(levels.power(from.k))) * kernel * u;
+                if (kind == Kind::share) product *= std::abs(cosine * std::exp(-delta / 2.0));
+                if (!std::isfinite(product) || !std::isfinite(bound)) continue;
+                ++looked_at;
+                CAPTURE(i);
+                CHECK(bound == doctest::Approx(product).epsilon(1e-6));
+            }
+        }
+        CHECK(looked_at > 200);
+    }
 }
 
 TEST_CASE("a piece of a row that is negligible counts for its length over the norm of the sines times its largest integrand")
