@@ -246,10 +246,12 @@ Ball integral_of_weight(const Ball& r) { return -log(r) / 2 - r / 2 - 3 * r * r 
 
 namespace {
 
+Ball integral_up_to_the_place() { return integral_of_weight(exp(-2 * Ball(place))); }
+
 /// Rows of D by the angle phi of the noise, u = sin phi, boxes of phi: E[f] = (4/pi) int cos^2 f dphi.
 class Rows {
 public:
-    explicit Rows(const Ball& G) : largest_x(4 / (G * G)), V_at_place(integral_of_weight(exp(-2 * Ball(place))))
+    explicit Rows(const Ball& G) : largest_x(4 / (G * G)), V_at_place(integral_up_to_the_place())
     {
         for (int j = 0; j < boxes; ++j) {
             const Ball from = Traits::pi() * Ball(j) / Ball(2 * boxes), to = Traits::pi() * Ball(j + 1) / Ball(2 * boxes);
@@ -368,7 +370,7 @@ private:
     {
         const Ball rho = exp(-last), half = Ball(Rational(1, 2)), x = exp(-lowest) * rho;
         if (!certainly(less(x, half))) throw BeyondReach("the last ratio is not small");
-        const Ball g(growing), V = 2 + upper_ball(integral_of_weight(exp(-2 * Ball(place)))), y = rho / 2;
+        const Ball g(growing), V = 2 + upper_ball(integral_up_to_the_place()), y = rho / 2;
         const Ball steepest = size_on_ellipse(w.slope, Ball(1)) * w.stretch() / lowest;
         const Ball E = (Ball(Rational(7, 2)) + 2 * g / y) / 4 + 2 * x * (4 / (Traits::pi() * sqrt(y)) + V + g / y) + steepest * per_slope;
         return upper_ball(E * rho * rho / g);
