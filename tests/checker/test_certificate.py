@@ -273,7 +273,7 @@ class Certificates(unittest.TestCase):
         """its mesh, for this test alone, and c"""
         mesh, c, iv.Interval.bits = self.proved_mean()
         mesh = copy.copy(mesh)
-        mesh.found = list(mesh.found)
+        mesh.found, mesh.seen = list(mesh.found), list(mesh.seen)
         return mesh, c
 
     @classmethod
