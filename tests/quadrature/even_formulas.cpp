@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Even formulas, of which half is enough, and powers of products and quotients.
+#include "touchstone/quadrature/ellipse_rule.hpp"
 #include "touchstone/quadrature/endpoint_number.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/parity.hpp"
@@ -49,6 +50,30 @@ TEST_CASE("even and odd formulas are told by their parts, and what is neither is
                                 "integral(exp(t*x),t,0,1)", "floor(x)"}) {
         CAPTURE(neither);
         CHECK(of(neither) == Parity::unknown);
+    }
+}
+
+TEST_CASE("values at nodes are counted as they are taken, of an even function half of them")
+{
+    long taken = 0;
+    EllipseFunction f;
+    f.in_plane = [](const EllipseBox& box, std::vector<ComplexBall>& c) { c.assign(1, ComplexBall(1) / (2 + box.z * box.z)); };
+    f.at_node = [&](const GaussNodes::Entry& e, bool, std::vector<Ball>& c) {
+        taken += WorkingPrecision::bits() > strip_bits; // not those from which an ellipse is guessed
+        c.assign(1, 1 / (2 + e.z * e.z));
+    };
+    for (const double bits : {70., 75., 80., 90., 100., 300.}) {
+        CAPTURE(bits);
+        long of_all = 0;
+        for (const bool even : {false, true}) {
+            f.is_even = even;
+            taken = 0;
+            const auto found = by_ellipse(f, bits, false, 700);
+            REQUIRE(found);
+            CHECK(found->nodes == taken);
+            if (even) CHECK(4 * taken < 3 * of_all);
+            of_all = taken;
+        }
     }
 }
 
