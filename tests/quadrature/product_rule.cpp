@@ -64,6 +64,18 @@ Integral integral(const std::string& formula, const char* from, const char* to, 
 
 } // namespace
 
+TEST_CASE("a weight that has no integral has no moments either, though the formulas for them are finite")
+{
+    const WorkingPrecision precision(100);
+    for (const Rational& power : {Rational(-3, 2), Rational(-1), Rational(-5, 4)})
+        for (const bool on_the_left : {true, false}) {
+            const SingularWeight w = on_the_left ? SingularWeight{Exponent(power), Exponent(0)} : SingularWeight{Exponent(0), Exponent(power)};
+            CHECK_FALSE(w.has_integral());
+            for (const Ball& m : moments(w, 3)) CHECK_FALSE(m.is_finite());
+        }
+    CHECK(moments({Exponent(Rational(-99, 100)), Exponent(0)}, 1).front().overlaps(Ball(100)));
+}
+
 TEST_CASE("the weights integrate powers of u exactly, up to degree n - 1 and no further")
 {
     constexpr slong bits = 200, wanted = 150;

@@ -237,7 +237,7 @@ Series bessel(const Series& argument, long n, int sign)
     const Series half = product(argument, constant(Rational(1, 2))), square = product(half, half);
     Series term = power(half, n), total;
     Rational factor = 1;
-    for (long k = 1; k <= n; ++k) factor /= k;
+    for (long k = 2; k <= n; ++k) factor /= k;
     for (long k = 0; k < static_cast<long>(terms); ++k) {
         if (k > 0) {
             term = product(term, square);

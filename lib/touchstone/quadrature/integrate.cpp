@@ -205,7 +205,9 @@ bool Integration::add_of_another(const ExpressionPtr& e, const Limit& from, cons
 /// f as a sum of waves on [from, oo): the ordinary integral up to X, from there along X + is (oscillation.hpp).
 bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
 {
-    if (from.infinite && !to.infinite && to.exact && !substituted_) {
+    if (from.infinite == to.infinite) return false;
+    if (from.infinite) {
+        if (!to.exact || substituted_) return false;
         const auto mirrored = shifted(e_, ExactSum(0), -1);
         if (!waves(mirrored)) return false;
         IntegralOptions options;
@@ -221,7 +223,6 @@ bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long 
         }
         return true;
     }
-    if (!to.infinite || from.infinite) return false;
     const auto all = waves(e_);
     if (!all) return false;
     const double start = to_double(from.ball());

@@ -60,7 +60,7 @@ public:
         const EndpointNumber<ComplexBall> g = f.on_strip(somewhere);
         if (!g.left().logs.is_zero() || !g.right().logs.is_zero()) return std::nullopt;
         SingularWeight w{singular_part(g.left().power), singular_part(g.right().power)};
-        if (!(Exponent(-1) < w.left) || !(Exponent(-1) < w.right)) return std::nullopt;
+        if (!w.has_integral()) return std::nullopt;
         Decomposition d;
         if (!g.factor_without_logarithm().is_finite()) return std::nullopt;
         if (!is_exactly_zero(g.factor_without_logarithm())) d.weights_.push_back(w);

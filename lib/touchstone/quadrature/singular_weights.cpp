@@ -170,6 +170,8 @@ slong lost_by_recursion(long n) { return 16 + n * 13 / 10; }
 
 std::vector<Ball> moments(const SingularWeight& w, long n)
 {
+    // The formulas below are finite there too: they continue the integral to powers for which there is none.
+    if (!w.has_integral()) return std::vector<Ball>(static_cast<std::size_t>(n), Ball::indeterminate());
     const int i = w.left_logarithms, j = w.right_logarithms;
     const Ball p = w.left.ball(), q = w.right.ball();
     const Ball scale = factorial(i) * factorial(j);

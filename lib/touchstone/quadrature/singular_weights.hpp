@@ -42,14 +42,15 @@ private:
 
 /// u^left r^right (log u)^left_logarithms (log r)^right_logarithms
 struct SingularWeight {
-    Exponent left, right; ///< above -1
+    Exponent left, right;
     int left_logarithms = 0, right_logarithms = 0;
 
+    bool has_integral() const { return Exponent(-1) < left && Exponent(-1) < right; }
     bool is_one() const { return left.is_zero() && right.is_zero() && left_logarithms == 0 && right_logarithms == 0; }
     friend bool operator==(const SingularWeight&, const SingularWeight&) = default;
 };
 
-/// Integrals of w P_m over u in (0, 1), P_m(2u - 1), for m < n.
+/// Integrals of w P_m over u in (0, 1), P_m(2u - 1), for m < n; non-finite where w has no integral.
 std::vector<Ball> moments(const SingularWeight&, long n);
 
 class WeightedNodes {
