@@ -607,6 +607,31 @@ TEST_CASE("a row leaves out what lies beyond the longest distance that its rule 
     CHECK(std::isinf(levels.make_rule(from, Kind::step, 0.4 * levels.delta_max, 0.45 * levels.delta_max, 0, 1e-6).reach));
 }
 
+TEST_CASE("a density of the exceedances' law has the rule's error in its slope by Cauchy's bound, where nothing else is wrong")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    Levels levels(Law::exceedance, Ball(3), Ball(Rational(1, 10)), 20);
+    for (const long n : {2L, 3L}) {
+        levels.extend_to(n);
+        Level& from = *levels.levels[static_cast<std::size_t>(n)];
+        for (const auto& panel : from.panels) {
+            panel->interpolation = panel->slope = panel->worst = 0;
+            std::fill(panel->errors.begin(), panel->errors.end(), 0.0);
+        }
+        for (const double d : {0.3, 1.5}) {
+            constexpr double around = 0.04; // d of the disc on which the error is bounded
+            const Levels::Value found = levels.density(n, Ball(1), Ball::exactly(d));
+            const double front = std::pow(d, (static_cast<double>(n) - 1) / 2) * about(levels.constant_after(from)), rule = found.row.rule_error;
+            const double of_slope = front * rule / around, of_value = front * rule * static_cast<double>(n + 1) / 2;
+            CAPTURE(n);
+            CAPTURE(d);
+            CHECK(found.row.interpolation == 0);
+            CHECK(found.value.radius_bound() >= (of_slope + of_value) * (1 - 1e-6));
+            CHECK(found.value.radius_bound() <= (of_slope + of_value) * 1.01);
+        }
+    }
+}
+
 TEST_CASE("over a narrow disc the bound of a row's integrand, of the tangent of half the angle, is that of its factors at the middle")
 {
     const WorkingPrecision precision(Levels::precision_for(20));
