@@ -607,6 +607,23 @@ TEST_CASE("a row leaves out what lies beyond the longest distance that its rule 
     CHECK(std::isinf(levels.make_rule(from, Kind::step, 0.4 * levels.delta_max, 0.45 * levels.delta_max, 0, 1e-6).reach));
 }
 
+TEST_CASE("a rule's error holds as far around its distances as is asked: that of a range is that of its middle with half of it around")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(2);
+        for (const Kind kind : {Kind::step, Kind::slope}) {
+            const Level& from = *levels.levels[2];
+            const RowRule around = levels.make_rule(from, kind, 1, 1, 0.25, 1e-9), range = levels.make_rule(from, kind, 0.75, 1.25, 0, 1e-9), neither = levels.make_rule(from, kind, 1, 1, 0, 1e-9);
+            CHECK(around.error == doctest::Approx(range.error).epsilon(1e-6));
+            CHECK(around.nodes.size() == range.nodes.size());
+            CHECK((around.nodes.size() != neither.nodes.size() || around.error != neither.error));
+            REQUIRE(std::isinf(around.reach));
+        }
+    }
+}
+
 TEST_CASE("a density of the exceedances' law has the rule's error in its slope by Cauchy's bound, where nothing else is wrong")
 {
     const WorkingPrecision precision(Levels::precision_for(20));
