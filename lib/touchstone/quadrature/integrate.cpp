@@ -77,7 +77,8 @@ bool Integration::diverges(const Limit& end, int direction, Integral& out) const
 {
     if (!end.exact) return false;
     const auto s = expand(*e_, *end.exact, direction);
-    if (!s || s->c.empty() || s->valuation > -1) return false;
+    if (!s) return false;
+    if (s->c.empty() || s->valuation > -1) return false;
     out.divergent = true;
     out.reason = "the integral diverges at x = " + end.text + ": the formula behaves there like |x - " + end.text + "|^" +
                  (s->valuation.get_den() == 1 ? s->valuation.get_str() : "(" + s->valuation.get_str() + ")");

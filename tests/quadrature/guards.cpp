@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Conditions under which something is not taken for what it resembles, each of several alone: what a wave, a power, an expansion or a mean is not.
+#include "touchstone/quadrature/elliptic.hpp"
+#include "touchstone/quadrature/endpoint_functions.hpp"
+#include "touchstone/quadrature/exact_series.hpp"
+#include "touchstone/quadrature/integrate.hpp"
+#include "touchstone/quadrature/oscillation.hpp"
+#include "touchstone/quadrature/path.hpp"
+#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/widen.hpp"
+#include "touchstone/scalar/refusal.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <string>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+using N = EndpointNumber<ComplexBall>;
+
+Integral integral(const std::string& formula, const char* from, const char* to, IntegralOptions options = {})
+{
+    options.digits = 15;
+    return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), options);
+}
+
+ComplexBall at(double x, double y) { return {Ball::exactly(x), Ball::exactly(y)}; }
+
+/// K and E of 1 - v at one point.
+Elliptic<ComplexBall> at_a_point(const ComplexBall& v) { return elliptic_of_complement(v); }
+
+} // namespace
+
+TEST_CASE("what has another argument, order or factor than a wave has is none")
+{
+    for (const char* formula : {"cos(x^2)", "sin(x+x^2)", "cos(exp(x))", "sin(sqrt(x))", "cos(x)*exp(sin(x))", "exp(sin(x))*cos(x)", "cos(x)+exp(sin(x))",
+                                "exp(sin(x))+cos(x)", "besselj(0,x^2)", "besselj(0,sqrt(x))", "besselj(0,x+1)", "besselj(x,x)", "besselj(x,2*x)", "besselj(0,-x)"}) {
+        CAPTURE(formula);
+        CHECK_FALSE(waves(parse_expression(formula)).has_value());
+    }
+}
+
+TEST_CASE("a number with logarithms has no power and no logarithm, one on either side alone")
+{
+    const WorkingPrecision precision(64);
+    const StripPiece piece = StripPiece::at(Side::left, 1, 1.1, 0.2, 0.3);
+    const Order logs{0, 1}, none{};
+    for (const bool left : {true, false}) {
+        const N x(&piece, left ? logs : none, left ? none : logs, ComplexBall(2));
+        CHECK_FALSE(log(x).factor().is_finite());
+        CHECK_FALSE(pow(x, Ball(1) / Ball(3)).factor().is_finite());
+    }
+    const N plain(&piece, {1, 0}, {}, ComplexBall(2));
+    CHECK(log(plain).factor().is_finite());
+    CHECK(pow(plain, Ball(1) / Ball(3)).factor().is_finite());
+    CHECK_FALSE(pow(plain, Ball(1LL << 40)).factor().is_finite()); // no exponent that is told exactly
+    CHECK_FALSE(pow(plain, Ball::indeterminate()).factor().is_finite());
+}
+
+TEST_CASE("a mean of wide balls that has not met is not taken for its limit")
+{
+    const WorkingPrecision precision(80);
+    std::mt19937_64 random(20261126);
+    const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    int finite = 0, refused = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double x = between(-0.5, 3), y = between(-2, 2), half = std::pow(10, between(-3, 0.3));
+        ComplexBall v = at(x, y);
+        widen(v, Ball::exactly(half));
+        const auto [k, e] = elliptic_of_complement(v);
+        if (!k.is_finite() || !e.is_finite()) {
+            ++refused;
+            continue;
+        }
+        ++finite;
+        for (int j = 0; j < 8; ++j) {
+            const auto point = at_a_point(at(x + half * between(-1, 1), y + half * between(-1, 1)));
+            CHECK(k.overlaps(point.k));
+            CHECK(e.overlaps(point.e));
+        }
+    }
+    CHECK(finite > 100);
+    CHECK(refused > 20);
+}
+
+TEST_CASE("no expansion by a power that is no fraction, nor of a Bessel function of an order that is no integer")
+{
+    for (const char* formula : {"x^sqrt(2)", "(1+x)^pi", "besselj(1/2,x)", "besselj(sqrt(2),x)", "besseli(3/2,x)", "besselj(0,log(x))", "besselj(1,abs(x))"}) {
+        CAPTURE(formula);
+        CHECK_FALSE(expand(*parse_expression(formula), ExactSum(0), 1).has_value());
+    }
+    CHECK(expand(*parse_expression("besselj(1,x)"), ExactSum(0), 1).has_value());
+    for (const long n : {65L, -65L, 1000L, -1000L}) CHECK_FALSE(ExactSum(3).power(n).has_value());
+    CHECK(ExactSum(2).power(-64).has_value());
+}
+
+TEST_CASE("real and imaginary parts of powers that are no small integer are not those of one that is")
+{
+    struct Row {
+        const char *formula, *value;
+    };
+    for (const Row& row : {Row{"re((1+i*x)^(3/2))", "im((1+i)^(5/2))*2/5"}, Row{"re((1+i*x)^(5/2))", "im((1+i)^(7/2))*2/7"}, Row{"re((1+i*x)^(1/2))", "im((1+i)^(3/2))*2/3"},
+                           Row{"re((2*x+i)^0)", "1"}, Row{"re((1+i*x)^9)", "im((1+i)^10)/10"}, Row{"re((1+i*x)^(-9))", "-im((1+i)^(-8))/8"}}) {
+        CAPTURE(row.formula);
+        const Integral i = integral(row.formula, "0", "1");
+        if (i.status == Status::certified) CHECK(i.value.overlaps(parse_limit(row.value).ball()));
+        else CHECK(!i.reason.empty());
+    }
+}
+
+TEST_CASE("a power of a multiple of x is not the multiple of a power")
+{
+    for (const auto& [formula, other] : {std::pair("cos((4*x)^(3/2))", "cos(8*x^(3/2))"), {"sin((9*x^3)^(1/2))", "sin(3*x^(3/2))"}, {"exp(i*(5*x)^(3/2))", "exp(i*sqrt(125)*x^(3/2))"}}) {
+        CAPTURE(formula);
+        const Integral one = integral(formula, "0", "inf"), two = integral(other, "0", "inf");
+        CHECK(two.status == Status::certified);
+        if (one.status == Status::certified) CHECK(one.value.overlaps(two.value)); // else it is refused
+    }
+}
+
+TEST_CASE("sums may be long where powers may not be deep; steps may be many, but not without end")
+{
+    std::string sum = "x", deep = "x";
+    for (int k = 0; k < 60; ++k) sum += "+x", deep = "sqrt(1+" + deep + ")";
+    CHECK(integral(sum, "0", "1").value.overlaps(Ball(61) / Ball(2)));
+    CHECK_THROWS_AS(integral(deep, "0", "1"), ExpressionError);
+    CHECK_THROWS_AS(integral("floor(1000000*x)", "0", "1"), DomainError);
+    CHECK_THROWS_AS(integral("floor(x)", "10000000000000000", "10000000000000002"), DomainError);
+    CHECK(integral("floor(3*x)", "0", "1").value.overlaps(Ball(1)));
+}
+
+TEST_CASE("break points are inside the range, and of a path neither they nor principal values are asked")
+{
+    for (const char* outside : {"2", "-1", "inf", "0", "1"}) {
+        CAPTURE(outside);
+        IntegralOptions options;
+        options.at = {parse_limit(outside)};
+        CHECK_THROWS_AS(integrate_several({parse_expression("x"), parse_expression("x^2")}, parse_limit("0"), parse_limit("1"), options), DomainError);
+    }
+    const std::vector<Vertex> path{parse_vertex("0"), parse_vertex("1+i")};
+    IntegralOptions broken, principal;
+    broken.at = {parse_limit("1/2")};
+    principal.principal_value = {parse_limit("1/2")};
+    CHECK_THROWS_AS(integrate_along(parse_expression("x"), path, broken), DomainError);
+    CHECK_THROWS_AS(integrate_along(parse_expression("x"), path, principal), DomainError);
+}
