@@ -12,8 +12,10 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <random>
 #include <string>
+#include <tuple>
 
 using namespace touchstone;
 using namespace touchstone::quadrature;
@@ -61,6 +63,26 @@ TEST_CASE("a number with logarithms has no power and no logarithm, one on either
     CHECK_FALSE(pow(plain, Ball::indeterminate()).factor().is_finite());
 }
 
+TEST_CASE("what grows with rho = |Re w| is bounded where rho is at least 1, and in the half-plane where the bound holds")
+{
+    const WorkingPrecision precision(64);
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    const Ball order(0);
+    for (const Side side : {Side::left, Side::right}) {
+        const StripPiece far = StripPiece::at(side, 1, endless, 0, 0.3), near = StripPiece::at(side, 0.2, endless, 0, 0.3);
+        REQUIRE(certainly(less(Ball(1), far.depth())));
+        REQUIRE(certainly(less(near.depth(), Ball(1))));
+        const auto grows = [side](const StripPiece& piece, const Exponent& logs, const ComplexBall& c) {
+            return side == Side::left ? N(&piece, {0, logs}, {}, c) : N(&piece, {}, {0, logs}, c);
+        };
+        CHECK(function_of(Op::log, grows(far, 1, ComplexBall(2))).factor().is_finite());
+        CHECK_FALSE(function_of(Op::log, grows(near, 1, ComplexBall(2))).factor().is_finite());
+        CHECK(function_of(Op::bessel_k, order, grows(far, 1, ComplexBall(2))).factor().is_finite());
+        CHECK_FALSE(function_of(Op::bessel_k, order, grows(far, 1, ComplexBall(-2))).factor().is_finite());
+        CHECK_FALSE(function_of(Op::bessel_k, order, grows(far, 1, at(0, 2))).factor().is_finite());
+    }
+}
+
 TEST_CASE("a mean of wide balls that has not met is not taken for its limit")
 {
     const WorkingPrecision precision(80);
@@ -104,7 +126,7 @@ TEST_CASE("real and imaginary parts of powers that are no small integer are not 
         const char *formula, *value;
     };
     for (const Row& row : {Row{"re((1+i*x)^(3/2))", "im((1+i)^(5/2))*2/5"}, Row{"re((1+i*x)^(5/2))", "im((1+i)^(7/2))*2/7"}, Row{"re((1+i*x)^(1/2))", "im((1+i)^(3/2))*2/3"},
-                           Row{"re((2*x+i)^0)", "1"}, Row{"re((1+i*x)^9)", "im((1+i)^10)/10"}, Row{"re((1+i*x)^(-9))", "-im((1+i)^(-8))/8"}}) {
+                           Row{"re((1+i*x)^1.5)", "im((1+i)^(5/2))*2/5"}, Row{"re((1+i*x)^2.5)", "im((1+i)^(7/2))*2/7"}, Row{"re((1+i*x)^0.5)", "im((1+i)^(3/2))*2/3"}, Row{"re((2*x+i)^0)", "1"}, Row{"re((1+i*x)^9)", "im((1+i)^10)/10"}, Row{"re((1+i*x)^(-9))", "-im((1+i)^(-8))/8"}}) {
         CAPTURE(row.formula);
         const Integral i = integral(row.formula, "0", "1");
         if (i.status == Status::certified) CHECK(i.value.overlaps(parse_limit(row.value).ball()));
@@ -141,6 +163,11 @@ TEST_CASE("break points are inside the range, and of a path neither they nor pri
         options.at = {parse_limit(outside)};
         CHECK_THROWS_AS(integrate_several({parse_expression("x"), parse_expression("x^2")}, parse_limit("0"), parse_limit("1"), options), DomainError);
     }
+    IntegralOptions inside;
+    inside.digits = 15;
+    inside.at = {parse_limit("1/2"), parse_limit("1/3")};
+    for (const auto& [from, to, value] : {std::tuple("0", "1", "1-exp(-1)"), {"0", "inf", "1"}, {"-1", "inf", "e"}})
+        CHECK(integrate_several({parse_expression("exp(-x)"), parse_expression("exp(-2*x)")}, parse_limit(from), parse_limit(to), inside)[0].value.overlaps(parse_limit(value).ball()));
     const std::vector<Vertex> path{parse_vertex("0"), parse_vertex("1+i")};
     IntegralOptions broken, principal;
     broken.at = {parse_limit("1/2")};

@@ -233,7 +233,8 @@ Series integrated(const Coefficients& a, const Series& g, const ExactSum& start)
 /// J_n (sign = -1) or I_n (sign = 1) of a series without constant term: sum of (sign)^k (a/2)^(2k+n) / (k! (k+n)!).
 Series bessel(const Series& argument, long n, int sign)
 {
-    if (!argument || argument->is_exactly_zero || argument->valuation <= 0 || n < 0 || n > 8) return std::nullopt;
+    if (!argument) return std::nullopt;
+    if (argument->is_exactly_zero || argument->valuation <= 0 || n < 0 || n > 8) return std::nullopt;
     const Series half = product(argument, constant(Rational(1, 2))), square = product(half, half);
     Series term = power(half, n), total;
     Rational factor = 1;

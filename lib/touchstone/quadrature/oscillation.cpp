@@ -80,10 +80,12 @@ Waves product(const Wave& a, const Wave& b)
 
 Waves product(const Waves& a, const Waves& b)
 {
-    if (!a || !b || a->size() * b->size() > most_waves) return std::nullopt;
+    if (!a || !b) return std::nullopt;
+    const std::vector<Wave>&left = a.value(), &right = b.value();
+    if (left.size() * right.size() > most_waves) return std::nullopt;
     std::vector<Wave> all;
-    for (const Wave& v : *a)
-        for (const Wave& w : *b) {
+    for (const Wave& v : left)
+        for (const Wave& w : right) {
             const auto part = product(v, w);
             if (!part) return std::nullopt;
             all.insert(all.end(), part->begin(), part->end());
@@ -137,8 +139,11 @@ Waves split(const ExpressionPtr& e)
     case Op::add: {
         Waves a = split(e->args[0]);
         const Waves b = split(e->args[1]);
-        if (!a || !b || a->size() + b->size() > most_waves) return std::nullopt;
-        a->insert(a->end(), b->begin(), b->end());
+        if (!a || !b) return std::nullopt;
+        std::vector<Wave>& all = a.value();
+        const std::vector<Wave>& more = b.value();
+        if (all.size() + more.size() > most_waves) return std::nullopt;
+        all.insert(all.end(), more.begin(), more.end());
         return a;
     }
     case Op::negate: return product(split(make_number(-1)), split(e->args[0]));

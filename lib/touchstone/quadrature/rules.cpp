@@ -52,7 +52,7 @@ Attempt attempt_of(const Enclosure& e, const Range& range)
         !panels.empty() && panels.front().transformation == Transformation::logistic ? "trapezoidal in the logarithm" : "tanh-sinh";
     a.part.certificate = e.certificate;
     a.part.evaluations = e.certificate.points();
-    if (e.status == Status::indeterminate && e.fraction) a.at = place_of(range, *e.fraction);
+    if (e.fraction) a.at = place_of(range, *e.fraction);
     return a;
 }
 
