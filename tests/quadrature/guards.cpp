@@ -6,6 +6,7 @@
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/path.hpp"
+#include "touchstone/quadrature/split.hpp"
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/quadrature/widen.hpp"
 #include "touchstone/scalar/refusal.hpp"
@@ -80,6 +81,8 @@ TEST_CASE("what grows with rho = |Re w| is bounded where rho is at least 1, and 
         CHECK(function_of(Op::bessel_k, order, grows(far, 1, ComplexBall(2))).factor().is_finite());
         CHECK_FALSE(function_of(Op::bessel_k, order, grows(far, 1, ComplexBall(-2))).factor().is_finite());
         CHECK_FALSE(function_of(Op::bessel_k, order, grows(far, 1, at(0, 2))).factor().is_finite());
+        CHECK_FALSE(function_of(Op::bessel_k, order, grows(near, 2, ComplexBall(2))).factor().is_finite());
+        CHECK_FALSE(function_of(Op::bessel_k, order, grows(far, Exponent(1, 2), ComplexBall(2))).factor().is_finite());
     }
 }
 
@@ -132,6 +135,16 @@ TEST_CASE("real and imaginary parts of powers that are no small integer are not 
         if (i.status == Status::certified) CHECK(i.value.overlaps(parse_limit(row.value).ball()));
         else CHECK(!i.reason.empty());
     }
+}
+
+TEST_CASE("real and imaginary parts by formulas are had of small integer powers alone")
+{
+    for (const char* power : {"(1+i*x)^1.5", "(1+i*x)^2.5", "(1+i*x)^0.5", "(1+i*x)^(-1.5)", "(1+i*x)^9", "(1+i*x)^x"}) {
+        CAPTURE(power);
+        CHECK_FALSE(real_and_imaginary(parse_expression(power)).has_value());
+    }
+    CHECK(real_and_imaginary(parse_expression("(1+i*x)^8")).has_value());
+    CHECK(real_and_imaginary(parse_expression("(1+i*x)^(-3)")).has_value());
 }
 
 TEST_CASE("a power of a multiple of x is not the multiple of a power")
