@@ -80,6 +80,8 @@ TEST_CASE("the coefficients in powers of 4/G^2")
 {
     const WorkingPrecision precision(160);
     CHECK((limit::hertzian_moment(Ball(-1)) / 4).overlaps(K_inf()));
+    CHECK(limit::area_coefficients(0, {12}).size() == 1);
+    CHECK(limit::area_coefficients(1, {12}).size() == 2);
     const std::vector<Ball> R = limit::area_coefficients(4, {12});
     REQUIRE(R.size() == 5);
     CHECK(R[0].overlaps(Ball(1)));

@@ -169,6 +169,15 @@ TEST_CASE("the bound of a slope holds up to both ends of its interval, and littl
     }
 }
 
+TEST_CASE("a w that does not reach the smallest s proves nothing")
+{
+    const WorkingPrecision precision(160);
+    const Ball G(Rational(5, 2));
+    Eigenfunction w = approximate_eigenfunction(G, {10});
+    w.low += 0.01;
+    CHECK_THROWS_AS(prove_eigenvalue(G, w, {10}), BeyondReach);
+}
+
 TEST_CASE("a worse w encloses the same eigenvalue, more widely")
 {
     const WorkingPrecision precision(160);

@@ -4,6 +4,7 @@
 #include "touchstone/recursion/first_steps/area_by_slope.hpp"
 #include "touchstone/recursion/from_the_edge/far_end.hpp"
 #include "touchstone/recursion/from_the_edge/levels.hpp"
+#include "touchstone/scalar/refusal.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -647,6 +648,32 @@ TEST_CASE("a density of the exceedances' law has the rule's error in its slope b
             CHECK(found.value.radius_bound() <= (of_slope + of_value) * 1.01);
         }
     }
+}
+
+TEST_CASE("a root whose argument meets the cut has no bound, of the two in a kernel either alone; nor has the first level")
+{
+    const WorkingPrecision precision(bits);
+    const auto real = [](double x) { return disc(x, 0, 1e-9); };
+    for (const Law law : {Law::density, Law::exceedance}) {
+        const Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        const auto bound = [&](double x, double w4) { return levels.modulus(real(x), real(1 - x), real(w4), real(1), infinity, Kind::step); };
+        CHECK(std::isfinite(bound(0.5, 0.1)));
+        CHECK(std::isinf(bound(-3, -12.1))); // R = 1.97: 1 + x + R is below 0, 1 - x + R above
+        CHECK(std::isinf(bound(2, -0.5)));   // R = 0.71: the other way round
+    }
+    const Levels full(Law::density, Ball(3), Ball(1), 20);
+    CHECK(std::isfinite(full.first_bound(disc(0.5, 0, 1e-9))));
+    CHECK(std::isinf(full.first_bound(disc(-0.1, std::numbers::pi, 1e-9)))); // 1 + exp(-d) is below 0
+}
+
+TEST_CASE("what the laws are proved for: G above 2, loads above 0 and up to 1, each alone")
+{
+    for (const Law law : {Law::density, Law::exceedance})
+        for (const auto& [G, load] : {std::pair(Rational(2), Rational(1, 10)), {Rational(3, 2), Rational(1)}, {Rational(3), Rational(0)}, {Rational(3), Rational(-1)}, {Rational(3), Rational(101, 100)}}) {
+            CAPTURE(about(Ball(G)));
+            CAPTURE(about(Ball(load)));
+            CHECK_THROWS_AS(transfer::density(law, 2, [] { return Ball(1) / 10; }, {[&load = load] { return Ball(load); }, [&G = G] { return Ball(G); }}, Accuracy{10}), BeyondReach);
+        }
 }
 
 TEST_CASE("over a narrow disc the bound of a row's integrand, of the tangent of half the angle, is that of its factors at the middle")
