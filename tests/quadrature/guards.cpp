@@ -3,6 +3,7 @@
 #include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/endpoint_functions.hpp"
 #include "touchstone/quadrature/exact_series.hpp"
+#include "touchstone/quadrature/integrand.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/path.hpp"
@@ -187,4 +188,42 @@ TEST_CASE("break points are inside the range, and of a path neither they nor pri
     principal.principal_value = {parse_limit("1/2")};
     CHECK_THROWS_AS(integrate_along(parse_expression("x"), path, broken), DomainError);
     CHECK_THROWS_AS(integrate_along(parse_expression("x"), path, principal), DomainError);
+}
+
+TEST_CASE("an essential singularity at an end other than 0, on either side: the same as at 0")
+{
+    const WorkingPrecision precision(120);
+    for (const auto& [formula, from, to, other] : {std::tuple("exp(-1/(x-1))", "1", "2", "exp(-1/x)"), {"exp(-1/(3-x))", "2", "3", "exp(-1/x)"}, {"exp(-1/(x+2))", "-2", "-1", "exp(-1/x)"},
+                                                   {"exp(-1/(x-5))*cos(x-5)", "5", "6", "exp(-1/x)*cos(x)"}, {"sin(1/(x-1))", "1", "2", "sin(1/x)"}}) {
+        CAPTURE(formula);
+        const Integral one = integral(formula, from, to), two = integral(other, "0", "1");
+        CHECK_MESSAGE(one.status == Status::certified, one.reason);
+        CHECK(one.value.overlaps(two.value));
+        CHECK(one.value.relative_bits() > 40);
+    }
+}
+
+TEST_CASE("a step is one number only where it is, to both ends of the range")
+{
+    const WorkingPrecision precision(64);
+    for (const auto& [formula, from, to] : {std::tuple("floor(x)", "0.2", "1.6"), {"floor(x)", "-0.7", "0.5"}, {"ceil(x)", "0.2", "1.6"}, {"ceil(x)", "-1.7", "-0.2"}, {"floor(2*x)", "0", "0.9"}}) {
+        CAPTURE(formula);
+        const Integrand f(parse_expression(formula), Range{parse_limit(from), parse_limit(to), Map::finite});
+        const ComplexBall whole = f.in_plane(ComplexBall(hull(parse_limit(from).ball(), parse_limit(to).ball())));
+        CHECK_FALSE(whole.is_finite());
+    }
+    const Integrand steady(parse_expression("floor(x)"), Range{parse_limit("1/4"), parse_limit("1"), Map::finite});
+    CHECK(steady.in_plane(ComplexBall(Ball(1) / 2)).is_finite());
+}
+
+TEST_CASE("terms that cancel at the end of a half-line, which is to either side")
+{
+    const WorkingPrecision precision(120);
+    for (const char* formula : {"sqrt(sqrt(1+x^2)-1)/(1+x^2)^2", "log(sqrt(1+x^2)-1)/(1+x^2)^2", "(sqrt(1+x^2)-1)^(1/3)/(1+x^4)"}) {
+        CAPTURE(formula);
+        const Integral left = integral(formula, "-inf", "0"), right = integral(formula, "0", "inf");
+        CHECK_MESSAGE(left.status == Status::certified, left.reason);
+        CHECK_MESSAGE(right.status == Status::certified, right.reason);
+        CHECK(left.value.overlaps(right.value));
+    }
 }
