@@ -175,7 +175,7 @@ class Certificates(unittest.TestCase):
                 self.assertLess(error / value, Fraction(1, 10**digits))
 
     def test_proves_limits(self):
-        for G, digits in (("2009/1000", 3), ("5/2", 7), ("1000000", 4), ("2", 2), ("21/20", 2)):
+        for G, digits in (("2009/1000", 3), ("5/2", 7), ("2", 2), *((("1000000", 4), ("21/20", 2)) if known.long else ())):
             self.make("limit.area_constant", f"G={G}", "--digits", digits)
             said = check(self.path)
             with self.subTest(G=G):

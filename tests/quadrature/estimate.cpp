@@ -83,7 +83,8 @@ TEST_CASE("what is not finite, or does not settle, is not called converged")
     CHECK(nothing.value == 0);
     CHECK_FALSE(estimate<Mpfr>([](const Mpfr& x, const Mpfr&, const Mpfr&) { return Mpfr(abs(x - Mpfr(1) / 3)); }, Interval::finite(-1, 1), Mpfr(0), 8).converged);
     // Beyond the last node is a part of 10^-37 of it, however small the whole: the sums agree to more than that.
-    const auto cut_off = estimate<Mpfr>([](const Mpfr&, const Mpfr& l, const Mpfr&) { return Mpfr(power_of(l, -19, 20) * Mpfr("1e-30")); }, Interval::finite(0, 1));
+    const auto cut_off = estimate<Mpfr>([](const Mpfr&, const Mpfr& l, const Mpfr&) { return Mpfr(power_of(l, -19, 20) * Mpfr("1e-30")); },
+                                        Interval::finite(0, 1));
     CHECK_FALSE(cut_off.converged);
     CHECK(cut_off.error < Mpfr("1e-64"));
     CHECK(Mpfr(abs(cut_off.value - Mpfr("20e-30"))) < cut_off.error);

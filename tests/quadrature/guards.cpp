@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conditions under which something is not taken for what it resembles, each of several alone: what a wave, a power, an expansion or a mean is not.
+// Conditions under which something is not taken for what it resembles, each of several alone: what a wave, a power, an expansion or a mean
+// is not.
 #include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/endpoint_functions.hpp"
 #include "touchstone/quadrature/exact_series.hpp"
@@ -34,15 +35,13 @@ Integral integral(const std::string& formula, const char* from, const char* to, 
 
 ComplexBall at(double x, double y) { return {Ball::exactly(x), Ball::exactly(y)}; }
 
-/// K and E of 1 - v at one point.
-Elliptic<ComplexBall> at_a_point(const ComplexBall& v) { return elliptic_of_complement(v); }
-
 } // namespace
 
 TEST_CASE("what has another argument, order or factor than a wave has is none")
 {
-    for (const char* formula : {"cos(x^2)", "sin(x+x^2)", "cos(exp(x))", "sin(sqrt(x))", "cos(x)*exp(sin(x))", "exp(sin(x))*cos(x)", "cos(x)+exp(sin(x))",
-                                "exp(sin(x))+cos(x)", "besselj(0,x^2)", "besselj(0,sqrt(x))", "besselj(0,x+1)", "besselj(x,x)", "besselj(x,2*x)", "besselj(0,-x)"}) {
+    for (const char* formula : {"cos(x^2)", "sin(x+x^2)", "cos(exp(x))", "sin(sqrt(x))", "cos(x)*exp(sin(x))", "exp(sin(x))*cos(x)",
+                                "cos(x)+exp(sin(x))", "exp(sin(x))+cos(x)", "besselj(0,x^2)", "besselj(0,sqrt(x))", "besselj(0,x+1)",
+                                "besselj(x,x)", "besselj(x,2*x)", "besselj(0,-x)"}) {
         CAPTURE(formula);
         CHECK_FALSE(waves(parse_expression(formula)).has_value());
     }
@@ -104,7 +103,7 @@ TEST_CASE("a mean of wide balls that has not met is not taken for its limit")
         }
         ++finite;
         for (int j = 0; j < 8; ++j) {
-            const auto point = at_a_point(at(x + half * between(-1, 1), y + half * between(-1, 1)));
+            const auto point = elliptic_of_complement(at(x + half * between(-1, 1), y + half * between(-1, 1)));
             CHECK(k.overlaps(point.k));
             CHECK(e.overlaps(point.e));
         }
@@ -115,7 +114,8 @@ TEST_CASE("a mean of wide balls that has not met is not taken for its limit")
 
 TEST_CASE("no expansion by a power that is no fraction, nor of a Bessel function of an order that is no integer")
 {
-    for (const char* formula : {"x^sqrt(2)", "(1+x)^pi", "besselj(1/2,x)", "besselj(sqrt(2),x)", "besseli(3/2,x)", "besselj(0,log(x))", "besselj(1,abs(x))"}) {
+    for (const char* formula :
+         {"x^sqrt(2)", "(1+x)^pi", "besselj(1/2,x)", "besselj(sqrt(2),x)", "besseli(3/2,x)", "besselj(0,log(x))", "besselj(1,abs(x))"}) {
         CAPTURE(formula);
         CHECK_FALSE(expand(*parse_expression(formula), ExactSum(0), 1).has_value());
     }
@@ -129,12 +129,17 @@ TEST_CASE("real and imaginary parts of powers that are no small integer are not 
     struct Row {
         const char *formula, *value;
     };
-    for (const Row& row : {Row{"re((1+i*x)^(3/2))", "im((1+i)^(5/2))*2/5"}, Row{"re((1+i*x)^(5/2))", "im((1+i)^(7/2))*2/7"}, Row{"re((1+i*x)^(1/2))", "im((1+i)^(3/2))*2/3"},
-                           Row{"re((1+i*x)^1.5)", "im((1+i)^(5/2))*2/5"}, Row{"re((1+i*x)^2.5)", "im((1+i)^(7/2))*2/7"}, Row{"re((1+i*x)^0.5)", "im((1+i)^(3/2))*2/3"}, Row{"re((2*x+i)^0)", "1"}, Row{"re((1+i*x)^9)", "im((1+i)^10)/10"}, Row{"re((1+i*x)^(-9))", "-im((1+i)^(-8))/8"}}) {
+    for (const Row& row :
+         {Row{"re((1+i*x)^(3/2))", "im((1+i)^(5/2))*2/5"}, Row{"re((1+i*x)^(5/2))", "im((1+i)^(7/2))*2/7"},
+          Row{"re((1+i*x)^(1/2))", "im((1+i)^(3/2))*2/3"}, Row{"re((1+i*x)^1.5)", "im((1+i)^(5/2))*2/5"},
+          Row{"re((1+i*x)^2.5)", "im((1+i)^(7/2))*2/7"}, Row{"re((1+i*x)^0.5)", "im((1+i)^(3/2))*2/3"}, Row{"re((2*x+i)^0)", "1"},
+          Row{"re((1+i*x)^9)", "im((1+i)^10)/10"}, Row{"re((1+i*x)^(-9))", "-im((1+i)^(-8))/8"}}) {
         CAPTURE(row.formula);
         const Integral i = integral(row.formula, "0", "1");
-        if (i.status == Status::certified) CHECK(i.value.overlaps(parse_limit(row.value).ball()));
-        else CHECK(!i.reason.empty());
+        if (i.status == Status::certified)
+            CHECK(i.value.overlaps(parse_limit(row.value).ball()));
+        else
+            CHECK(!i.reason.empty());
     }
 }
 
@@ -150,7 +155,9 @@ TEST_CASE("real and imaginary parts by formulas are had of small integer powers 
 
 TEST_CASE("a power of a multiple of x is not the multiple of a power")
 {
-    for (const auto& [formula, other] : {std::pair("cos((4*x)^(3/2))", "cos(8*x^(3/2))"), {"sin((9*x^3)^(1/2))", "sin(3*x^(3/2))"}, {"exp(i*(5*x)^(3/2))", "exp(i*sqrt(125)*x^(3/2))"}}) {
+    for (const auto& [formula, other] : {std::pair("cos((4*x)^(3/2))", "cos(8*x^(3/2))"),
+                                         {"sin((9*x^3)^(1/2))", "sin(3*x^(3/2))"},
+                                         {"exp(i*(5*x)^(3/2))", "exp(i*sqrt(125)*x^(3/2))"}}) {
         CAPTURE(formula);
         const Integral one = integral(formula, "0", "inf"), two = integral(other, "0", "inf");
         CHECK(two.status == Status::certified);
@@ -175,13 +182,15 @@ TEST_CASE("break points are inside the range, and of a path neither they nor pri
         CAPTURE(outside);
         IntegralOptions options;
         options.at = {parse_limit(outside)};
-        CHECK_THROWS_AS(integrate_several({parse_expression("x"), parse_expression("x^2")}, parse_limit("0"), parse_limit("1"), options), DomainError);
+        CHECK_THROWS_AS(integrate_several({parse_expression("x"), parse_expression("x^2")}, parse_limit("0"), parse_limit("1"), options),
+                        DomainError);
     }
     IntegralOptions inside;
     inside.digits = 15;
     inside.at = {parse_limit("1/2"), parse_limit("1/3")};
     for (const auto& [from, to, value] : {std::tuple("0", "1", "1-exp(-1)"), {"0", "inf", "1"}, {"-1", "inf", "e"}})
-        CHECK(integrate_several({parse_expression("exp(-x)"), parse_expression("exp(-2*x)")}, parse_limit(from), parse_limit(to), inside)[0].value.overlaps(parse_limit(value).ball()));
+        CHECK(integrate_several({parse_expression("exp(-x)"), parse_expression("exp(-2*x)")}, parse_limit(from), parse_limit(to), inside)[0]
+                  .value.overlaps(parse_limit(value).ball()));
     const std::vector<Vertex> path{parse_vertex("0"), parse_vertex("1+i")};
     IntegralOptions broken, principal;
     broken.at = {parse_limit("1/2")};
@@ -193,8 +202,11 @@ TEST_CASE("break points are inside the range, and of a path neither they nor pri
 TEST_CASE("an essential singularity at an end other than 0, on either side: the same as at 0")
 {
     const WorkingPrecision precision(120);
-    for (const auto& [formula, from, to, other] : {std::tuple("exp(-1/(x-1))", "1", "2", "exp(-1/x)"), {"exp(-1/(3-x))", "2", "3", "exp(-1/x)"}, {"exp(-1/(x+2))", "-2", "-1", "exp(-1/x)"},
-                                                   {"exp(-1/(x-5))*cos(x-5)", "5", "6", "exp(-1/x)*cos(x)"}, {"sin(1/(x-1))", "1", "2", "sin(1/x)"}}) {
+    for (const auto& [formula, from, to, other] : {std::tuple("exp(-1/(x-1))", "1", "2", "exp(-1/x)"),
+                                                   {"exp(-1/(3-x))", "2", "3", "exp(-1/x)"},
+                                                   {"exp(-1/(x+2))", "-2", "-1", "exp(-1/x)"},
+                                                   {"exp(-1/(x-5))*cos(x-5)", "5", "6", "exp(-1/x)*cos(x)"},
+                                                   {"sin(1/(x-1))", "1", "2", "sin(1/x)"}}) {
         CAPTURE(formula);
         const Integral one = integral(formula, from, to), two = integral(other, "0", "1");
         CHECK_MESSAGE(one.status == Status::certified, one.reason);
@@ -206,7 +218,11 @@ TEST_CASE("an essential singularity at an end other than 0, on either side: the 
 TEST_CASE("a step is one number only where it is, to both ends of the range")
 {
     const WorkingPrecision precision(64);
-    for (const auto& [formula, from, to] : {std::tuple("floor(x)", "0.2", "1.6"), {"floor(x)", "-0.7", "0.5"}, {"ceil(x)", "0.2", "1.6"}, {"ceil(x)", "-1.7", "-0.2"}, {"floor(2*x)", "0", "0.9"}}) {
+    for (const auto& [formula, from, to] : {std::tuple("floor(x)", "0.2", "1.6"),
+                                            {"floor(x)", "-0.7", "0.5"},
+                                            {"ceil(x)", "0.2", "1.6"},
+                                            {"ceil(x)", "-1.7", "-0.2"},
+                                            {"floor(2*x)", "0", "0.9"}}) {
         CAPTURE(formula);
         const Integrand f(parse_expression(formula), Range{parse_limit(from), parse_limit(to), Map::finite});
         const ComplexBall whole = f.in_plane(ComplexBall(hull(parse_limit(from).ball(), parse_limit(to).ball())));

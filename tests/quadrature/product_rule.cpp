@@ -69,7 +69,8 @@ TEST_CASE("a weight that has no integral has no moments either, though the formu
     const WorkingPrecision precision(100);
     for (const Rational& power : {Rational(-3, 2), Rational(-1), Rational(-5, 4)})
         for (const bool on_the_left : {true, false}) {
-            const SingularWeight w = on_the_left ? SingularWeight{Exponent(power), Exponent(0)} : SingularWeight{Exponent(0), Exponent(power)};
+            const SingularWeight w =
+                on_the_left ? SingularWeight{Exponent(power), Exponent(0)} : SingularWeight{Exponent(0), Exponent(power)};
             CHECK_FALSE(w.has_integral());
             for (const Ball& m : moments(w, 3)) CHECK_FALSE(m.is_finite());
         }

@@ -616,7 +616,8 @@ TEST_CASE("a rule's error holds as far around its distances as is asked: that of
         levels.extend_to(2);
         for (const Kind kind : {Kind::step, Kind::slope}) {
             const Level& from = *levels.levels[2];
-            const RowRule around = levels.make_rule(from, kind, 1, 1, 0.25, 1e-9), range = levels.make_rule(from, kind, 0.75, 1.25, 0, 1e-9), neither = levels.make_rule(from, kind, 1, 1, 0, 1e-9);
+            const RowRule around = levels.make_rule(from, kind, 1, 1, 0.25, 1e-9),
+                          range = levels.make_rule(from, kind, 0.75, 1.25, 0, 1e-9), neither = levels.make_rule(from, kind, 1, 1, 0, 1e-9);
             CHECK(around.error == doctest::Approx(range.error).epsilon(1e-6));
             CHECK(around.nodes.size() == range.nodes.size());
             CHECK((around.nodes.size() != neither.nodes.size() || around.error != neither.error));
@@ -639,7 +640,8 @@ TEST_CASE("a density of the exceedances' law has the rule's error in its slope b
         for (const double d : {0.3, 1.5}) {
             constexpr double around = 0.04; // d of the disc on which the error is bounded
             const Levels::Value found = levels.density(n, Ball(1), Ball::exactly(d));
-            const double front = std::pow(d, (static_cast<double>(n) - 1) / 2) * about(levels.constant_after(from)), rule = found.row.rule_error;
+            const double front = std::pow(d, (static_cast<double>(n) - 1) / 2) * about(levels.constant_after(from)),
+                         rule = found.row.rule_error;
             const double of_slope = front * rule / around, of_value = front * rule * static_cast<double>(n + 1) / 2;
             CAPTURE(n);
             CAPTURE(d);
@@ -656,7 +658,9 @@ TEST_CASE("a root whose argument meets the cut has no bound, of the two in a ker
     const auto real = [](double x) { return disc(x, 0, 1e-9); };
     for (const Law law : {Law::density, Law::exceedance}) {
         const Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
-        const auto bound = [&](double x, double w4) { return levels.modulus(real(x), real(1 - x), real(w4), real(1), infinity, Kind::step); };
+        const auto bound = [&](double x, double w4) {
+            return levels.modulus(real(x), real(1 - x), real(w4), real(1), infinity, Kind::step);
+        };
         CHECK(std::isfinite(bound(0.5, 0.1)));
         CHECK(std::isinf(bound(-3, -12.1))); // R = 1.97: 1 + x + R is below 0, 1 - x + R above
         CHECK(std::isinf(bound(2, -0.5)));   // R = 0.71: the other way round
@@ -669,10 +673,17 @@ TEST_CASE("a root whose argument meets the cut has no bound, of the two in a ker
 TEST_CASE("what the laws are proved for: G above 2, loads above 0 and up to 1, each alone")
 {
     for (const Law law : {Law::density, Law::exceedance})
-        for (const auto& [G, load] : {std::pair(Rational(2), Rational(1, 10)), {Rational(3, 2), Rational(1)}, {Rational(3), Rational(0)}, {Rational(3), Rational(-1)}, {Rational(3), Rational(101, 100)}}) {
+        for (const auto& [G, load] : {std::pair(Rational(2), Rational(1, 10)),
+                                      {Rational(3, 2), Rational(1)},
+                                      {Rational(3), Rational(0)},
+                                      {Rational(3), Rational(-1)},
+                                      {Rational(3), Rational(101, 100)}}) {
             CAPTURE(about(Ball(G)));
             CAPTURE(about(Ball(load)));
-            CHECK_THROWS_AS(transfer::density(law, 2, [] { return Ball(1) / 10; }, {[&load = load] { return Ball(load); }, [&G = G] { return Ball(G); }}, Accuracy{10}), BeyondReach);
+            CHECK_THROWS_AS(transfer::density(
+                                law, 2, [] { return Ball(1) / 10; }, {[&load = load] { return Ball(load); }, [&G = G] { return Ball(G); }},
+                                Accuracy{10}),
+                            BeyondReach);
         }
 }
 
@@ -692,9 +703,11 @@ TEST_CASE("over a narrow disc the bound of a row's integrand, of the tangent of 
             const auto about_it = [](const Z& z) { return Disc(z, narrow * std::abs(z)); };
             const double u = levels.lookup(from.boxes, polar(about_it(delta)));
             for (const Kind kind : {Kind::step, Kind::share}) {
-                const double kernel = levels.kernel_bound(disc(from.edge_bound), about_it(d), about_it(sine * sine), about_it(cosine * cosine), infinity, kind);
+                const double kernel = levels.kernel_bound(disc(from.edge_bound), about_it(d), about_it(sine * sine),
+                                                          about_it(cosine * cosine), infinity, kind);
                 const double bound = levels.integrand_bound(from, kind, about_it(d), about_it(t));
-                double product = 2 / std::abs(1.0 + t * t) * std::pow(std::abs(sine), static_cast<double>(levels.power(from.k))) * kernel * u;
+                double product =
+                    2 / std::abs(1.0 + t * t) * std::pow(std::abs(sine), static_cast<double>(levels.power(from.k))) * kernel * u;
                 if (kind == Kind::share) product *= std::abs(cosine * std::exp(-delta / 2.0));
                 if (!std::isfinite(product) || !std::isfinite(bound)) continue;
                 ++looked_at;

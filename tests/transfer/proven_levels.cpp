@@ -427,7 +427,9 @@ TEST_CASE("densities: V may be anything")
     const WorkingPrecision precision(160);
     const Ball G = Ball(3) / 2, P = Ball(1) / 2;
     constexpr int most = 2; // the more, the dearer: nothing new happens after the second
-    const auto levels = [&](int scales, const ProvenLevels::Spoiled& spoiled) { return ProvenLevels::densities(G, P, 3, 1e-5, scales, spoiled); };
+    const auto levels = [&](int scales, const ProvenLevels::Spoiled& spoiled) {
+        return ProvenLevels::densities(G, P, 3, 1e-5, scales, spoiled);
+    };
     const ProvenLevels good = levels(most, {});
     const auto apart = [&](const ProvenLevels& bad, long n, const char* load) {
         const Ball x(*parse_rational(load)), truth = good.share(n, x), share = bad.share(n, x), difference = abs(truth - share);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Polynomials for moments as functions of their order a, with what they are off by (docs/limit.md, theorem 4). Internal to area_series.cpp.
+/// Polynomials for moments as functions of their order a, with what they are off by (docs/limit.md, theorem 4). Internal to
+/// area_series.cpp.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"
@@ -23,7 +24,9 @@ inline Ball within(Ball value, const Ball& error)
 /// Interpolation in the n + 1 Chebyshev points of -1 <= a <= top, for functions that are analytic where Re a >= -to_pole.
 class MomentInterpolation {
 public:
-    MomentInterpolation(int top, double digits) : centre_(Rational(top - 1, 2)), half_(Rational(top + 1, 2))
+    MomentInterpolation(int top, double digits)
+        : centre_(Rational(top - 1, 2))
+        , half_(Rational(top + 1, 2))
     {
         const double half = (top + 1) / 2.0, semi_major = 1 + (to_pole - 1) / half;
         const double rho = semi_major + std::sqrt(semi_major * semi_major - 1);
@@ -34,10 +37,10 @@ public:
     }
     int points() const { return n_ + 1; }
     Ball point(int i) const { return centre_ - half_ * ScalarTraits<Ball>::cos_pi(Ball(i) / Ball(n_)); } ///< the first is -1
-    const Ball& height() const { return height_; } ///< |Im a| on the ellipse
+    const Ball& height() const { return height_; }                                                       ///< |Im a| on the ellipse
 
-    /// A function by its coefficients, sum c_k T_k, and how far off that is for an error of the values. Radii are kept out of the sums: what an
-    /// interpolant does to them is Lebesgue's constant, 1 + (2/pi) log n at most, not n.
+    /// A function by its coefficients, sum c_k T_k, and how far off that is for an error of the values. Radii are kept out of the sums:
+    /// what an interpolant does to them is Lebesgue's constant, 1 + (2/pi) log n at most, not n.
     struct Series {
         Balls c;
         Ball error;
@@ -62,8 +65,8 @@ public:
         }
         return s;
     }
-    /// T_0 ... T_n at a. In balls the recurrence would lose a bit and more a step. An error d of one step counts for d U_k-j later, at most d k, so
-    /// that all of them come to d k^2/2; an error of a to that times |T_k'| <= k^2.
+    /// T_0 ... T_n at a. In balls the recurrence would lose a bit and more a step. An error d of one step counts for d U_k-j later, at most
+    /// d k, so that all of them come to d k^2/2; an error of a to that times |T_k'| <= k^2.
     Balls polynomials(const Ball& a) const
     {
         const Ball t = (a - centre_) / half_;
@@ -79,7 +82,8 @@ public:
         for (std::size_t k = 1; k < T.size(); ++k) T[k] = within(T[k], Ball(static_cast<long>(k * k)) * step);
         return T;
     }
-    /// Of a function bounded by 1 on the ellipse: 4 rho^-n/(rho - 1), for its coefficients are at most 2 rho^-k and each beyond n is met twice.
+    /// Of a function bounded by 1 on the ellipse: 4 rho^-n/(rho - 1), for its coefficients are at most 2 rho^-k and each beyond n is met
+    /// twice.
     Ball error() const { return 4 / (pow(rho_, Ball(n_)) * (rho_ - 1)); }
 
 private:

@@ -206,8 +206,9 @@ bool Integration::add_of_another(const ExpressionPtr& e, const Limit& from, cons
 /// f as a sum of waves on [from, oo): the ordinary integral up to X, from there along X + is (oscillation.hpp).
 bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
 {
-    if (from.infinite == to.infinite) return false;
-    if (from.infinite) {
+    const bool has_start = from.infinite == 0, has_end = to.infinite == 0;
+    if (has_start == has_end) return false;
+    if (has_end) {
         if (!to.exact || substituted_) return false;
         const auto mirrored = shifted(e_, ExactSum(0), -1);
         if (!waves(mirrored)) return false;
