@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Polynomials for moments (docs/limit.md, theorem 4): what they are said to be off by, against Lebesgue's constant by trying and a
+/// Polynomials for moments (docs/limit.md, theorem 3): what they are said to be off by, against Lebesgue's constant by trying and a
 /// function with a pole.
 #include "touchstone/limit/moment_interpolation.hpp"
 

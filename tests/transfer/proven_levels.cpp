@@ -443,7 +443,7 @@ TEST_CASE("densities: V may be anything")
             for (long n = 1; n <= most; ++n) apart(bad, n, load);
         CHECK(apart(bad, 2, "1/10") > 1e-3);
     }
-    // next to the logarithm at x = 1 + G P^2/4 only, under loads whose waves end there: of these no second scale knows
+    // next to the logarithm at x = 1 + G P^2/4 only, under loads whose waves end there, at scale 1, where it counts
     const ProvenLevels bad = levels(1, [](int m, double y0, double y1) { return m == 0 && y0 < 1.09375 && y1 > 1.09375 ? 1e2 : 0.; });
     for (const char* load : {"0.640625", "0.640624", "0.6406251", "2.640625"}) apart(bad, 1, load);
 }

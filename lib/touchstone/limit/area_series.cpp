@@ -22,7 +22,7 @@ Ball dot(const Balls& a, const Balls& b)
     return sum;
 }
 
-/// |m_N(a)| <= moment_bound/(1/2)^N on the ellipse, theorem 4: with |e| = 1/2 the angle of w stays below pi/6, and with q = to_pole
+/// |m_N(a)| <= moment_bound/(1/2)^N on the ellipse, theorem 3: with |e| = 1/2 the angle of w stays below pi/6, and with q = to_pole
 /// E|w|^-q <= ((1/2)^(-q/2) beta(-q))^2.
 Ball moment_bound(const Ball& height)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Polynomials for moments as functions of their order a, with what they are off by (docs/limit.md, theorem 4). Internal to
+/// Polynomials for moments as functions of their order a, with what they are off by (docs/limit.md, theorem 3). Internal to
 /// area_series.cpp.
 #pragma once
 
