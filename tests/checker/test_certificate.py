@@ -175,7 +175,7 @@ class Certificates(unittest.TestCase):
                 self.assertLess(error / value, Fraction(1, 10**digits))
 
     def test_proves_limits(self):
-        for G, digits in (("2009/1000", 3), ("5/2", 7), ("2", 2), *((("1000000", 4), ("21/20", 2)) if known.long else ())):
+        for G, digits in (("5/2", 7), *((("2009/1000", 3), ("2", 2), ("1000000", 4), ("21/20", 2)) if known.long else ())):  # proved_mean has G = 2
             self.make("limit.area_constant", f"G={G}", "--digits", digits)
             said = check(self.path)
             with self.subTest(G=G):
@@ -344,7 +344,7 @@ class Certificates(unittest.TestCase):
         places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
         series = [[[chosen.randrange(-one, one) >> 4 * k for k in range(6)]] for _ in places]
         mesh = poisson.Poisson(transfer.Interval.of(3), Fraction(0), 3, bits, edges, places, [30] * len(places), series, bits, 30, 0)
-        for _ in range(100):
+        for _ in range(50):
             a, b = chosen.choice([(one // 64, one), (one, 3 * one)])
             a, b = sorted(chosen.randrange(a, b) for _ in "ab")
             inner = poisson.Inner()
@@ -359,7 +359,7 @@ class Certificates(unittest.TestCase):
                 (true, ) = mesh.row(x, -1, len(mesh.series), 60, inner.panels)
                 self.assertLess(abs(mesh.inner_at(x, inner) - true), inner.off * mesh.unit, (x / one, (b - a) / one))
                 self.assertLess(inner.off, Fraction(1, 2**30))
-        self.assertGreater(seen, 100)
+        self.assertGreater(seen, 50)
         self.assertGreater(deepest, 1)
 
     def test_one_level_is_summed_as_many_are(self):
@@ -440,9 +440,11 @@ class Certificates(unittest.TestCase):
         self.assertEqual(answered(self.path).returncode, 1)
 
     def test_proves_limiting_distributions(self):
-        """Shares of the area, of the force and of segments, and densities, as n tends to infinity: next to no pressure; with --long at the smallest G and next to the largest pressure too."""
-        chosen = (("limit.exceedance", "1/2", "10^0.5", 3), ("limit.density", "1/100", "3", 3), ("limit.segments", "1/7", "5/2", 2), ("limit.force", "1/300", "1000", 1))
-        for quantity, at, G, digits in (*chosen, *((("limit.force", "19/10", "41/20", 2), ("limit.exceedance", "13/10", "3", 2)) if known.long else ())):
+        """Shares of the area, of the force and of segments, and densities, as n tends to infinity: next to no pressure; with --long to more digits, at the smallest G and next to the largest pressure too."""
+        chosen = (("limit.exceedance", "1/2", "10^0.5", 1), ("limit.density", "1/100", "3", 2), ("limit.segments", "1/7", "5/2", 1), ("limit.force", "1/300", "100", 1))
+        more = (("limit.exceedance", "1/2", "10^0.5", 3), ("limit.density", "1/100", "3", 3), ("limit.segments", "1/7", "5/2", 2), ("limit.force", "1/300", "1000", 1),
+                ("limit.force", "19/10", "41/20", 2), ("limit.exceedance", "13/10", "3", 2))
+        for quantity, at, G, digits in more if known.long else chosen:
             self.make(quantity, f"{'a' if quantity == 'limit.segments' else 'p'}={at}", f"G={G}", "--digits", digits)
             said = check(self.path)
             with self.subTest(quantity=quantity, at=at):
@@ -749,7 +751,8 @@ class Certificates(unittest.TestCase):
             if not error:  # a scale: test_proves_from_where_on_the_limit_holds has those beside it
                 continue
             old = text.split("value=")[1].split(" ")[0]
-            for off in (-3 * error, 3 * error):
+            both = (-3 * error, 3 * error)
+            for off in both if known.long else random.Random(f"{known.seed} {what}").sample(both, 1):
                 wrong = value + off
                 e = wrong.denominator.bit_length() - 1
                 self.path.write_text(signed(text.replace(f"value={old}", f"value={wrong.numerator:x}:{-e}", 1)))

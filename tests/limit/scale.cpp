@@ -99,7 +99,7 @@ TEST_CASE("exceedances far beyond are those of the limiting distribution")
     const auto own_units = [](const Rational& P) { return [P] { return Ball(P); }; };
     const auto far = [&](long n, const Rational& P) { return limit::far_exceedance({n, own_units(P)}, {load_of_a_tenth, G_4}, {8}); };
     const Rational half(1, 2), p = power(Rational(4), 14) / 2;
-    const Evaluation followed = eval("contact.exceedance", {{"n", 14}, {"p", p}, {"load", Rational(1, 10)}, {"G", 4}}, 6);
+    const Evaluation followed = eval("contact.exceedance", {{"n", 14}, {"p", p}, {"load", Rational(1, 10)}, {"G", 4}}, 3);
     CHECK(followed.status == Status::certified);
     CHECK(far(14, half).overlaps(followed.ball)); // the rate leaves a digit there
     CHECK_FALSE(far(14, Rational(6, 10)).overlaps(followed.ball));

@@ -181,7 +181,7 @@ TEST_CASE("a w that does not reach the smallest s proves nothing")
 TEST_CASE("a worse w encloses the same eigenvalue, more widely")
 {
     const WorkingPrecision precision(160);
-    const Ball G(Rational(5, 2)), sharp = second_eigenvalue([&] { return G; }, {20});
+    const Ball G(Rational(5, 2)), sharp = second_eigenvalue([&] { return G; }, {15});
     Eigenfunction w = approximate_eigenfunction(G, {12});
     w.value[5] = Ball::exactly(number(w.value[5]) + 1e-5 * value(w, lowest(2.5) + 0.7));
     w.slope = chebyshev_derivative(w.value);

@@ -425,10 +425,10 @@ TEST_CASE("densities: an estimate's third route in full contact")
 TEST_CASE("densities: V may be anything")
 {
     const WorkingPrecision precision(160);
-    const Ball G = Ball(3) / 2, P = Ball(1) / 2;
+    const Ball G = Ball(3) / 2, P(1);
     constexpr int most = 2; // the more, the dearer: nothing new happens after the second
     const auto levels = [&](int scales, const ProvenLevels::Spoiled& spoiled) {
-        return ProvenLevels::densities(G, P, 3, 1e-5, scales, spoiled);
+        return ProvenLevels::densities(G, P, 3.1, 1e-5, scales, spoiled);
     };
     const ProvenLevels good = levels(most, {});
     const auto apart = [&](const ProvenLevels& bad, long n, const char* load) {
@@ -444,8 +444,8 @@ TEST_CASE("densities: V may be anything")
         CHECK(apart(bad, 2, "1/10") > 1e-3);
     }
     // next to the logarithm at x = 1 + G P^2/4 only, under loads whose waves end there, at scale 1, where it counts
-    const ProvenLevels bad = levels(1, [](int m, double y0, double y1) { return m == 0 && y0 < 1.09375 && y1 > 1.09375 ? 1e2 : 0.; });
-    for (const char* load : {"0.640625", "0.640624", "0.6406251", "2.640625"}) apart(bad, 1, load);
+    const ProvenLevels bad = levels(1, [](int m, double y0, double y1) { return m == 0 && y0 < 1.375 && y1 > 1.375 ? 1e2 : 0.; });
+    for (const char* load : {"1.0625", "1.062499", "1.0625001", "3.0625"}) apart(bad, 1, load);
 }
 
 TEST_CASE("densities: a load whose wave ends on a logarithm")
