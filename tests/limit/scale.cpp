@@ -93,7 +93,7 @@ TEST_CASE("areas far beyond are those of the limit")
     CHECK(eval("contact.area", {{"n", 150}, {"load", 2}, {"G", Rational(102, 100)}}, 5).status != Status::certified); // not yet
 }
 
-TEST_CASE("exceedances far beyond are those of the limiting distribution")
+TEST_CASE("slow: exceedances far beyond are those of the limiting distribution" * doctest::skip())
 {
     const WorkingPrecision precision(256);
     const auto own_units = [](const Rational& P) { return [P] { return Ball(P); }; };
@@ -103,7 +103,13 @@ TEST_CASE("exceedances far beyond are those of the limiting distribution")
     CHECK(followed.status == Status::certified);
     CHECK(far(14, half).overlaps(followed.ball)); // the rate leaves a digit there
     CHECK_FALSE(far(14, Rational(6, 10)).overlaps(followed.ball));
-    CHECK(far(10'000, half).relative_bits() > 24);
+}
+
+TEST_CASE("exceedances far beyond: digits, and where there is none")
+{
+    const WorkingPrecision precision(256);
+    const auto own_units = [](const Rational& P) { return [P] { return Ball(P); }; };
+    CHECK(limit::far_exceedance({10'000, own_units(Rational(1, 2))}, {load_of_a_tenth, G_4}, {8}).relative_bits() > 24);
     CHECK(limit::no_far_exceedance({200, own_units(3)}, Ball(3) / 2) != ""); // G/(G - 1): the highest
     CHECK(limit::no_far_exceedance({200, own_units(Rational(299, 100))}, Ball(3) / 2).empty());
 }

@@ -343,6 +343,7 @@ TEST_CASE("functions with a logarithm at an end are themselves on both sides of 
     const ComplexBall expected = special_function(Op::bessel_k, Ball(0), v) - turn * special_function(Op::bessel_i, Ball(0), v);
     CHECK(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), expected.get()));
     CHECK_FALSE(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), special_function(Op::bessel_k, Ball(0), v).get()));
+    CHECK(acb_overlaps(function_of(Op::bessel_k_scaled, Ball(0), r).value().get(), (analytic::exp(v) * expected).get()));
     const ComplexBall k = special_function(Op::elliptic_k, ComplexBall(1) - v) - turn * special_function(Op::elliptic_k, v) / ComplexBall(pi<Ball>());
     CHECK(acb_overlaps(function_of(Op::elliptic_k_of_complement, r).value().get(), k.get()));
     const ComplexBall e = special_function(Op::elliptic_e, ComplexBall(1) - v) -

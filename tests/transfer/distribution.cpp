@@ -50,7 +50,7 @@ TEST_CASE("the two laws overlap, tightly, from small p up to the edge")
     const WorkingPrecision precision(bits_for_digits(16) + 48);
     for (const auto& [G, load] : {std::pair{"2.05", "1"}, {"3.1622776601683795", "0.1"}, {"100", "1e-12"}})
         for (const long n : {1L, 2L, 3L})
-            for (const char* share : {"0.01", "0.3", "0.9", "0.99999999999999999999"}) {
+            for (const char* share : {"0.01", "0.9", "0.99999999999999999999"}) {
                 CAPTURE(G); CAPTURE(load); CAPTURE(n); CAPTURE(share);
                 const auto p_at = share_of_highest(n, share, load, G);
                 const Ball q = density(Law::density, n, p_at, at(load, G), wanted()), Q = exceedance(Law::exceedance, n, p_at, at(load, G), wanted());

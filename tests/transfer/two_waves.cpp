@@ -136,6 +136,28 @@ TEST_CASE("a disc holds no more than a share of what it may, and its bound is wh
     CHECK(bound <= 1.001 * most * (value.high + error));
 }
 
+TEST_CASE("the bound over a cover is no less than a function on the ellipse, and comes near it; infinite where any disc's is")
+{
+    constexpr double rho = 3, mid = 0.7, half = 0.05;
+    const std::complex<double> pole(0.9, 0);
+    const auto most = [&](std::complex<double> c, double r) { return std::abs(c - pole) > r ? 1 / (std::abs(c - pole) - r) : transfer::bounds::infinite; };
+    double on_ellipse = 0;
+    for (int k = 0; k < 400; ++k) {
+        const std::complex<double> e = std::polar(rho, std::numbers::pi * k / 200), z = mid + half * (e + 1. / e) / 2.;
+        on_ellipse = std::max(on_ellipse, 1 / std::abs(z - pole));
+    }
+    double before = transfer::bounds::infinite;
+    for (const auto& [columns, rows] : {std::pair{3, 1}, {6, 3}, {40, 20}}) {
+        const double bound = transfer::EllipseCover(rho, columns, rows).bound(mid, half, most);
+        CAPTURE(columns);
+        CHECK(bound >= on_ellipse);
+        CHECK(bound < before);
+        before = bound;
+    }
+    CHECK(before < 1.3 * on_ellipse);
+    CHECK(std::isinf(transfer::EllipseCover(rho, 3, 1).bound(mid, 0.13, most)));
+}
+
 TEST_CASE("the rectangles of a cover hold the upper half of the ellipse, and none is far from it")
 {
     for (const double rho : {1.5, 3., 9.})
@@ -245,7 +267,7 @@ TEST_CASE("the bounds of the second wave's density and of the first wave's kerne
         CHECK(nearest[k] >= 0.6 * claimed[k]);
     }
     for (const double G : {1.2, 2., 5.})
-        for (const double x : {0.05, 0.4, 0.9, 1., 3., 9.}) {
+        for (const double x : {0.05, 0.4, 0.9, 1., 1.4, 3., 9.}) {
             const double end = (x < 1 ? 2 * std::sqrt(x) : x + 1) / G, begin = x < 1 ? 0 : (x - 1) / G;
             double share = 0;
             for (int k = 1; k < 200; ++k) {

@@ -273,7 +273,7 @@ NodePtr Compiler::power(const ExpressionPtr& base, const ExpressionPtr& exponent
         if (const auto a = exact && !exact->is_real() ? exact->real().rational() : std::nullopt) // z^(a + ib) = z^a exp(ib log z)
             return compile(product(make(Op::power, {base, make_number(*a)}),
                                    of(Op::exp, product(difference(exponent, make_number(*a)), of(Op::log, base)))));
-        if (base->op != Op::e && depends_on_x(*base)) return node(Kind::ball_power, {base, exponent});
+        if (depends_on_x(*base)) return node(Kind::ball_power, {base, exponent});
     }
     if (base->op == Op::e) return compile(of(Op::exp, exponent));
     if (!depends_on_x(*base)) return compile(of(Op::exp, product(exponent, of(Op::log, base))));

@@ -40,7 +40,6 @@ End StripProof::end(Side side, double d)
     End e;
     // a singular point beyond the end, at a distance of 10^-k of the interval, wants a depth of 2.3 k
     for (const double depth : {4.0, 10.0, 24.0, 60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0}) {
-        e.proved = false;
         e.edge = edge(depth, d, transformation_);
         const StripPiece piece = endless(side, e.edge, d);
         const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
@@ -48,16 +47,13 @@ End StripProof::end(Side side, double d)
         const Order own = c.order(side);
         e.here = own.power + Exponent(1);
         e.far = c.order(side == Side::left ? Side::right : Side::left).power + Exponent(1);
-        if (!c.factor().is_finite()) continue;
         e.bound = upper_ball(c.factor());
         if (!own.logs.is_zero()) { // rho^k <= (sup of |u|^epsilon rho^k) |u|^-epsilon
             const Exponent epsilon = Exponent(0) < own.logs ? e.here * share_for_logarithms(own.logs) : Exponent(0);
             e.bound = e.bound * upper_ball(piece.vanishing(side, epsilon.ball(), own.logs));
             e.here = e.here - epsilon;
         }
-        if (!e.bound.is_finite()) continue;
-        e.proved = true;
-        if (Exponent(0) < e.here) break; // else farther out the exponent may be better: where a growing factor bounds it
+        if (e.is_integrable()) break; // else farther out the exponent may be better: where a growing factor bounds it
     }
     return e;
 }
@@ -138,6 +134,7 @@ Ball StripProof::line(Side side, double edge, double d)
 /// c (1 - exp(-A))^-(|alpha|+|beta|) exp(-alpha A) / (alpha cos d), without the cosine where dw/dt = 1.
 Ball StripProof::tail(const End& e, double d) const
 {
+    if (!e.is_integrable()) return Ball::indeterminate();
     const Ball alpha = e.here.ball();
     if (transformation_ == Transformation::logistic) return upper_ball(lemma::logistic_strip_tail(e.bound, alpha, e.far.ball(), e.depth));
     return upper_ball(lemma::strip_tail(e.bound, alpha, e.far.ball(), e.depth, Ball::exactly(d)));
@@ -188,7 +185,7 @@ bool StripProof::run(Panel& panel, double bits)
     const auto report_end = [&](const End& e, Side side) {
         std::ostringstream out;
         out << "at the " << (side == Side::left ? "left" : "right") << " end ";
-        if (!e.proved)
+        if (!e.is_proved())
             out << "the integrand is not proved to be a power times a bounded analytic function";
         else
             out << "the exponent " << (e.here - Exponent(1)).to_string() << " is all that is proved, and the integral needs one above -1";
@@ -198,7 +195,7 @@ bool StripProof::run(Panel& panel, double bits)
     // what an end does not show on the lowest strip it shows on none
     constexpr double lowest_height = 1e-4;
     for (const Side s : {Side::left, Side::right})
-        if (const End e = end(s, lowest_height); !e.proved || !(Exponent(0) < e.here)) {
+        if (const End e = end(s, lowest_height); !e.is_integrable()) {
             report_end(e, s);
             return false;
         }
@@ -211,7 +208,7 @@ bool StripProof::run(Panel& panel, double bits)
         for (const Side s : {Side::left, Side::right}) {
             End& e = s == Side::left ? c.left : c.right;
             e = end(s, c.d);
-            if (!e.proved || !(Exponent(0) < e.here)) {
+            if (!e.is_integrable()) {
                 report_end(e, s);
                 return false;
             }
@@ -287,7 +284,7 @@ bool StripProof::run(Panel& panel, double bits)
     for (double d = lowest.d / 2; d > lowest.d / 100; d /= 2) {
         Candidate c{d, end(Side::left, d), end(Side::right, d)};
         if (best > 0 && best >= d / (wanted + 4)) break; // nothing to gain even with N_d = scale
-        if (!c.left.proved || !c.right.proved || !consider(c)) break;
+        if (!consider(c)) break;
     }
     if (best == 0) {
         reason = "the integral of |F| along the strip was not bounded";

@@ -10,11 +10,13 @@ namespace touchstone::quadrature::detail {
 
 /// One end of the strip: what holds for |Re t| >= edge, 0 <= Im t <= d.
 struct End {
-    bool proved = false;
     double edge = 0;
     Ball depth;         // A: |distance| <= exp(-A)/(1 - exp(-A))
     Exponent here, far; // F = c pi cosh t here^... : exponents at this end and at the other
-    Ball bound;         // |c|
+    Ball bound;         // |c|: finite where proved
+
+    bool is_proved() const { return bound.is_finite(); }
+    bool is_integrable() const { return is_proved() && Exponent(0) < here; }
 };
 
 class StripProof {

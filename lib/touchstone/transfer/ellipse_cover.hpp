@@ -46,6 +46,20 @@ struct EllipseCover {
                 if (x * x + y * y <= outside) middles.push_back(middle);
             }
     }
+
+    /// Above |f| on the ellipse about mid +- half, f real on the real line, as most(c, r) bounds it on the disc |z - c| <= r; else infinite.
+    template <class Most>
+    double bound(double mid, double half, const Most& most) const
+    {
+        const double radius = half * std::hypot(half_width, half_height) * bounds::margin;
+        double all = 0;
+        for (const std::complex<double>& middle : middles) {
+            const double here = most(mid + half * middle, radius);
+            if (!(here < bounds::infinite)) return bounds::infinite;
+            all = std::max(all, here);
+        }
+        return bounds::margin * all;
+    }
 };
 
 /// Gauss-Legendre with so many nodes on [-1, 1] errs by at most this, per unit of the integrand's bound on the ellipse:

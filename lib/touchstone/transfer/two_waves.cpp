@@ -298,14 +298,7 @@ private:
     /// Bounds the integrand on the ellipse about mid +- half; its upper half is covered by discs about rectangles, conjugates do the rest.
     static double bound(const Half<Disc>& h, double mid, double half, const EllipseCover& cover)
     {
-        const double radius = half * std::hypot(cover.half_width, cover.half_height) * margin;
-        double most = 0;
-        for (const std::complex<double>& middle : cover.middles) {
-            const double here = integrand(h, Disc(mid + half * middle, radius)).most();
-            if (!(here < infinite)) return infinite;
-            most = max(most, here);
-        }
-        return margin * most;
+        return cover.bound(mid, half, [&h](std::complex<double> centre, double radius) { return integrand(h, Disc(centre, radius)).most(); });
     }
     static Half<Disc> in_discs(const Half<Real>& h)
     {
