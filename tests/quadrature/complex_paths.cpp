@@ -170,6 +170,9 @@ TEST_CASE("parameters that are balls: the integral for every number of the ball,
     CHECK_THROWS_AS(parse_parameter("1+/-"), ExpressionError);
     CHECK_THROWS_AS(parse_parameter("1+/--1"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("c*x", parameters), ExpressionError);
+    for (const auto& [text, column] : {std::pair("one", "1"), {"1+/-z", "5"}, {"1/3+/--1", "7"}})
+        CHECK_THROWS_WITH_AS(parse_parameter(text), doctest::Contains((std::string("column ") + column).c_str()), ExpressionError);
+    is_value(along("integral(b*y,y,0,1)", {"0", "1"}, 20, parameters), "3/2"); // not the integral's own variable
     CHECK(!is_free_name("x"));
     CHECK(!is_free_name("sin"));
     CHECK(!is_free_name("1a"));

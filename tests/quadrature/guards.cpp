@@ -199,6 +199,17 @@ TEST_CASE("kinks and steps of a shifted argument are where it takes the value")
     }
 }
 
+TEST_CASE("kinks of a function of a function are where its argument is 0")
+{
+    const WorkingPrecision precision(80);
+    for (const auto& [formula, same] : {std::pair("abs(-sin(3*x))", "abs(sin(3*x))"), {"abs((-cos(x))^3)", "abs(cos(x)^3)"}, {"abs(sin(2*x)^5)", "abs(sin(2*x))^5"}}) {
+        CAPTURE(formula);
+        const Integral one = integral(formula, "0", "5"), two = integral(same, "0", "5");
+        CHECK_MESSAGE(one.status == Status::certified, one.reason);
+        CHECK(one.value.overlaps(two.value));
+    }
+}
+
 TEST_CASE("on a half-line the distances to both ends are s and 1/(1 + s), or exp(-s)")
 {
     const WorkingPrecision precision(80);

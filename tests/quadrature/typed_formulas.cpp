@@ -184,6 +184,22 @@ TEST_CASE("the range is cut at kinks and steps, where they are exact")
     CHECK(cuts("abs(sin(x))", "0", "7").size() == 2);
     CHECK(cuts("abs(x^2-2)", "0", "2") == std::vector{*ExactSum(2).sqrt()});
     CHECK_THROWS_AS(cuts("floor(1000000*x)", "0", "1"), DomainError);
+    const ExactSum pi = ExactSum::pi(), half(Rational(1, 2));
+    CHECK(cuts("abs(sin(x-100))", "0", "3") == std::vector{ExactSum(100) - ExactSum(31) * pi});
+    CHECK(cuts("abs(-sin(2*x+50))", "0", "1") == std::vector{(ExactSum(16) * pi - ExactSum(50)) * half});
+    CHECK(cuts("abs(cos(x))", "4", "6") == std::vector{ExactSum(Rational(3, 2)) * pi});
+    CHECK(cuts("abs(cos(x-100))", "0", "3") == std::vector{ExactSum(100) - ExactSum(Rational(63, 2)) * pi});
+    CHECK(cuts("sign(sqrt(x-1/2))", "0", "1") == std::vector{half});
+    CHECK(cuts("sign((x-1/2)^3)", "0", "1") == std::vector{half});
+    CHECK(cuts("abs(log(x))", "1/2", "2") == std::vector{ExactSum(1)});
+    CHECK(cuts("abs(2*x^2-3*x+1)", "0", "3") == std::vector{half, ExactSum(1)});
+    CHECK(cuts("max(x,1-x,1/8)", "0", "1") == std::vector{ExactSum(Rational(1, 8)), half, ExactSum(Rational(7, 8))});
+    CHECK(cuts("ceil(max(x-10,2*x))", "0", "3/4") == std::vector{half});
+    for (const char* inexact : {"abs(x^2-1-pi)", "abs(sin((1+pi)*x))", "floor((1+pi)*x)"}) {
+        CAPTURE(inexact);
+        CHECK(cuts(inexact, "0", "2").empty()); // sought by numbers
+    }
+    CHECK_THROWS_AS(cuts("floor(1000*x)", "-1", "1"), DomainError);
 }
 
 TEST_CASE("the larger of equal formulas is either, and what is 0 throughout has no sign and no kink")
