@@ -112,7 +112,7 @@ TEST_CASE("limits, symmetry, and the seams")
     CHECK(westergaard::mean_gap(5e-324) == 1);
     CHECK(westergaard::energy(1.0) == 0.25);
     CHECK(westergaard::energy(3.0) == 0.25);
-    CHECK(hertz::gap(0.01, 1e-5) == doctest::Approx(westergaard::gap(0.01, 1e-5)).epsilon(1e-3));
+    CHECK(hertz::gap(0.01, 1e-5) == doctest::Approx(westergaard::gap(0.01, 1e-5)).scale(0).epsilon(1e-3));
     // a ball across the seams encloses both sides
     const WorkingPrecision precision(100);
     const Inputs seam = Inputs({{"load", Rational(1, 4)}}).box({{"load", Rational(1, 1000)}});

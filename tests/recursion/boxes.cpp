@@ -317,7 +317,7 @@ TEST_CASE("over a narrow disc a bound of the kernel, of its share and of the fir
                 const Z x = e * std::exp(-2.0 * at * s), P = 1.0 + x + std::sqrt((1.0 - x) * (1.0 - x) + 4 * e * std::exp(-2.0 * at));
                 const double z = std::sqrt(std::abs(2.0 * x * (1.0 - std::exp(-2.0 * at * (1 - s))) / P)), share = levels.kernel_bound(edge, d, sine2, cosine2, infinity, Kind::share);
                 if (z > 1.001) CHECK(std::isinf(share));
-                if (std::isfinite(share)) CHECK(share == doctest::Approx(std::numbers::pi / 2 * z).epsilon(1e-6));
+                if (std::isfinite(share)) CHECK(share == doctest::Approx(std::numbers::pi / 2 * z).scale(0).epsilon(1e-6));
                 const double first = levels.first_bound(d), u = std::abs(of.first(at)), D1 = 2 * std::abs(at), at_least = D1 > 0.81 || D1 < 2e-3 ? 0.995 : 0.4;
                 if (std::isfinite(first)) {
                     CHECK(u <= first * (1 + 1e-6));
@@ -618,7 +618,7 @@ TEST_CASE("a rule's error holds as far around its distances as is asked: that of
             const Level& from = *levels.levels[2];
             const RowRule around = levels.make_rule(from, kind, 1, 1, 0.25, 1e-9),
                           range = levels.make_rule(from, kind, 0.75, 1.25, 0, 1e-9), neither = levels.make_rule(from, kind, 1, 1, 0, 1e-9);
-            CHECK(around.error == doctest::Approx(range.error).epsilon(1e-6));
+            CHECK(around.error == doctest::Approx(range.error).scale(0).epsilon(1e-6));
             CHECK(around.nodes.size() == range.nodes.size());
             CHECK((around.nodes.size() != neither.nodes.size() || around.error != neither.error));
             REQUIRE(std::isinf(around.reach));
@@ -712,7 +712,7 @@ TEST_CASE("over a narrow disc the bound of a row's integrand, of the tangent of 
                 if (!std::isfinite(product) || !std::isfinite(bound)) continue;
                 ++looked_at;
                 CAPTURE(i);
-                CHECK(bound == doctest::Approx(product).epsilon(1e-6));
+                CHECK(bound == doctest::Approx(product).scale(0).epsilon(1e-6));
             }
         }
         CHECK(looked_at > 200);
@@ -887,8 +887,8 @@ TEST_CASE("what a node's error does to a row, and to its slope, is what the row 
                 panel.errors[node] = 0;
                 CAPTURE(which);
                 CAPTURE(node);
-                CHECK(values.carried == doctest::Approx(std::fabs(about(values.value))).epsilon(1e-6));
-                CHECK(slopes.carried == doctest::Approx(std::fabs(about(slopes.slope))).epsilon(1e-6));
+                CHECK(values.carried == doctest::Approx(std::fabs(about(values.value))).scale(0).epsilon(1e-6));
+                CHECK(slopes.carried == doctest::Approx(std::fabs(about(slopes.slope))).scale(0).epsilon(1e-6));
             }
             set(panel, nothing);
         }
