@@ -24,7 +24,7 @@ from fractions import Fraction
 parser = argparse.ArgumentParser()
 parser.add_argument("--checker", required=True, type=pathlib.Path)
 parser.add_argument("--program", required=True)
-parser.add_argument("--long", action="store_true", help="the whole proof of each quotient, not of one of each kind")
+parser.add_argument("--long", action="store_true", help="the whole proof of every quotient, that of segments too, and refusals of each kind of mean")
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import certificate  # noqa: E402
@@ -204,7 +204,7 @@ class Quotients(unittest.TestCase):
         return f"{number}-{number}"
 
     def test_what_the_program_writes_is_proved(self):
-        for quantity in self.texts if known.long else ("limit.force", "limit.density"):  # of a share of the area in test_certificate.py
+        for quantity in self.texts if known.long else ("limit.exceedance", "limit.force", "limit.density"):  # that of segments is of the same kind as the first
             self.path.write_text(self.texts[quantity])
             read = certificate.Certificate(self.path)
             certificate.Replay(read, 1, read.count)
@@ -250,8 +250,8 @@ class Quotients(unittest.TestCase):
                 self.no(text.replace(old, new, 1), f"{means[quantity]}-{means[quantity]}", (1, 65), why)
 
     def test_a_mean_beside_the_truth_is_refused(self):
-        """by more than it says, of each kind; a coefficient too"""
-        for quantity in ("limit.exceedance", "limit.force") if known.long else ("limit.force", ):  # of shares: test_wrong_values_are_refused
+        """by more than it says; with --long of a share of the area too, which test_wrong_values_are_refused has at pressure 0"""
+        for quantity in ("limit.exceedance", "limit.force") if known.long else ("limit.force", ):
             text = self.texts[quantity]
             line = next(line for line in text.splitlines() if line.split(" ")[1:2] == ["mean"])
             value, error = line.split("value=")[1].split(" error=")
