@@ -225,6 +225,26 @@ TEST_CASE("every box of the first three levels bounds the level at complex point
         }
 }
 
+TEST_CASE("the kernel far out, E apart, is below its bound for every R that eta leaves, and comes near it")
+{
+    for (const Law law : {Law::density, Law::exceedance}) {
+        const Levels levels(law, Ball(3), Ball(Rational(1, 10)), 10);
+        for (const double e : {0.05, 0.5, 0.95})
+            for (const double eta : {1e-6, 9e-4, 0.1}) {
+                double most = 0;
+                for (int k = 0; k < 64; ++k)
+                    for (const double share : {0.3, 0.7, 1.0}) { // x -> e next to the end of the wave, |R/(1 - e) - 1| <= eta
+                        const Z R = (1 - e) * (1. + share * std::polar(eta, std::numbers::pi * k / 32)), P = 1 + e + R, M = 1 - e + R;
+                        most = std::max(most, std::sqrt(std::abs(law == Law::density ? P / M : P * M)) / std::abs(R));
+                    }
+                CAPTURE(e);
+                CAPTURE(eta);
+                CHECK(levels.far_kernel(e, eta) >= most);
+                if (law == Law::density) CHECK(levels.far_kernel(e, eta) <= (1 + 2 * eta) * most);
+            }
+    }
+}
+
 TEST_CASE("beyond the last shell the first two levels stay below the bounds of their directions")
 {
     const WorkingPrecision precision(Levels::precision_for(10));
