@@ -204,7 +204,8 @@ class Quotients(unittest.TestCase):
         return f"{number}-{number}"
 
     def test_what_the_program_writes_is_proved(self):
-        for quantity in self.texts if known.long else ("limit.exceedance", "limit.force", "limit.density"):  # that of segments is of the same kind as the first
+        # that of segments is of the same kind as the first
+        for quantity in self.texts if known.long else ("limit.exceedance", "limit.force", "limit.density"):
             self.path.write_text(self.texts[quantity])
             read = certificate.Certificate(self.path)
             certificate.Replay(read, 1, read.count)

@@ -436,7 +436,9 @@ TEST_CASE("densities: an estimate's third route in full contact")
 TEST_CASE("V may be anything: with two levels, too")
 {
     const WorkingPrecision precision(160);
-    const auto share = [](const ProvenLevels::Spoiled& spoiled) { return ProvenLevels(Ball(3), Ball(1) / 2, 1.5, 1e-5, 2, spoiled).share(2, Ball(1)); };
+    const auto share = [](const ProvenLevels::Spoiled& spoiled) {
+        return ProvenLevels(Ball(3), Ball(1) / 2, 1.5, 1e-5, 2, spoiled).share(2, Ball(1));
+    };
     const Ball good = share({}), bad = share([](int m, double, double) { return m == 1 ? 1e-2 : 0; });
     CHECK(good.overlaps(bad));
     CHECK(std::fabs(middle(good) - middle(bad)) > 1e-3);

@@ -125,7 +125,8 @@ TEST_CASE("a disc holds no more than a share of what it may, and its bound is wh
     CHECK(std::isinf(lower.on_disc(false, Ball(9) / 10, 0.101 * share)));
     const TwoWaves::Real x(0.9);
     CHECK(lower.on_disc(x - 0.01, x + 0.01, x, 0.099 * share) < 1e4);
-    for (const double above : {1.001, 1.5, 2.5}) CHECK(std::isinf(lower.on_disc(x, TwoWaves::Real(above), x, 0.099 * share))); // two functions
+    for (const double above : {1.001, 1.5, 2.5}) // two functions
+        CHECK(std::isinf(lower.on_disc(x, TwoWaves::Real(above), x, 0.099 * share)));
     const TwoWaves higher{Ball(10), Ball(9) / 5, 1e-12};
     CHECK(higher.on_disc(false, Ball(1) / 10, 0.099 * share) < 1e4);
     CHECK(std::isinf(higher.on_disc(false, Ball(1) / 10, 0.101 * share)));
@@ -143,7 +144,10 @@ TEST_CASE("the bound over a cover is no less than a function on the ellipse, and
 {
     constexpr double rho = 3, mid = 0.7, half = 0.05;
     const std::complex<double> pole(0.9, 0);
-    const auto most = [&](std::complex<double> c, double r) { return std::abs(c - pole) > r ? 1 / (std::abs(c - pole) - r) : transfer::bounds::infinite; };
+    const auto most = [&](std::complex<double> c, double r) {
+        const double away = std::abs(c - pole) - r;
+        return away > 0 ? 1 / away : transfer::bounds::infinite;
+    };
     double on_ellipse = 0;
     for (int k = 0; k < 400; ++k) {
         const std::complex<double> e = std::polar(rho, std::numbers::pi * k / 200), z = mid + half * (e + 1. / e) / 2.;

@@ -47,7 +47,8 @@ struct EllipseCover {
             }
     }
 
-    /// Above |f| on the ellipse about mid +- half, f real on the real line, as most(c, r) bounds it on the disc |z - c| <= r; else infinite.
+    /// Above |f| on the ellipse about mid +- half, f real on the real line, where most(c, r) is above |f| on the disc |z - c| <= r;
+    /// infinite where that is for any of the discs.
     template <class Most>
     double bound(double mid, double half, const Most& most) const
     {

@@ -295,10 +295,11 @@ private:
         }
         return {cuts, lost};
     }
-    /// Bounds the integrand on the ellipse about mid +- half; its upper half is covered by discs about rectangles, conjugates do the rest.
+    /// Bounds the integrand on the ellipse about mid +- half.
     static double bound(const Half<Disc>& h, double mid, double half, const EllipseCover& cover)
     {
-        return cover.bound(mid, half, [&h](std::complex<double> centre, double radius) { return integrand(h, Disc(centre, radius)).most(); });
+        const auto most = [&h](std::complex<double> centre, double radius) { return integrand(h, Disc(centre, radius)).most(); };
+        return cover.bound(mid, half, most);
     }
     static Half<Disc> in_discs(const Half<Real>& h)
     {
