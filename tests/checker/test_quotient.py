@@ -243,7 +243,8 @@ class Quotients(unittest.TestCase):
         for quantity, old, new, why in (
                 ("limit.exceedance", " p=3/4 scale=0", " p=3/4 scale=1", "no mean"), ("limit.force", " p=3/4 scale", " p=1/1025 scale", "too small"),
                 ("limit.force", " p=3/4 scale", " p=0 scale", "too small"), ("limit.segments", " p=1/5 scale", " p=3/5 scale", "no half-width"),
-                ("limit.force", " load=", " load=1/", ""), ("limit.force", " mean ", " share ", ""), ("limit.density", "quantity limit.density", "quantity limit.force", ""),
+                ("limit.force", " load=", " load=1/", ""), ("limit.force", " mean ", " share ", ""),
+                ("limit.force", "quantity limit.force", "quantity limit.exceedance", "not proved"),
                 *((("limit.force", "quantity limit.force", "quantity limit.density", ""), ) if known.long else ())):
             with self.subTest(quantity, new=new):
                 text = self.texts[quantity]
