@@ -38,8 +38,11 @@ class Interval:
         x, y = self, other if type(other) is Interval else Interval.of(other)
         if x.exponent > y.exponent:
             x, y = y, x
+        up = y.exponent - x.exponent
+        if up <= 4 * Interval.bits:
+            return Interval(x.low + (y.low << up), x.high + (y.high << up), x.exponent)
         # What lies far below the last bit of the other is rounded there, so that no shift grows without bound.
-        e = max(x.exponent, y.exponent - 4 * Interval.bits) if y.low or y.high else x.exponent
+        e = y.exponent - 4 * Interval.bits if y.low or y.high else x.exponent
         down, up = e - x.exponent, y.exponent - e
         return Interval((x.low >> down) + (y.low << up), (y.high << up) - (-x.high >> down), e)
 
@@ -65,7 +68,7 @@ class Interval:
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        other = Interval.of(other)
+        other = other if type(other) is Interval else Interval.of(other)
         if other.low <= 0 <= other.high:
             raise ZeroDivisionError("an interval that holds 0 as divisor")
         shift = Interval.bits + max(abs(other.low), abs(other.high)).bit_length()

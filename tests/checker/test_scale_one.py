@@ -14,6 +14,7 @@ from fractions import Fraction
 parser = argparse.ArgumentParser()
 parser.add_argument("--checker", required=True, type=pathlib.Path)
 parser.add_argument("--seed", type=int, default=20261125)
+parser.add_argument("--long", action="store_true", help="every row above a pressure, more rows of the tables, densities at the ends of the domain")
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import check  # noqa: E402
@@ -141,9 +142,8 @@ class ScaleOne(unittest.TestCase):
 
     def test_shares_fall_as_densities_say(self):
         """Symmetric differences of shares against the density, which has other roots: to five digits."""
-        for p, load, G in rows():
-            if not p:
-                continue
+        above = [row for row in rows() if row[0]]
+        for p, load, G in above if known.long else above[::2]:
             Interval.bits, h = 110, p / 2**14
             steps = [(scale_one.share(p - k * h, load, G) - scale_one.share(p + k * h, load, G)) / (2 * k * h) for k in (1, 2)]
             slope = (4 * steps[0] - steps[1]) / 3
@@ -156,7 +156,7 @@ class ScaleOne(unittest.TestCase):
         for name in ("contact_density_scale_1", "contact_exceedance_scale_1"):
             header, all_rows = check.read(known.checker.parent / f"data/reference/{name}.txt")
             form = scale_one.FORMS[header["quantity"]]
-            for row in random.Random(known.seed).sample(all_rows, 6):
+            for row in random.Random(known.seed).sample(all_rows, 6 if known.long else 3):
                 cells = row.split()
                 mantissa, e, exponent = cells[4].partition("e")
                 unit = Fraction(1, 10 ** len(mantissa.partition(".")[2]))
@@ -178,7 +178,7 @@ class ScaleOne(unittest.TestCase):
         self.assertLess(scale_one.share(Fraction(13, 2), Fraction(5), Fraction(5, 2)).ends()[1], 1)
         self.assertEqual(scale_one.density(Fraction(1, 2), Fraction(10), Fraction(2)).ends(), (0, 0))
         for p, load, G in ((Fraction(1), tiny, Fraction(2)), (tiny, Fraction(1), Fraction(2)), (Fraction(1), 1 / tiny, Fraction(2)), (Fraction(1), Fraction(1), 1 / tiny), (Fraction(1), Fraction(1), 1 + tiny)):
-            for form in (scale_one.share, scale_one.density):
+            for form in (scale_one.share, scale_one.density) if known.long else (scale_one.share,):
                 found = form(p, load, G)  # whatever it finds, it comes to an end
                 self.assertTrue(found is None or found.low <= found.high)
         self.assertEqual(check.verdict(scale_one.FORMS["contact.exceedance"], "1 0 0 2 1 0", ["n", "p", "load", "G"], True)[0], "unreadable")

@@ -224,7 +224,7 @@ unsigned long seed()
 TEST_CASE("T V beside the same in balls: V jumps at every edge, and edges crowd at the ends of the kernel")
 {
     Draw draw{std::mt19937_64(seed())};
-    CHECK(attack(draw, 30, 1e-25, 2 * narrowest, constants) > 1e-3);
+    CHECK(attack(draw, 15, 1e-25, 2 * narrowest, constants) > 1e-3);
 }
 
 TEST_CASE("T V beside the same in balls: polynomials of the highest degree")
@@ -236,7 +236,7 @@ TEST_CASE("T V beside the same in balls: polynomials of the highest degree")
 TEST_CASE("T V beside the same in balls: coefficients that fall, and with them what is asked of their moments")
 {
     Draw draw{std::mt19937_64(seed())};
-    CHECK(attack(draw, 30, 1e-14, 1e-6, falling) > 1e-5);
+    CHECK(attack(draw, 15, 1e-14, 1e-6, falling) > 1e-5);
 }
 
 TEST_CASE("T V of a whole run beside the same in balls")
