@@ -63,6 +63,9 @@ std::optional<std::string> rounded_to_place(const Ball& x, long place, long digi
     return d.digits.empty() ? "0" : d.text();
 }
 
+/// Of the modulus, when both parts are rounded: sqrt 2 half units, 5 sqrt 2 < 7.1.
+std::string half_unit_of_modulus(const Decimal& part) { return "7.1" + part.half_unit().substr(1); }
+
 /// A complex value: N digits of the larger part, the smaller to the same place.
 Shown shown(const Ball& real, const Ball& imaginary, long digits)
 {
@@ -73,7 +76,7 @@ Shown shown(const Ball& real, const Ball& imaginary, long digits)
         if (!decimal || decimal->digits.empty()) continue;
         const auto other = rounded_to_place(small, decimal->exponent - static_cast<long>(decimal->digits.size()), digits);
         if (!other) continue;
-        return {real_is_larger ? decimal->text() : *other, decimal->half_unit(), d, real_is_larger ? *other : decimal->text()};
+        return {real_is_larger ? decimal->text() : *other, half_unit_of_modulus(*decimal), d, real_is_larger ? *other : decimal->text()};
     }
     return {};
 }
@@ -206,7 +209,8 @@ Shown shown(const quadrature::Integral& i, const IntegrateOptions& o, const std:
 {
     if (!i.is_complex) return asked ? shown_within(i.value, *asked, o.tolerance) : shown(i.value, o.digits);
     if (!asked) return shown(i.value, i.imaginary, o.digits);
-    const Shown real = shown_within(i.value, *asked, o.tolerance), imaginary = shown_within(i.imaginary, *asked, o.tolerance);
+    const Rational of_each = *asked * Rational(7, 10); // sqrt 2 times as much for both
+    const Shown real = shown_within(i.value, of_each, o.tolerance), imaginary = shown_within(i.imaginary, of_each, o.tolerance);
     if (real.value.empty() || imaginary.value.empty()) return {};
     return {real.value, o.tolerance, std::max(real.digits, imaginary.digits), imaginary.value};
 }

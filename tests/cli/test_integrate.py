@@ -4,6 +4,7 @@
 
 usage: test_integrate.py TOUCHSTONE
 """
+import cmath
 import json
 import subprocess
 import sys
@@ -108,9 +109,14 @@ class Integrate(unittest.TestCase):
 
     def test_complex_values_have_two_parts_to_one_place(self):
         code, j = as_json("1/x", "1", "1", "--path", "i,-1,-i", "--digits", "20")
-        self.assertEqual((code, j["status"], j["value"], j["imaginary"], j["error"]), (0, "certified", "0", "6.2831853071795864769", "5e-20"))
+        self.assertEqual((code, j["status"], j["value"], j["imaginary"], j["error"]), (0, "certified", "0", "6.2831853071795864769", "7.1e-20"))
         code, j = as_json("1/(1000-x*i)", "0", "1", "--digits", "10")  # begins four places later, and is close to a tie
         self.assertEqual((code, j["value"], j["imaginary"]), (0, "0.0009999996667", "4.999998e-07"))
+        j = as_json("exp(i*x)", "0", "5/7", "--digits", "1")[1]  # both parts nearly half a unit from what is printed
+        off = abs(complex(float(j["value"]), float(j["imaginary"])) - (cmath.exp(5j / 7) - 1) / 1j)
+        self.assertTrue(0.063 < off <= float(j["error"]), j)
+        j = as_json("exp(i*x)", "0", "4/7", "--tolerance", "6e-4")[1]  # rounded to 5e-4 each it would be off by 6.1e-4
+        self.assertLessEqual(abs(complex(float(j["value"]), float(j["imaginary"])) - (cmath.exp(4j / 7) - 1) / 1j), 6e-4, j)
         answer = integrate("exp(i*x)", "0", "pi", "--digits", "10")
         self.assertEqual(answer.stdout.splitlines()[0], "0 + 2.000000000*i")
         self.assertEqual(integrate("exp(-i*x)", "0", "pi", "--digits", "10").stdout.splitlines()[0], "0 - 2.000000000*i")

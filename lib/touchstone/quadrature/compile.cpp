@@ -480,7 +480,7 @@ void Compiler::find_zeros(Node& n, const ExpressionPtr& e) const
 {
     const Zeros zeros(place_);
     if (e->op == Op::odd_difference) {
-        if (end(Side::left) && end(Side::left)->is_zero()) n.zero[0] = zeros.of_odd_difference(n);
+        if (end(Side::left) && end(Side::left)->is_zero()) n.zero[0] = zeros.of_odd_difference(n, *Compiler(Place{}).compile(e->args[0]));
         return;
     }
     std::array<std::optional<Zero>, 2> found;

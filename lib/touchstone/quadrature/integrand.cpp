@@ -39,6 +39,13 @@ Limit limit_at(const ExactSum& value, std::string text)
     return l;
 }
 
+std::string text_of(const ExactSum& x)
+{
+    if (const auto q = x.rational()) return q->get_str();
+    if (const auto q = x.times_pi()) return (*q == 1 ? "" : q->get_str() + "*") + std::string("pi");
+    return x.ball().to_string(10);
+}
+
 Limit parse_limit(std::string_view text)
 {
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);

@@ -42,6 +42,8 @@ private:
 /// `1/3`, `pi/2`, `log(2)`, `inf`, `-inf`. \throws ExpressionError
 Limit parse_limit(std::string_view text);
 Limit limit_at(const ExactSum& value, std::string text);
+/// As people would write it where that is short, else some digits of it.
+std::string text_of(const ExactSum&);
 
 /// Where x is what function of the fractions u and r: see interval.hpp.
 enum class Map { finite, right_algebraic, right_exponential, left_algebraic, left_exponential, line_algebraic, line_exponential };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/integrate.hpp"
 
+#include "touchstone/quadrature/branch_cut.hpp"
 #include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/parity.hpp"
@@ -172,13 +173,6 @@ std::optional<ExactSum> Integration::named_point(double x, const Limit& from, co
             if (changes_branch(*e_, p)) return p;
         }
     return std::nullopt;
-}
-
-std::string text_of(const ExactSum& x)
-{
-    if (const auto q = x.rational()) return q->get_str();
-    if (const auto q = x.times_pi()) return (*q == 1 ? "" : q->get_str() + "*") + std::string("pi");
-    return x.ball().to_string(10);
 }
 
 bool Integration::add_cut(const Limit& from, const Limit& to, const ExactSum& at, long digits, int depth, Integral& out)
@@ -357,7 +351,8 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
         patient.patient = true;
         if (Integration(e_, patient, substituted_).add_part(from, to, digits, deepest, out)) return true;
     }
-    if (a.reason.find(" end ") != std::string::npos) // what can be done about an end
+    if (const auto cut = argument_on_cut(e_, from, to)) a.reason = *cut;
+    else if (a.reason.find(" end ") != std::string::npos) // what can be done about an end
         a.reason += from.infinite || to.infinite
                         ? " (a tail that oscillates must be a sum of products of sin, cos, besselj of a linear argument, or of one power of x, "
                           "with what tends to 0 as a power; one like exp(-log(x)^2) is not taken: substitute)"

@@ -17,6 +17,9 @@ struct Piece {
     ExpressionPtr otherwise; ///< the same function in another form, if there is one
 };
 
+/// A reason without the advice to name a pole that has been named.
+std::string of_the_fold(const std::string& reason) { return reason.substr(0, reason.find(" (inside the range, --principal-value")); }
+
 bool less(const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; }
 
 const ExactSum& exact_end(const Limit& end)
@@ -51,7 +54,7 @@ ExactSum reach(const std::vector<Limit>& poles, std::size_t i, const Limit& from
 Piece folded_about(const ExpressionPtr& e, const Limit& pole, const ExactSum& reach)
 {
     const ExpressionPtr right = shifted(e, *pole.exact, 1), left = shifted(e, *pole.exact, -1), s = make_variable();
-    const Limit to = limit_at(reach, reach.ball().to_string(10));
+    const Limit to = limit_at(reach, text_of(reach));
     Piece p{make(Op::add, {right, left}), parse_limit("0"), to, ", folded about " + pole.text, nullptr};
     if (expand(*p.formula, ExactSum(0), 1)) return p;
     p.otherwise = make(Op::divide, {make(Op::odd_difference, {make(Op::multiply, {s, right})}), s});
@@ -75,9 +78,9 @@ std::vector<Piece> folded(const ExpressionPtr& e, const Limit& from, const Limit
         if (r.is_zero()) throw DomainError("the pole " + poles[i].text + " is named twice");
         const ExactSum below = c - r, above = c + r;
         if (!cursor.exact || !(*cursor.exact == below))
-            pieces.push_back({e, cursor, limit_at(below, poles[i].text + " - reach"), "", nullptr});
+            pieces.push_back({e, cursor, limit_at(below, text_of(below)), "", nullptr});
         pieces.push_back(folded_about(e, poles[i], r));
-        cursor = limit_at(above, poles[i].text + " + reach");
+        cursor = limit_at(above, text_of(above));
     }
     if (to.infinite || !(*cursor.exact == *to.exact)) pieces.push_back({e, cursor, to, "", nullptr});
     return pieces;
@@ -106,7 +109,7 @@ Integral principal_value(const ExpressionPtr& e, const Limit& from, const Limit&
             if (!part.value.is_finite() && p.otherwise) part = integrate(p.otherwise, p.from, p.to, each);
             if (!part.value.is_finite()) {
                 out.value = Ball::indeterminate();
-                out.reason = part.reason + p.in;
+                out.reason = p.in.empty() ? part.reason : of_the_fold(part.reason) + p.in + " (x is the distance from there)";
                 out.divergent = part.divergent;
                 return false;
             }

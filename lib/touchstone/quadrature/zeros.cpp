@@ -5,6 +5,7 @@
 #include "touchstone/quadrature/widen.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace touchstone::quadrature::compiled {
 namespace {
@@ -96,15 +97,37 @@ std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) co
     return best;
 }
 
+/// Whether a formula that was compiled for no range is analytic on a neighbourhood of the circle |s| = radius, which boxes cover that overlap.
+bool Zeros::is_analytic_about_circle(const Node& plain, double radius)
+{
+    constexpr int boxes = 64;
+    const double half = 1.01 * radius * std::numbers::pi / boxes; // at least the half length of an arc
+    const EndpointNumber<ComplexBall> nowhere(ComplexBall::indeterminate());
+    for (int i = 0; i < boxes; ++i) {
+        const double angle = 2 * std::numbers::pi * i / boxes;
+        ComplexBall s(Ball::exactly(radius * std::cos(angle)), Ball::exactly(radius * std::sin(angle)));
+        mag_t m;
+        mag_init(m);
+        mag_set_d(m, half);
+        acb_add_error_mag(s.get(), m);
+        mag_clear(m);
+        if (!evaluate(plain, Point<ComplexBall>{s, nowhere, nowhere, std::nullopt}, Place{}).value().is_finite()) return false;
+    }
+    return true;
+}
+
 /// h(s) - h(-s) = s T(s): if h is analytic on |s| <= R, so is T, and |T| <= 2 sup|h|/R (tanh_sinh.md, section 11).
-std::optional<Zero> Zeros::of_odd_difference(const Node& n) const
+/// What is compiled for the range is what continues h(s), and h(-s), from s > 0: with an abs, or a cut through 0, these are two functions. Both are
+/// analytic on the disc; that the second is the first at -s is known if h as it stands is analytic about the circle, on which one leads to the
+/// other.
+std::optional<Zero> Zeros::of_odd_difference(const Node& n, const Node& h) const
 {
     const Range& range = *place_.range;
     if (range.map != Map::finite) return std::nullopt;
     const double span = to_double(range.to.ball()) / 2;
     for (double radius = span; radius >= span / 64; radius /= 2) {
         const auto bound = bound_on_disc(*n.args[0], Side::left, radius);
-        if (!bound) continue;
+        if (!bound || !bound_on_disc(*n.args[1], Side::left, radius) || !is_analytic_about_circle(h, radius)) continue;
         const auto& [order, size] = *bound;
         if (!order.is_integer() || order < Exponent(0)) return std::nullopt; // h itself has a pole or a branch point
         Zero zero;

@@ -21,13 +21,14 @@ public:
     /// The zero that the exact expansion about the end shows and the sum of terms does not. \param expand is asked only where it is needed
     using Expand = std::function<std::optional<ExactSeries>()>;
     std::optional<Zero> at(const Node&, Side, const Expand& expand) const;
-    /// Of h(s) - h(-s) at the left end, which is 0.
-    std::optional<Zero> of_odd_difference(const Node&) const;
+    /// Of h(s) - h(-s) at the left end, which is 0. \param h as it stands, compiled for no range
+    std::optional<Zero> of_odd_difference(const Node&, const Node& h) const;
 
 private:
     std::optional<Exponent> order_beside(const Node&, Side, double distance) const;
     bool shows_its_order(const Node&, Side, double radius) const;
     std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node&, Side, double radius) const;
+    static bool is_analytic_about_circle(const Node& plain, double radius);
 
     const Place& place_;
 };
