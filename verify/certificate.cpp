@@ -20,6 +20,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
+#include <sstream>
 
 namespace touchstone::program {
 namespace {
@@ -141,6 +144,41 @@ Claimed claims_of_table(const TableSpec& spec, const NamedTexts& named)
     return all;
 }
 
+/// e with |x| < 2^e, nearly, of the certificate's HEX:EXPONENT; nothing of 0.
+std::optional<long> exponent_of(const std::string& number)
+{
+    const auto colon = number.find(':');
+    const Integer mantissa(number.substr(0, colon), 16);
+    if (mantissa == 0) return std::nullopt;
+    return static_cast<long>(mpz_sizeinbase(mantissa.get_mpz_t(), 2)) + std::stol(number.substr(colon + 1));
+}
+
+/// Significant digits that the least accurate claim of a certificate has; nothing where none has an error.
+std::optional<long> digits_claimed(const std::string& text)
+{
+    constexpr double digits_per_bit = 0.30103;
+    std::optional<long> least;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const auto value = line.find(" value="), error = line.find(" error=");
+        if (!line.starts_with("claim ") || value == std::string::npos || error == std::string::npos) continue;
+        const auto word = [&](std::size_t at) { return line.substr(at + 7, line.find(' ', at + 7) - at - 7); };
+        const auto size = exponent_of(word(value)), off = exponent_of(word(error));
+        if (!size || !off) continue;
+        const long digits = std::max(0L, static_cast<long>(std::floor(static_cast<double>(*size - *off) * digits_per_bit)));
+        least = least ? std::min(*least, digits) : digits;
+    }
+    return least;
+}
+
+/// More digits than there are certificates of are no error, but are not passed over in silence.
+void tell_digits_below(std::optional<long> asked, const std::string& text)
+{
+    const auto claimed = asked ? digits_claimed(text) : std::nullopt;
+    if (claimed && *claimed + 1 < *asked) // powers of two tell digits to one
+        fmt::print(stderr, "touchstone: the certificate proves some {} digits, not {}: of more there is none (docs/certificate.md)\n", *claimed, *asked);
+}
+
 int write_certificate(const CertificateOptions& o)
 {
     const TableSpec* spec = find_table(o.subject);
@@ -170,6 +208,7 @@ int write_certificate(const CertificateOptions& o)
         if (claimed.limits.empty()) return certificate::contact(claimed.claims, {digits});
         return certificate::limit_constants(claimed.limits, {digits});
     }();
+    tell_digits_below(o.digits, text);
     if (o.out.empty())
         fmt::print("{}", text);
     else

@@ -406,7 +406,7 @@ void add_judge(CLI::App& app, Run& run)
     command
         ->add_option("--rows", o->rows,
                      "File of rows, - for standard input: columns named by the inputs, and 'answer' last unless a subject is given; "
-                     "KEY=VALUE for the rest")
+                     "KEY=VALUE for the rest, with a program after -- and before it")
         ->check(not_empty());
     command->add_option("--where", o->where, "Rows that count: 'load=1e-6..0.999,n=3'");
     command->add_option("--rtol", o->bound.relative, "Relative error that passes too: |answer - true| <= ATOL + RTOL |true|")

@@ -261,6 +261,9 @@ class Certificates(unittest.TestCase):
                 ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
                 self.assertLessEqual(abs(value - distribution(quantity, n, at, load, G)), error)
                 self.assertLessEqual(error / value, Fraction(502, 1000 * 10**digits))
+        said = program("certificate", "contact.area", "n=1", "load=2", "G=3", "--digits", 30)
+        self.assertEqual((said.returncode, said.stdout.count("claim 1 "), "not 30" in said.stderr), (0, 1, True), said.stderr)
+        self.assertEqual(program("certificate", "contact.area", "n=1", "load=1/2", "G=3", "--digits", 30).stderr, "")
         said = program("certificate", "contact.density", "n=1", "p=7", "load=1/10", "G=3")  # the largest pressure is 2 sqrt(0.1^(1/2) 6)
         self.assertEqual((said.returncode, "largest pressure" in said.stderr), (2, True), said.stderr)
 

@@ -147,9 +147,17 @@ TEST_CASE("exact expansions begin where the function does")
     CHECK(first("lambertw(x)-x+x^2", 0) == 3);
     CHECK(first("besselj(2,x)", 0) == 2);
     CHECK(first("erf(x)", 0) == 1);
+    for (const int direction : {1, -1}) { // of each side its own
+        CHECK(series("abs(sin(x))", 0, direction)->c[0] == ExactSum(1));
+        CHECK(series("sign(x-x^2)", 0, direction)->c[0] == ExactSum(direction));
+        CHECK(series("abs(cos(x)-x^2)", 0, direction)->c[0] == ExactSum(1));
+        CHECK(first("abs(x)-sin(abs(x))", 0, direction) == 3);
+    }
     // and none where there is none
     CHECK(!series("log(x)", 0));
-    CHECK(!series("abs(x)", 0));
+    CHECK(!series("abs((1+i)*x)", 0));
+    CHECK(!series("abs(i*x)", 0));
+    CHECK(!series("sign(log(x))", 0));
     CHECK(!series("exp(x)-exp(1)", 1));
     CHECK(!series("sqrt(x-1)", 0));
 }
@@ -229,6 +237,12 @@ TEST_CASE("integrals of what has no branch cut hidden from the proof")
     CHECK(integral("1/(1-cos(x))", "0", "1").divergent);
     CHECK(integral("(1-cos(x))/x^3", "0", "1").divergent);
     CHECK(!integral("(1-cos(x))/x^2.9", "0", "1").divergent);
+    CHECK(integral("1/abs(x-1/3)", "0", "1").divergent);
+    // at infinity
+    CHECK(integral("1/x", "1", "inf").divergent);
+    CHECK(integral("x^2/(1+x^3)", "-inf", "0").divergent);
+    CHECK(integral("1/sqrt(1+x)", "0", "inf").reason.find("at x = inf: the formula behaves there like |x|^(-1/2)") != std::string::npos);
+    CHECK(integral("1/x^1.01", "1", "inf").status == Status::certified);
 }
 
 TEST_CASE("parts are added at the precision of the digits asked for")

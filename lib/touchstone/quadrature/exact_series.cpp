@@ -408,6 +408,16 @@ Series Expansion::by_operation(const Expression& e)
         return product(analytic(exponential, negative(of(*e.args[1]))), by_operation(plain));
     }
     case Op::erfc_scaled: return std::nullopt;
+    case Op::abs:
+    case Op::sign: { // next to the end what it is taken of has the sign of its first term
+        const auto a = of(*e.args[0]);
+        if (!a || a->c.empty() || !is_real(*e.args[0]) || !a->c[0].is_real()) return std::nullopt;
+        const Ball first = a->c[0].ball();
+        if (first.contains_zero()) return std::nullopt;
+        const bool below = arb_is_negative(first.get()) != 0;
+        if (e.op == Op::sign) return constant(ExactSum(below ? -1 : 1));
+        return below ? negative(a) : a;
+    }
     default: return e.args.size() == 1 ? analytic(e, of(*e.args[0])) : std::nullopt;
     }
 }

@@ -73,9 +73,19 @@ private:
     bool complex_;
 };
 
-/// Whether an exact expansion at the end shows an exponent of -1 or less.
+/// Whether an exact expansion at the end shows an exponent of -1 or less; at infinity, in t = 1/abs(x), of the formula with dx/dt.
 bool Integration::diverges(const Limit& end, int direction, Integral& out) const
 {
+    if (end.infinite) {
+        const ExpressionPtr t = make_variable(), x = make(Op::divide, {make_number(Rational(end.infinite)), t});
+        const auto s = expand(*make(Op::divide, {substituted(e_, x), make(Op::multiply, {t, t})}), ExactSum(0), 1);
+        if (!s || s->c.empty() || s->valuation > -1) return false;
+        const Rational power = -s->valuation - 2;
+        out.divergent = true;
+        out.reason = "the integral diverges at x = " + end.text + ": the formula behaves there like |x|^" +
+                     (power.get_den() == 1 ? power.get_str() : "(" + power.get_str() + ")");
+        return true;
+    }
     if (!end.exact) return false;
     const auto s = expand(*e_, *end.exact, direction);
     if (!s) return false;
