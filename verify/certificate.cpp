@@ -176,7 +176,8 @@ void tell_digits_below(std::optional<long> asked, const std::string& text)
 {
     const auto claimed = asked ? digits_claimed(text) : std::nullopt;
     if (claimed && *claimed + 1 < *asked) // powers of two tell digits to one
-        fmt::print(stderr, "touchstone: the certificate proves some {} digits, not {}: of more there is none (docs/certificate.md)\n", *claimed, *asked);
+        fmt::print(stderr, "touchstone: the certificate proves some {} digits, not {}: of more there is none (docs/certificate.md)\n", *claimed,
+                   *asked);
 }
 
 int write_certificate(const CertificateOptions& o)

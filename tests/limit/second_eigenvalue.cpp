@@ -104,7 +104,10 @@ TEST_CASE("slow: the proven eigenvalue is the forward law's, and that of the dif
     check_against_the_forward_law(10);
 }
 
-TEST_CASE("slow: what is proven of w bounds what it is, at 2.2, where the remainder is nearly too large" * doctest::skip()) { check_what_is_proven(2.2, 0); }
+TEST_CASE("slow: what is proven of w bounds what it is, at 2.2, where the remainder is nearly too large" * doctest::skip())
+{
+    check_what_is_proven(2.2, 0);
+}
 TEST_CASE("slow: what is proven of w bounds what it is, at 2.5" * doctest::skip()) { check_what_is_proven(2.5, 0); }
 TEST_CASE("what is proven of w bounds what it is, for a w that is no eigenfunction") { check_what_is_proven(2.5, 0.05); }
 

@@ -86,7 +86,8 @@ TEST_CASE("what grows with rho = |Re w| is bounded where rho is at least 1, and 
 TEST_CASE("no expansion by a power that is no fraction, nor of a Bessel function of an order that is no integer")
 {
     for (const char* formula :
-         {"x^sqrt(2)", "(1+x)^pi", "besselj(1/2,x)", "besselj(sqrt(2),x)", "besseli(3/2,x)", "besselj(0,log(x))", "besselj(1,abs(log(x)))"}) {
+         {"x^sqrt(2)", "(1+x)^pi", "besselj(1/2,x)", "besselj(sqrt(2),x)", "besseli(3/2,x)", "besselj(0,log(x))",
+          "besselj(1,abs(log(x)))"}) {
         CAPTURE(formula);
         CHECK_FALSE(expand(*parse_expression(formula), ExactSum(0), 1).has_value());
     }

@@ -484,8 +484,14 @@ TEST_CASE("functions of one argument have a value up to the end of their cut, an
 {
     const WorkingPrecision precision(100);
     const Ball near(Rational(1, 1000)), end_of_lambert = -exp(Ball(-1));
-    for (const auto& [op, end, right] : {std::tuple{Op::lambert_w, end_of_lambert, -1}, {Op::acosh, Ball(1), -1}, {Op::log1p, Ball(-1), -1},
-                                         {Op::lgamma, Ball(0), -1}, {Op::acos, Ball(1), 1}, {Op::acos, Ball(-1), -1}, {Op::atanh, Ball(1), 1}, {Op::atanh, Ball(-1), -1}}) {
+    struct Cut {
+        Op op;
+        Ball end;
+        int right; ///< where it lies: 1 or -1
+    };
+    for (const auto& [op, end, right] : {Cut{Op::lambert_w, end_of_lambert, -1}, {Op::acosh, Ball(1), -1}, {Op::log1p, Ball(-1), -1},
+                                         {Op::lgamma, Ball(0), -1}, {Op::acos, Ball(1), 1}, {Op::acos, Ball(-1), -1},
+                                         {Op::atanh, Ball(1), 1}, {Op::atanh, Ball(-1), -1}}) {
         CAPTURE(static_cast<int>(op));
         CHECK_FALSE(special_function(op, ComplexBall(end + right * near)).is_finite());
         CHECK(special_function(op, ComplexBall(end - right * near)).is_finite());

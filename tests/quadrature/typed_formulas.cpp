@@ -360,7 +360,8 @@ TEST_CASE("terms whose poles, or powers, cancel at an end: where they leave a wh
     const Integral logarithm = integral("log(1/x-1/sin(x)+1/x)", "0", "1", 25);
     CHECK_MESSAGE(logarithm.status == Status::certified, logarithm.reason);
     CHECK(logarithm.value.overlaps(parse_limit("0.9366000184517215625799732315915990059").ball())); // mpmath, of 2/x - 1/sin(x)
-    for (const auto& [formula, why] : {std::pair{"(x^(1/3)-sin(x^(1/3)))^(1/2)", "not proved to be a power"}, {"log(sqrt(x+x^3)-sqrt(x))", "not proved to be a power"},
+    for (const auto& [formula, why] : {std::pair{"(x^(1/3)-sin(x^(1/3)))^(1/2)", "not proved to be a power"},
+                                       {"log(sqrt(x+x^3)-sqrt(x))", "not proved to be a power"},
                                        {"log(1/x^2-cos(x)/x^4)", "on its cut"}}) {
         CAPTURE(formula);
         const Integral refused = integral(formula, "0", "1", 15);
@@ -756,7 +757,7 @@ TEST_CASE("points where the range is cut lie inside of it, and count once")
     }
 }
 
-TEST_CASE("what takes numbers on its branch cut is named, with its column, what it takes and where; what is singular otherwise is not called so")
+TEST_CASE("what takes numbers on its branch cut is named, with its column, what it takes and where; what is singular otherwise is not")
 {
     struct Refused {
         const char *formula, *from, *to, *why;

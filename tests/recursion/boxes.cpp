@@ -700,10 +700,8 @@ TEST_CASE("what the laws are proved for: G above 2, loads above 0 and up to 1, e
                                       {Rational(3), Rational(101, 100)}}) {
             CAPTURE(about(Ball(G)));
             CAPTURE(about(Ball(load)));
-            CHECK_THROWS_WITH_AS(transfer::density(
-                                     law, 2, [] { return Ball(1) / 10; }, {[&load = load] { return Ball(load); }, [&G = G] { return Ball(G); }},
-                                     Accuracy{10}),
-                                 "needs G > 2 and 0 < load <= 1", BeyondReach);
+            const Arguments at{[&load = load] { return Ball(load); }, [&G = G] { return Ball(G); }};
+            CHECK_THROWS_WITH_AS(transfer::density(law, 2, [] { return Ball(1) / 10; }, at, Accuracy{10}), "needs G > 2 and 0 < load <= 1", BeyondReach);
         }
 }
 

@@ -63,7 +63,10 @@ void compare_laws(std::initializer_list<long> scales, std::initializer_list<cons
 } // namespace
 
 TEST_CASE("the two laws overlap, tightly, from small p up to the edge") { compare_laws({1, 3}, {"0.01", "0.99999999999999999999"}); }
-TEST_CASE("slow: the two laws overlap, tightly, at every scale and share" * doctest::skip()) { compare_laws({1, 2, 3}, {"0.01", "0.9", "0.99999999999999999999"}); }
+TEST_CASE("slow: the two laws overlap, tightly, at every scale and share" * doctest::skip())
+{
+    compare_laws({1, 2, 3}, {"0.01", "0.9", "0.99999999999999999999"});
+}
 
 TEST_CASE("force and length are conserved at every scale, in balls: int p q_n dp = load, int q_n dp = A_n")
 {

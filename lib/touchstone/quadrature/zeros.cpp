@@ -97,7 +97,7 @@ std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) co
     return best;
 }
 
-/// Whether a formula that was compiled for no range is analytic on a neighbourhood of the circle |s| = radius, which boxes cover that overlap.
+/// Whether a formula that was compiled for no range is analytic on a neighbourhood of the circle |s| = radius: boxes that overlap cover it.
 bool Zeros::is_analytic_about_circle(const Node& plain, double radius)
 {
     constexpr int boxes = 64;
@@ -117,9 +117,9 @@ bool Zeros::is_analytic_about_circle(const Node& plain, double radius)
 }
 
 /// h(s) - h(-s) = s T(s): if h is analytic on |s| <= R, so is T, and |T| <= 2 sup|h|/R (tanh_sinh.md, section 11).
-/// What is compiled for the range is what continues h(s), and h(-s), from s > 0: with an abs, or a cut through 0, these are two functions. Both are
-/// analytic on the disc; that the second is the first at -s is known if h as it stands is analytic about the circle, on which one leads to the
-/// other.
+/// What is compiled for the range is what continues h(s), and h(-s), from s > 0: with an abs, or a cut through 0, these are two functions.
+/// Both are analytic on the disc; that the second is the first at -s is known if h as it stands is analytic about the circle, on which one
+/// leads to the other.
 std::optional<Zero> Zeros::of_odd_difference(const Node& n, const Node& h) const
 {
     const Range& range = *place_.range;

@@ -174,7 +174,8 @@ void check_neighbours(std::initializer_list<Neighbours> all)
 
 TEST_CASE("A_2 with singular points that meet or nearly do")
 {
-    check_neighbours({{"1", "1.000000000000000000000000000001", "2"}, {"0.5625", "0.56250000000000000000000000000001", "1.5"}}); // 2 sqrt(load)/G = 1
+    check_neighbours({{"1", "1.000000000000000000000000000001", "2"},
+                      {"0.5625", "0.56250000000000000000000000000001", "1.5"}}); // 2 sqrt(load)/G = 1
 }
 TEST_CASE("slow: A_2 with singular points that meet or nearly do" * doctest::skip())
 {

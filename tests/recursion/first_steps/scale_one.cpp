@@ -78,7 +78,10 @@ void compare_variables(std::size_t first, std::size_t step)
 } // namespace
 
 TEST_CASE("both variables give the same, to 30 digits, in every regime") { compare_variables(1, 2); }
-TEST_CASE("slow: both variables give the same, to 30 digits, in every regime, next to singular points and far from them" * doctest::skip()) { compare_variables(0, 1); }
+TEST_CASE("slow: both variables give the same, to 30 digits, next to singular points and far from them" * doctest::skip())
+{
+    compare_variables(0, 1);
+}
 
 TEST_CASE("the certified chains of partial contact hold the same numbers, and the estimates come near")
 {
