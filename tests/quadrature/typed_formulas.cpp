@@ -768,6 +768,8 @@ TEST_CASE("what takes numbers on its branch cut is named, with its column, what 
                              {"cos(x)*x^(1/3)", "-inf", "0", "the power at column 8 takes -0.5714"},
                              {"sqrt(1-x^2)/(1+x^4)", "0", "inf", "sqrt at column 1 takes -3.39"},
                              {"besselk(0,x)", "-2", "-1", "besselk at column 1 takes -1.857"},
+                             {"log(1-x)/(1+x^4)", "0", "inf", "log at column 1 takes -1.095 at x = 2.095"},
+                             {"log(x)/(1+x^4)", "-inf", "inf", "log at column 1 takes -0.5714"},
                              {"exp(-1/x^2+1/x^3)", "0", "1", "is not proved to be"}}) {
         const Integral refused = integral(r.formula, r.from, r.to, 10);
         INFO(r.formula, ": ", refused.reason);

@@ -9,14 +9,14 @@ namespace {
 
 constexpr slong hint_bits = 64;
 
-/// Points inside that are no likely places of a singular point.
+/// Points inside that are no likely places of a singular point. The whole line has been cut at 0 before anyone asks.
 std::vector<Ball> points_inside(const Limit& from, const Limit& to)
 {
     std::vector<Ball> points;
+    if (from.infinite && to.infinite) return points;
     for (const long k : {3L, 11L, 18L}) { // of 21
         const Ball part(Rational(k, 21));
-        if (from.infinite && to.infinite) points.push_back(4 * part - 2);
-        else if (to.infinite) points.push_back(from.ball() + 4 * part);
+        if (to.infinite) points.push_back(from.ball() + 4 * part);
         else if (from.infinite) points.push_back(to.ball() - 4 * part);
         else points.push_back(from.ball() + (to.ball() - from.ball()) * part);
     }
