@@ -250,3 +250,19 @@ TEST_CASE("the real part of a value mirrors i and the points of an outer variabl
     CHECK(is(at_z(Op::imaginary_part), outer * z));
     CHECK(is(at_z(Op::conjugate), -i * outer * z));
 }
+
+TEST_CASE("between ends that are not real an inner integral is of analytic functions of its variable: what asks for real numbers is refused")
+{
+    const std::vector<const char*> of_y{"abs(y+3)",   "conj(y)",   "re(y)",     "im(y)",    "sign(y+5)",
+                                        "floor(y+5)", "ceil(y+5)", "max(y,-5)", "min(y,5)", "ei(y+2)"};
+    for (const char* f : of_y) {
+        CAPTURE(f);
+        const std::string inner = std::string("integral(") + f + ",y,0,";
+        CHECK_THROWS_AS(along((inner + "i*x)").c_str(), {"0", "1"}), ExpressionError);
+        CHECK_THROWS_AS(along((inner + "x)").c_str(), {"0", "1+i"}), ExpressionError);
+        CHECK_NOTHROW(along((inner + "x)").c_str(), {"0", "1"}));
+    }
+    // int_0^(ix) e^y dy = e^(ix) - 1; the inner integral is abs(x + i) y^2/2 at y = x
+    CHECK(along("integral(exp(y),y,0,i*x)", {"0", "1"}).status == Status::certified);
+    CHECK(along("integral(abs(x+i)*y,y,0,x)", {"0", "1+i"}).status == Status::certified);
+}

@@ -49,6 +49,38 @@ long digits_for(const ComplexBall& x)
     return static_cast<long>(static_cast<double>(bits) / bits_per_digit);
 }
 
+/// Whether what a function makes of a number is no analytic function of it, or another one for complex numbers than for real ones.
+bool needs_real_argument(Op op)
+{
+    switch (op) {
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
+    case Op::real_value:
+    case Op::imaginary_value:
+    case Op::abs:
+    case Op::sign:
+    case Op::floor:
+    case Op::ceil:
+    case Op::max:
+    case Op::min:
+    case Op::ei: return true;
+    default: return false;
+    }
+}
+
+/// Formulas are compiled as if their variable were real. The inner one is, between ends that are real for a real x; on the way to or from
+/// another end it is not. \throws ExpressionError where that makes a difference
+void require_analytic_between_complex_ends(const Expression& e)
+{
+    const auto is_complex = [](const ExpressionPtr& end) { return !is_real(*end) || has_complex_point(*end); };
+    if (std::none_of(e.args.begin(), e.args.end(), is_complex)) return;
+    const auto offends = [](const Expression& n) { return needs_real_argument(n.op) && depends_on_x(n); };
+    if (any_node(*e.integrand, offends))
+        throw ExpressionError(e.column, "between ends that are not real an inner integral is of analytic functions: no abs, conj, re, im, "
+                                        "sign, floor, ceil, max, min or ei of its variable");
+}
+
 /// y = from + (to - from) t over [0, 1], or from + t (to + t) where the other end is infinite.
 Integral over_moving_ends(const InnerIntegral& inner, const ExpressionPtr& f, const std::optional<ComplexBall>& from,
                           const std::optional<ComplexBall>& to, const IntegralOptions& options)
@@ -71,6 +103,7 @@ Integral over_moving_ends(const InnerIntegral& inner, const ExpressionPtr& f, co
 std::shared_ptr<const InnerIntegral> inner_integral(const Expression& e)
 {
     const WorkingPrecision precision(256);
+    require_analytic_between_complex_ends(e);
     auto inner = std::make_shared<InnerIntegral>();
     inner->integrand = e.integrand;
     for (const std::size_t k : {0, 1}) inner->fixed[k] = fixed_end(e.args[k]);
