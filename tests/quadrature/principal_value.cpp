@@ -31,7 +31,9 @@ TEST_CASE("an odd difference is bounded on a disc without a singular point, what
 {
     for (int k = 0; k < 16; ++k) {
         const double angle = (k + 0.3) * M_PI / 8; // no pole on the range
-        const auto pole = [&](double distance) { return fmt::format("exp(x)/(x-({:.6f})-({:.6f})*i)", distance * std::cos(angle), distance * std::sin(angle)); };
+        const auto pole = [&](double distance) {
+            return fmt::format("exp(x)/(x-({:.6f})-({:.6f})*i)", distance * std::cos(angle), distance * std::sin(angle));
+        };
         CAPTURE(k);
         const auto beyond = zero_of_fold(pole(0.8)), inside = zero_of_fold(pole(0.49)), near = zero_of_fold(pole(0.1));
         REQUIRE((beyond && inside && near));
@@ -40,6 +42,33 @@ TEST_CASE("an odd difference is bounded on a disc without a singular point, what
         CHECK(near->radius == 0.0625);
     }
     CHECK_FALSE(zero_of_fold("exp(x)/x"));
+}
+
+TEST_CASE("a zero that terms do not show is bounded on a disc without a singular point, by what it is and not by much more")
+{
+    const WorkingPrecision precision(64);
+    const Range range{parse_limit("0"), parse_limit("1"), Map::finite};
+    const compiled::Place place{&range};
+    const auto zero = [&](const std::string& formula) { return compiled::compile(parse_expression(formula), place)->zero[0]; };
+    for (int k = 0; k < 16; ++k) {
+        const double angle = (k + 0.3) * M_PI / 8;
+        const auto with_pole = [&](double distance) {
+            return zero(fmt::format("1+x^3/(x-({:.6f})-({:.6f})*i)-cos(x)", distance * std::cos(angle), distance * std::sin(angle)));
+        };
+        CAPTURE(k);
+        const auto beyond = with_pole(0.8), inside = with_pole(0.49);
+        REQUIRE((beyond && inside));
+        CHECK(beyond->order == 2);
+        CHECK(beyond->radius == 0.5);
+        CHECK(inside->radius < 0.5);
+    }
+    const auto even = zero("1-cos(x)"), third = zero("x-sin(x)");
+    REQUIRE((even && third));
+    CHECK(number(even->bound) >= 0.5);
+    CHECK(number(even->bound) <= 4 * 0.5);
+    CHECK(third->order == 3);
+    CHECK(number(third->bound) >= 1 / 6.0);
+    CHECK(number(third->bound) <= 32 / 6.0); // |x| + |sin x| over the cube of the radius: the terms do not cancel in boxes
 }
 
 TEST_CASE("an odd difference over s is bounded by what it is, and not by much more")
@@ -67,7 +96,8 @@ TEST_CASE("what is another function on the other side of a pole has no odd diffe
             CHECK_FALSE(zero_of_fold(fmt::format("x/sqrt({}^2)", turned), reach));
             CHECK(zero_of_fold(fmt::format("x/sqrt(100+{}^2)", turned), reach));
         }
-    for (const char* h : {"x/abs(x)", "sign(x)", "floor(x)", "ceil(x)", "max(0,x)/x", "atan(1/x)", "x/abs(x*(1+i))", "x/abs(sin(x))", "floor(x+1/1000)"}) {
+    for (const char* h : {"x/abs(x)", "sign(x)", "floor(x)", "ceil(x)", "max(0,x)/x", "atan(1/x)", "x/abs(x*(1+i))", "x/abs(sin(x))",
+                          "floor(x+1/1000)"}) {
         CAPTURE(h);
         CHECK_FALSE(zero_of_fold(h));
     }
@@ -88,5 +118,7 @@ TEST_CASE("about a pole the fold reaches to the nearer end, and half way to the 
     };
     CHECK(value("1/(x-1/3)", "-1", "1", {"1/3"}).value.overlaps(parse_limit("-log(2)").ball()));
     CHECK(value("1/(x+1/3)", "-1", "1", {"-1/3"}).value.overlaps(parse_limit("log(2)").ball()));
+    CHECK(value("sqrt(1-x)/(x-1/3)", "-1", "1", {"1/3"}).status == Status::certified); // there is nothing beyond either end
+    CHECK(value("sqrt(1+x)/(x+1/3)", "-1", "1", {"-1/3"}).status == Status::certified);
     CHECK(value("1/(x*(x-1))", "-1/8", "9/8", {"0", "1"}).value.overlaps(parse_limit("-4*log(3)").ball()));
 }

@@ -126,8 +126,9 @@ std::optional<Zero> Zeros::of_odd_difference(const Node& n, const Node& h) const
     if (range.map != Map::finite) return std::nullopt;
     const double span = to_double(range.to.ball()) / 2;
     for (double radius = span; radius >= span / 64; radius /= 2) {
+        if (!is_analytic_about_circle(h, radius) || !bound_on_disc(*n.args[1], Side::left, radius)) continue;
         const auto bound = bound_on_disc(*n.args[0], Side::left, radius);
-        if (!bound || !bound_on_disc(*n.args[1], Side::left, radius) || !is_analytic_about_circle(h, radius)) continue;
+        if (!bound) continue;
         const auto& [order, size] = *bound;
         if (!order.is_integer() || order < Exponent(0)) return std::nullopt; // h itself has a pole or a branch point
         Zero zero;
