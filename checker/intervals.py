@@ -38,13 +38,10 @@ class Interval:
         x, y = self, other if type(other) is Interval else Interval.of(other)
         if x.exponent > y.exponent:
             x, y = y, x
-        up = y.exponent - x.exponent
-        if up <= 4 * Interval.bits:
-            return Interval(x.low + (y.low << up), x.high + (y.high << up), x.exponent)
-        # What lies far below the last bit of the other is rounded there, so that no shift grows without bound.
-        e = y.exponent - 4 * Interval.bits if y.low or y.high else x.exponent
-        down, up = e - x.exponent, y.exponent - e
-        return Interval((x.low >> down) + (y.low << up), (y.high << up) - (-x.high >> down), e)
+        up, most = y.exponent - x.exponent, 4 * Interval.bits
+        if up > most and (y.low or y.high):  # x is far below the last bit of y: it is rounded there, so that no shift grows without bound
+            x, up = Interval(x.low >> up - most, -(-x.high >> up - most), y.exponent - most), most
+        return Interval(x.low + (y.low << up), x.high + (y.high << up), x.exponent)
 
     __radd__ = __add__
 
