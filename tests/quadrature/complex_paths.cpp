@@ -266,3 +266,20 @@ TEST_CASE("between ends that are not real an inner integral is of analytic funct
     CHECK(along("integral(exp(y),y,0,i*x)", {"0", "1"}).status == Status::certified);
     CHECK(along("integral(abs(x+i)*y,y,0,x)", {"0", "1+i"}).status == Status::certified);
 }
+
+TEST_CASE("an inner integral between ends that move: both, one of them, one of them infinite")
+{
+    struct Case {
+        const char *formula, *from, *to, *value;
+    };
+    for (const Case& c : {Case{"integral(exp(y),y,x,2*x)", "1", "2", "(exp(4)-exp(2))/2-exp(2)+exp(1)"},
+                          {"integral(exp(y),y,1,x)", "2", "3", "exp(3)-exp(2)-exp(1)"},
+                          {"integral(exp(y),y,x,1)", "2", "3", "exp(1)+exp(2)-exp(3)"},
+                          {"integral(exp(-y),y,x,inf)", "0", "1", "1-exp(-1)"},
+                          {"integral(exp(y),y,-inf,x)", "0", "1", "exp(1)-1"}}) {
+        CAPTURE(c.formula);
+        const Integral i = along(c.formula, {c.from, c.to}, 15);
+        CHECK_MESSAGE(i.status == Status::certified, i.reason);
+        CHECK(i.value.overlaps(parse_limit(c.value).ball()));
+    }
+}

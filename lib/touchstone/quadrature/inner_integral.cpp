@@ -81,7 +81,7 @@ void require_analytic_between_complex_ends(const Expression& e)
                                         "sign, floor, ceil, max, min or ei of its variable");
 }
 
-/// y = from + (to - from) t over [0, 1], or from + t (to + t) where the other end is infinite.
+/// y = from + (to - from) t over [0, 1], or from + t (to + t) where the other end is infinite, which is nothing.
 Integral over_moving_ends(const InnerIntegral& inner, const ExpressionPtr& f, const std::optional<ComplexBall>& from,
                           const std::optional<ComplexBall>& to, const IntegralOptions& options)
 {
@@ -92,7 +92,6 @@ Integral over_moving_ends(const InnerIntegral& inner, const ExpressionPtr& f, co
         const ExpressionPtr y = at_zero ? step : make(Op::add, {a, step});
         return integrate(make(Op::multiply, {with_variable(f, y), width}), parse_limit("0"), parse_limit("1"), options);
     }
-    if (!from && !to) return integrate(f, *inner.fixed[0], *inner.fixed[1], options);
     const ExpressionPtr y = make(Op::add, {make_ball(from ? *from : *to), t});
     return from ? integrate(with_variable(f, y), parse_limit("0"), *inner.fixed[1], options)
                 : integrate(with_variable(f, y), *inner.fixed[0], parse_limit("0"), options);
