@@ -116,7 +116,9 @@ TEST_CASE("about a pole the fold reaches to the nearer end, and half way to the 
         for (const char* p : poles) o.principal_value.push_back(parse_limit(p));
         return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), o);
     };
-    const auto is = [](const Integral& i, const char* truth) { return i.status == Status::certified && i.value.overlaps(parse_limit(truth).ball()); };
+    const auto is = [](const Integral& i, const char* truth) {
+        return i.status == Status::certified && i.value.overlaps(parse_limit(truth).ball());
+    };
     CHECK(is(value("1/(x-1/3)", "-1", "1", {"1/3"}), "-log(2)"));
     CHECK(is(value("1/(x+1/3)", "-1", "1", {"-1/3"}), "log(2)"));
     CHECK(value("sqrt(1-x)/(x-1/3)", "-1", "1", {"1/3"}).status == Status::certified); // there is nothing beyond either end
