@@ -30,6 +30,9 @@ Integral integral(const std::string& formula, const char* from, const char* to, 
     return integrate(parse_expression(formula), parse_limit(from), parse_limit(to), options);
 }
 
+/// A ball without bounds overlaps everything: what is refused is not right.
+bool is(const Integral& i, const Ball& truth) { return i.status == Status::certified && i.value.overlaps(truth); }
+
 ComplexBall at(double x, double y) { return {Ball::exactly(x), Ball::exactly(y)}; }
 
 } // namespace
@@ -122,11 +125,11 @@ TEST_CASE("sums may be long where powers may not be deep; steps may be many, but
 {
     std::string sum = "x", deep = "x";
     for (int k = 0; k < 60; ++k) sum += "+x", deep = "sqrt(1+" + deep + ")";
-    CHECK(integral(sum, "0", "1").value.overlaps(Ball(61) / Ball(2)));
+    CHECK(is(integral(sum, "0", "1"), Ball(61) / Ball(2)));
     CHECK_THROWS_AS(integral(deep, "0", "1"), ExpressionError);
     CHECK_THROWS_AS(integral("floor(1000000*x)", "0", "1"), DomainError);
     CHECK_THROWS_AS(integral("floor(x)", "10000000000000000", "10000000000000002"), DomainError);
-    CHECK(integral("floor(3*x)", "0", "1").value.overlaps(Ball(1)));
+    CHECK(is(integral("floor(3*x)", "0", "1"), Ball(1)));
 }
 
 TEST_CASE("break points are inside the range, and of a path neither they nor principal values are asked")
@@ -142,8 +145,8 @@ TEST_CASE("break points are inside the range, and of a path neither they nor pri
     inside.digits = 15;
     inside.at = {parse_limit("1/2"), parse_limit("1/3")};
     for (const auto& [from, to, value] : {std::tuple("0", "1", "1-exp(-1)"), {"0", "inf", "1"}, {"-1", "inf", "e"}})
-        CHECK(integrate_several({parse_expression("exp(-x)"), parse_expression("exp(-2*x)")}, parse_limit(from), parse_limit(to), inside)[0]
-                  .value.overlaps(parse_limit(value).ball()));
+        CHECK(is(integrate_several({parse_expression("exp(-x)"), parse_expression("exp(-2*x)")}, parse_limit(from), parse_limit(to), inside)[0],
+                 parse_limit(value).ball()));
     const std::vector<Vertex> path{parse_vertex("0"), parse_vertex("1+i")};
     IntegralOptions broken, principal;
     broken.at = {parse_limit("1/2")};
