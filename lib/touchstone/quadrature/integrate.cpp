@@ -26,6 +26,8 @@ std::string short_number(double x)
     return out.str();
 }
 
+std::string as_exponent(const Rational& q) { return q.get_den() == 1 ? q.get_str() : std::string("(").append(q.get_str()).append(")"); }
+
 double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
 /// Whether something that abs, sign, max, min, a root or a logarithm is taken of vanishes there, exactly.
@@ -83,7 +85,7 @@ bool Integration::diverges(const Limit& end, int direction, Integral& out) const
         const Rational power = -s->valuation - 2;
         out.divergent = true;
         out.reason = "the integral diverges at x = " + end.text + ": the formula behaves there like |x|^" +
-                     (power.get_den() == 1 ? power.get_str() : "(" + power.get_str() + ")");
+                     as_exponent(power);
         return true;
     }
     if (!end.exact) return false;
@@ -92,7 +94,7 @@ bool Integration::diverges(const Limit& end, int direction, Integral& out) const
     if (s->c.empty() || s->valuation > -1) return false;
     out.divergent = true;
     out.reason = "the integral diverges at x = " + end.text + ": the formula behaves there like |x - " + end.text + "|^" +
-                 (s->valuation.get_den() == 1 ? s->valuation.get_str() : "(" + s->valuation.get_str() + ")");
+                 as_exponent(s->valuation);
     if (s->valuation == -1) out.reason += " (inside the range, --principal-value " + end.text + " gives Cauchy's value)";
     return true;
 }
@@ -303,7 +305,7 @@ bool Integration::add_in_a_power(const Limit& from, const Limit& to, long digits
     const auto start = m ? exact_value(*make(Op::power, {formula_of(direction * *end.exact), make_number(*m)})) : std::nullopt;
     if (!start) return false;
     const std::string in = std::string(" in ").append(to.infinite ? "x" : "(-x)").append("^").append(
-        m->get_den() == 1 ? m->get_str() : "(" + m->get_str() + ")");
+        as_exponent(*m));
     return add_of_another(in_power(f, *m), limit_at(*start, text_of(*start)), parse_limit("inf"), in, digits, out);
 }
 

@@ -106,11 +106,7 @@ bool Zeros::is_analytic_about_circle(const Node& plain, double radius)
     for (int i = 0; i < boxes; ++i) {
         const double angle = 2 * std::numbers::pi * i / boxes;
         ComplexBall s(Ball::exactly(radius * std::cos(angle)), Ball::exactly(radius * std::sin(angle)));
-        mag_t m;
-        mag_init(m);
-        mag_set_d(m, half);
-        acb_add_error_mag(s.get(), m);
-        mag_clear(m);
+        widen(s, Ball::exactly(half));
         if (!evaluate(plain, Point<ComplexBall>{s, nowhere, nowhere, std::nullopt}, Place{}).value().is_finite()) return false;
     }
     return true;
