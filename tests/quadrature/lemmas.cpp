@@ -83,6 +83,16 @@ TEST_CASE("discretisation: exp(-t^2) attains N_d/(exp(2 pi d/h) - 1) at d = pi/h
     attains(sum - sqrt(pi<Ball>()), lemma::discretisation(N, d, h), Rational(999, 1000));
 }
 
+TEST_CASE("log(1 - y)/y: its slope, and how far it is from -1, at a y where both are largest")
+{
+    const WorkingPrecision precision(128);
+    for (const char* text : {"0.1", "0.25", "0.4"}) {
+        const Ball y = decimal(text), l = log(1 - y), slope = -(l + y / (1 - y)) / (y * y); // of log(1 - y)/y
+        attains(-slope, lemma::slope_of_logarithm(y), Rational(4, 5));
+        attains(-l / y - 1, lemma::logarithm_over_argument(y), Rational(4, 5));
+    }
+}
+
 TEST_CASE("truncation: what the lemma sums, by a fine step")
 {
     const WorkingPrecision precision(100);

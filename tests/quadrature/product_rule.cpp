@@ -16,6 +16,7 @@
 #include <acb_elliptic.h>
 #endif
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -211,6 +212,41 @@ TEST_CASE("K and E by means against Arb's")
     }
     CHECK_FALSE(elliptic_of_complement(Ball(-1)).k.is_finite());
     CHECK_FALSE(elliptic_of_complement(Ball(0)).e.is_finite());
+}
+
+TEST_CASE("the boxes of an ellipse cover it, and hold the sine and the cosine of the angle there")
+{
+    const WorkingPrecision precision(strip_bits);
+    std::vector<EllipseBox> boxes;
+    EllipseFunction f;
+    f.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
+        c.assign(1, ComplexBall(1) / (2 + box.z * box.z));
+        if (c[0].is_finite()) boxes.push_back(box);
+    };
+    f.at_node = [](const GaussNodes::Entry& e, bool, std::vector<Ball>& c) { c.assign(1, 1 / (2 + e.z * e.z)); };
+    for (const bool even : {false, true}) {
+        f.is_even = even;
+        boxes.clear();
+        const auto found = by_ellipse(f, 100, false, 700);
+        REQUIRE(found);
+        constexpr int points = 500;
+        for (int k = 0; k <= points; ++k) {
+            const ComplexBall w(Ball::exactly(found->sigma), pi<Ball>() * Ball(k) / Ball(points * (even ? 2 : 1)));
+            const ComplexBall z = (exp(w) + exp(-w)) / ComplexBall(2);
+            CHECK(std::any_of(boxes.begin(), boxes.end(), [&](const EllipseBox& b) { return acb_overlaps(b.z.get(), z.get()) != 0; }));
+        }
+        for (const EllipseBox& box : boxes) {
+            ComplexBall middle, sine, cosine;
+            acb_get_mid(middle.get(), box.z.get());
+            const ComplexBall angle = (ComplexBall(1) + middle) * ComplexBall(pi<Ball>() / Ball(4));
+            acb_sin_cos(sine.get(), cosine.get(), angle.get(), strip_bits);
+            CHECK(acb_contains(box.sine.get(), sine.get()));
+            CHECK(acb_contains(box.cosine.get(), cosine.get()));
+            const Ball allowed = radius_of(box.z) * Ball(2); // |d sin| <= cosh |d angle|
+            CHECK(arb_le(radius_of(box.sine).get(), allowed.get()));
+            CHECK(arb_le(radius_of(box.cosine).get(), allowed.get()));
+        }
+    }
 }
 
 TEST_CASE("what is told of an ellipse's proof are its bounds, of the integral as it is scaled")

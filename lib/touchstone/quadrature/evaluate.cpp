@@ -185,27 +185,24 @@ N<V> logarithm_of_fraction(const N<V>& x, const N<V>& y)
         if (y.is_plain() || keeps) return log(x);
         const auto times = [&](const N<V>& l) { return y * N<V>(y.frame(), l.left(), l.right(), l.factor() / v); };
         if (!near) return times(log(x));
-        // log(1 - y)/y = -(sum of y^k/(k + 1)), its derivative at most 1/2 + |y|/(1 - |y|) in size: from the middle of the ball over the
-        // ball
+        // log(1 - y)/y from the middle of the ball over the ball
         const V middle = middle_of(v);
-        const Ball slope = Ball(1) / Ball(2) + size / (Ball(1) - size);
         V ratio(-1);
         if (!is_exactly_zero(middle)) {
             const V minus = -middle;
             acb_log1p(ratio.get(), minus.get(), WorkingPrecision::bits());
             ratio = ratio / middle;
         }
-        widen(ratio, slope * radius_of(v));
+        widen(ratio, lemma::slope_of_logarithm(size) * radius_of(v));
         return y * N<V>(y.frame(), {}, {}, ratio);
     }
 }
 
-/// log(1 + v)/v = 1 - v/2 + ... for the principal logarithm, off 1 by at most |v|/(2 (1 - |v|)) for |v| <= size < 1; by its own values where
-/// those know more, as at a node.
+/// log(1 + v)/v = 1 - v/2 + ... for the principal logarithm, |v| <= size < 1; by its own values where those know more, as at a node.
 ComplexBall logarithm_over_argument(const ComplexBall& v, const Ball& size)
 {
     ComplexBall ratio(1), l;
-    widen(ratio, size / (Ball(2) * (Ball(1) - size)));
+    widen(ratio, lemma::logarithm_over_argument(size));
     acb_log1p(l.get(), v.get(), WorkingPrecision::bits());
     l = l / v;
     return l.is_finite() && acb_rel_accuracy_bits(l.get()) > acb_rel_accuracy_bits(ratio.get()) ? l : ratio;

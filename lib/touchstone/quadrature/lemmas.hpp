@@ -72,6 +72,12 @@ inline Ball rest_of_means(const Ball& square, const Ball& delta, long n)
 /// Slope: |T(s) - T(m)|, |T| <= bound for |s| <= R, at |s|, |m| <= R/4: |T'| <= (bound/R)/(1 - |s/R|^2) (Schwarz and Pick).
 inline Ball slope(const Ball& bound, const Ball& R, const Ball& distance) { return Ball(16) / Ball(15) * bound / R * distance; }
 
+/// Slope of a logarithm: the derivative of log(1 - y)/y, |y| <= size < 1.
+inline Ball slope_of_logarithm(const Ball& size) { return Ball(1) / Ball(2) + size / (Ball(1) - size); }
+
+/// Logarithm over argument: |log(1 + v)/v - 1| of the principal logarithm, |v| <= size < 1.
+inline Ball logarithm_over_argument(const Ball& size) { return size / (Ball(2) * (Ball(1) - size)); }
+
 /// Odd difference: (h(s) - h(-s))/s, |h| <= supremum on |s| <= R; h(s) = s attains it.
 inline Ball odd_difference(const Ball& supremum, const Ball& R) { return Ball(2) * supremum / R; }
 
