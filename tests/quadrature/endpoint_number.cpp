@@ -55,6 +55,11 @@ TEST_CASE("a piece of the strip encloses the map at each of its points")
         CHECK(piece.distance(Side::right).overlaps(p.r));
         CHECK(piece.logarithm(Side::left).overlaps(p.log_u));
         CHECK(piece.logarithm(Side::right).overlaps(p.log_r));
+        // |dw/dt| = |pi cosh t| is largest at the corner that is farthest out and lowest
+        const ComplexBall corner(Ball::exactly(x2), Ball::exactly(y1));
+        const Ball largest = touchstone::abs(exp(corner) + exp(-corner)) * pi<Ball>() / Ball(2);
+        CHECK(piece.stretch().overlaps(largest));
+        CHECK(piece.stretch().relative_bits() > 40);
         // tight: pieces this small are bounded away from nothing but the singular points +-i pi/2
         if (piece.distance(Side::left).is_finite() && piece.distance(Side::right).is_finite()) ++finite;
     }

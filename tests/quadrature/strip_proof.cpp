@@ -19,6 +19,17 @@ using C = std::complex<double>;
 
 double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
+/// Over [0, to], to 30 digits.
+Enclosure by_tanh_sinh(const std::string& formula, const std::string& to, Transformation transformation = Transformation::tanh_sinh)
+{
+    const Map map = to == "inf" ? Map::right_algebraic : Map::finite;
+    const auto f = std::make_shared<const Integrand>(parse_expression(formula), Range{parse_limit("0"), parse_limit(to), map});
+    const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
+    Options options;
+    options.transformation = transformation;
+    return tanh_sinh(at, f->range().interval(), options);
+}
+
 struct Case {
     std::string formula, to; ///< over [0, to]
     std::function<C(C x, C r)> f; ///< r = 1 - u
@@ -73,7 +84,8 @@ double largest_at_end(const Case& c, const Panel& p, bool left)
         for (const double y : {0., p.strip / 2, p.strip}) {
             const double x = edge + (logistic ? 0.1 : 0.01) * k;
             const Value v = value_at(c, C(left ? -x : x, y));
-            const double unit = std::abs(v.slope) * std::pow(std::abs(v.u), p.alpha.to_double() - 1) * std::pow(std::abs(v.r), p.beta.to_double() - 1);
+            const auto power = [](C distance, const Exponent& e) { return std::pow(std::abs(distance), e.to_double() - 1); };
+            const double unit = std::abs(v.slope) * power(v.u, p.alpha) * power(v.r, p.beta);
             if (const double ratio = std::abs(v.F) / unit; std::isfinite(ratio)) largest = std::max(largest, ratio);
         }
     return largest;
@@ -85,13 +97,7 @@ TEST_CASE("bounds of a strip and of its ends are above the truth, and near to it
 {
     for (const Case& c : cases) {
         CAPTURE(c.formula);
-        const bool finite = c.to == "1";
-        const auto f = std::make_shared<const Integrand>(
-            parse_expression(c.formula), Range{parse_limit("0"), parse_limit(c.to), finite ? Map::finite : Map::right_algebraic});
-        const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
-        Options options;
-        options.transformation = c.transformation;
-        const Enclosure e = tanh_sinh(at, f->range().interval(), options);
+        const Enclosure e = by_tanh_sinh(c.formula, c.to, c.transformation);
         REQUIRE(e.certificate.panels.size() == 1);
         const Panel& p = e.certificate.panels.front();
         const double strip = to_double(p.strip_integral) / (2 * over_line(c, p.strip)), scale = to_double(p.scale) / over_line(c, 0);
@@ -106,4 +112,37 @@ TEST_CASE("bounds of a strip and of its ends are above the truth, and near to it
             CHECK(share > 0.25);
         }
     }
+}
+
+TEST_CASE("where a proof stops is told: in words of the last part that was tried, in numbers of the whole")
+{
+    struct Stop {
+        const char* formula;
+        double part, whole;
+    };
+    const std::string near = "near the fraction ";
+    for (const auto& [formula, part, whole] :
+         {Stop{"1/(x-0.7)^2", 0.7, 0.7}, Stop{"1/(x-0.07)^2", 0.07, 0.07}, Stop{"1/((x-0.3)^2*(x-0.8)^2)", 0.3, 0.3},
+          Stop{"1/((x-0.3)^2+10^(-10))/(x-0.8)^2", 0.8, 0.3}}) {
+        CAPTURE(formula);
+        const Enclosure e = by_tanh_sinh(formula, "1");
+        REQUIRE(e.status == Status::indeterminate);
+        REQUIRE(e.fraction);
+        CHECK(std::fabs(*e.fraction - whole) < 1e-4);
+        REQUIRE(e.reason.find(near) != std::string::npos);
+        CHECK(std::fabs(std::stod(e.reason.substr(e.reason.find(near) + near.size())) - part) < 1e-4);
+    }
+}
+
+TEST_CASE("a range is cut beside each of two poles that are close to it, and its parts are the whole")
+{
+    const Enclosure e = by_tanh_sinh("1/((x-0.3)^2+10^(-10))+1/((x-0.8)^2+10^(-10))", "1");
+    REQUIRE(e.status == Status::certified);
+    Rational reached = 0;
+    for (const Panel& p : e.certificate.panels) {
+        CHECK(p.from == reached);
+        CHECK(p.from < p.to);
+        reached = p.to;
+    }
+    CHECK(reached == 1);
 }

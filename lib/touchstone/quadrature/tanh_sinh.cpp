@@ -156,13 +156,13 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
     p.panel.pieces = proof.pieces;
     p.left = proof.left;
     p.right = proof.right;
-    const double at = proof.failure_u;
+    const double at = proof.failure_u, place = from.get_d() + (to.get_d() - from.get_d()) * at; // where it stopped, in the panel and in all
     const auto described = [&] {
         std::ostringstream text;
         text.precision(8);
         text << proof.reason;
         if (at >= 0)
-            text << " near the fraction " << from.get_d() + (to.get_d() - from.get_d()) * at << " of the interval";
+            text << " near the fraction " << place << " of the interval";
         else if (from != 0 || to != 1)
             text << " of the part from fraction " << from.get_d() << " to " << to.get_d();
         return text.str();
@@ -178,13 +178,13 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
         }
         if (!proved) { // the place where the whole stopped says more than where a part did
             reason = std::move(why);
-            stopped = from.get_d() + (to.get_d() - from.get_d()) * at;
+            stopped = place;
             return false;
         }
     }
     if (!proved) {
         reason = described();
-        if (at >= 0) stopped = from.get_d() + (to.get_d() - from.get_d()) * at;
+        if (at >= 0) stopped = place;
         return false;
     }
     out.push_back(std::move(p));
