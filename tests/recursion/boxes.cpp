@@ -245,6 +245,32 @@ TEST_CASE("the kernel far out, E apart, is below its bound for every R that eta 
     }
 }
 
+TEST_CASE("1/E of a D in the right half plane, nearly attained by small and large real ones")
+{
+    Points points;
+    for (int i = 0; i < 2000; ++i) {
+        const double size = points.scale(1e-6, 100), angle = points.between(-1.56, 1.56);
+        CHECK(1 / std::abs(mean_of(std::polar(size, angle))) <= inverse_mean(size, std::cos(angle)) * (1 + 1e-9));
+    }
+    for (const double size : {1e-3, 0.01, 30., 100.}) CHECK(1 / std::abs(mean_of(size)) >= inverse_mean(size, 1) * (size < 1 ? 0.99 : 0.96));
+}
+
+TEST_CASE("how far R^2 is from (1 - x)^2 far out, attained by x = e")
+{
+    for (const double e : {1e-6, 0.05, 0.5, 0.99})
+        for (const double real_part : {0.5, 3.0, 20.0}) {
+            const double bound = root_departure(e, real_part);
+            double most = 0;
+            for (const double share : {0.0, 0.5, 1.0})
+                for (int k = 0; k < 16; ++k) {
+                    const Z x = e * share * std::polar(1.0, std::numbers::pi * k / 8), d(real_part, 0.3 * k);
+                    most = std::max(most, std::abs(4 * e * std::exp(-2.0 * d) / ((1. - x) * (1. - x))));
+                }
+            CHECK(most <= bound);
+            CHECK(most >= bound * (1 - 1e-6));
+        }
+}
+
 TEST_CASE("beyond the last shell the first two levels stay below the bounds of their directions")
 {
     const WorkingPrecision precision(Levels::precision_for(10));

@@ -51,6 +51,10 @@ Disc exponential_mean(const Disc& z)
     return disc(1, 0, m < 1e-3 ? m : up(std::expm1(m) / m - 1));
 }
 
+double inverse_mean(double size, double cosine) { return size + 1 / cosine; }
+
+double root_departure(double e, double real_part) { return up(4 * std::exp(-2 * real_part) * e / ((1 - e) * (1 - e))); }
+
 PolarRange polar(double re, double im, double radius)
 {
     const double r = std::hypot(re, im);
@@ -177,7 +181,7 @@ std::unique_ptr<Level> Levels::first_level() const
     const WorkingPrecision low(bound_bits);
     level->edge_bound = level->edge + Ball(0);
     fill(level->boxes, 0.25, [this](const Disc& d, int, int, double) { return first_bound(d); });
-    // outside: |1/E| <= |D| + 1/cos, R -> 1 - load
+    // outside: R -> 1 - load
     level->boxes.far.assign(n_directions, infinity);
     const double r = shells.radius(shells.count());
     for (int m = 0; m < n_directions; ++m) {
@@ -185,10 +189,10 @@ std::unique_ptr<Level> Levels::first_level() const
         if (cosine <= 0.001 || beta * r * cosine < 4) continue;
         double b = infinity;
         const double decay = std::max(std::exp(-beta * r * cosine), smallest_bound);
-        if (full) b = law == Law::density ? std::sqrt(2 * (2 * r + 1 / cosine)) / 2 : 4 * decay;
+        if (full) b = law == Law::density ? std::sqrt(2 * inverse_mean(2 * r, cosine)) / 2 : 4 * decay;
         else {
-            const double eta = up(4 * std::exp(-2 * r * cosine) * load_d / ((1 - load_d) * (1 - load_d)));
-            if (eta < 1e-3 * (1 - load_d)) b = decay * far_kernel(load_d, eta) * std::sqrt(2 * r + 1 / cosine) * 2;
+            const double eta = root_departure(load_d, r * cosine);
+            if (eta < 1e-3 * (1 - load_d)) b = decay * far_kernel(load_d, eta) * std::sqrt(inverse_mean(2 * r, cosine)) * 2;
         }
         level->boxes.far[static_cast<std::size_t>(m)] = std::max(up(b / std::sqrt(r)), smallest_bound);
     }
@@ -249,7 +253,7 @@ void Levels::bound_boxes(const Level& from, Level& to) const
                 if (far > end) u = std::max(u, from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far));
             }
             if (!std::isfinite(u)) return infinity;
-            const double direct = cosine > 0.001 ? 2 * outer * c1 + 1 / cosine : infinity;
+            const double direct = cosine > 0.001 ? inverse_mean(2 * outer * c1, cosine) : infinity;
             const double k = kernel_over(d, a, b, up(direct), 5);
             if (!std::isfinite(k)) return infinity;
             sum += product_of_bounds({share[static_cast<std::size_t>(i)], k, u});
@@ -260,12 +264,12 @@ void Levels::bound_boxes(const Level& from, Level& to) const
     for (int m = 0; m < n_directions; ++m) {
         const double cosine = std::cos(directions[static_cast<std::size_t>(m) + 1]);
         if (cosine <= 0.001 || beta * end * cosine < 4) continue;
-        const double eta = up(4 * std::exp(-2 * end * cosine) * e_d / ((1 - e_d) * (1 - e_d)));
+        const double eta = root_departure(e_d, end * cosine);
         if (!(eta < 1e-3) || e_d > 0.99999) continue; // R^2 = (1-x)^2 (1 + eta') off its cut: 2 arcsin e + eta < pi
         const double beyond = from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(2 * end);
         const double u = std::max(from.boxes.largest(0, shells.count(), m), beyond);
-        to.boxes.far[static_cast<std::size_t>(m)] =
-            product_of_bounds({std::exp(-beta * end * cosine), up(far_kernel(e_d, eta) * std::sqrt(2 * end + 1 / cosine) / std::sqrt(end)), u});
+        const double kernel = up(far_kernel(e_d, eta) * std::sqrt(inverse_mean(2 * end, cosine)) / std::sqrt(end));
+        to.boxes.far[static_cast<std::size_t>(m)] = product_of_bounds({std::exp(-beta * end * cosine), kernel, u});
     }
 }
 

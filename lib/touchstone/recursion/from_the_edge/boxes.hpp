@@ -56,6 +56,12 @@ Disc disc_over(double from, double to);
 /// E(z) = (1 - e^-z)/z; |E - 1| <= sum |z|^k/(k+1)! = (e^|z| - 1 - |z|)/|z|.
 Disc exponential_mean(const Disc& z);
 
+/// |1/E(D)| for |D| <= size, cos(arg D) >= cosine > 0, but for rounding: D + D/(e^D - 1), and |e^D - 1| >= e^Re D - 1 >= Re D.
+double inverse_mean(double size, double cosine);
+
+/// |R^2/(1 - x)^2 - 1| for |x| <= e < 1 and Re d at least the real part: R^2 = (1 - x)^2 + 4 e exp(-2d), attained by x = e.
+double root_departure(double e, double real_part);
+
 // ---- the plane of d, cut into boxes by direction (arg d, symmetric) and shell (|d|)
 
 constexpr std::array directions{0.0, 0.02, 0.05, 0.1, 0.16, 0.23, 0.31, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0,
