@@ -245,6 +245,20 @@ TEST_CASE("the kernel far out, E apart, is below its bound for every R that eta 
     }
 }
 
+TEST_CASE("the disc about a box holds it, and its rim the box's farthest corner")
+{
+    Points points;
+    for (int i = 0; i < 200; ++i) {
+        const double inner = points.scale(1e-3, 10), outer = inner * points.between(1, 1.5), from = points.between(0, 2.5), to = from + points.between(0, 0.6);
+        const Disc about = disc_about(inner, outer, from, to);
+        double farthest = 0;
+        for (const double r : {inner, (inner + outer) / 2, outer})
+            for (const double angle : {from, (from + to) / 2, to}) farthest = std::max(farthest, std::abs(std::polar(r, angle) - about.centre()));
+        CHECK(farthest <= about.radius());
+        CHECK(farthest >= about.radius() * (1 - 1e-6) - 1e-15 * outer);
+    }
+}
+
 TEST_CASE("1/E of a D in the right half plane, nearly attained by small and large real ones")
 {
     Points points;

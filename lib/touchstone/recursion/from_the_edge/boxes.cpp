@@ -51,6 +51,13 @@ Disc exponential_mean(const Disc& z)
     return disc(1, 0, m < 1e-3 ? m : up(std::expm1(m) / m - 1));
 }
 
+Disc disc_about(double inner, double outer, double from, double to)
+{
+    const double r = (inner + outer) / 2, a = (from + to) / 2, across = 2 * std::sin((to - from) / 4);
+    const double radius = std::sqrt(std::pow((outer - inner) / 2, 2) + outer * r * across * across);
+    return disc(r * std::cos(a), r * std::sin(a), up(radius));
+}
+
 double inverse_mean(double size, double cosine) { return size + 1 / cosine; }
 
 double root_departure(double e, double real_part) { return up(4 * std::exp(-2 * real_part) * e / ((1 - e) * (1 - e))); }
@@ -141,8 +148,7 @@ template <class F>
 double Levels::over_box(double inner, double outer, double from, double to, int depth, const F& f) const
 {
     const double r = (inner + outer) / 2, a = (from + to) / 2;
-    const double radius = (outer - inner) / 2 + outer * (to - from) / 2;
-    const double b = f(disc(r * std::cos(a), r * std::sin(a), up(radius)));
+    const double b = f(disc_about(inner, outer, from, to));
     if (std::isfinite(b) || depth == 0) return b;
     double most = 0;
     for (int i = 0; i < 4 && std::isfinite(most); ++i) {

@@ -53,6 +53,10 @@ Disc disc(double re, double im, double radius);
 Disc disc(const Ball& x);
 Disc disc_over(double from, double to);
 
+/// That holds inner <= |d| <= outer, from <= arg d <= to, about its middle: its rim goes through the two corners farther out, the farthest
+/// points, since |rho e^(i phi) - r|^2 = (rho - r)^2 + 4 rho r sin^2(phi/2).
+Disc disc_about(double inner, double outer, double from, double to);
+
 /// E(z) = (1 - e^-z)/z; |E - 1| <= sum |z|^k/(k+1)! = (e^|z| - 1 - |z|)/|z|.
 Disc exponential_mean(const Disc& z);
 
