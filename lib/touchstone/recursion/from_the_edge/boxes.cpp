@@ -208,8 +208,8 @@ std::unique_ptr<Level> Levels::first_level() const
 
 double Levels::far_kernel(double e, double eta) const
 {
-    const double P = 2 + 2 * eta, R = (1 - e) * (1 - eta);
-    return up((law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) : std::sqrt(P * (1 + e) * (2 + eta))) / R);
+    const double P = 2 + 2 * eta, R = 1 - eta; // R over 1 - x
+    return up(law == Law::density ? std::sqrt(P / ((1 - e) * (2 - eta))) / ((1 - e) * R) : std::sqrt(P * (2 + eta) / (1 - e)) / R);
 }
 
 std::array<double, Levels::sectors> Levels::sector_shares(long m)

@@ -123,7 +123,7 @@ public:
     double over_box(double inner, double outer, double from, double to, int depth, const F& f) const;
     void fill(Boxes& boxes, double disc_radius, const std::function<double(const Disc&, int shell, int direction, double outer)>& f) const;
     std::unique_ptr<Level> first_level() const;
-    /// |kernel| E^(1/2) where |x| <= e and |4w| <= eta (1-e)^2: R = (1-x)(1 + eta')^(1/2).
+    /// |kernel| E^(1/2) where |x| <= e and |4w| <= eta (1-e)^2: R = (1-x)(1 + eta')^(1/2), |P| <= 2 + 2 eta, M = (1-x)(2 + ...).
     double far_kernel(double e, double eta) const;
     static constexpr int sectors = 32;
     /// Shares of int sin^m over theta in the sectors of [0, pi/2], rounded up (upper sums).
