@@ -242,6 +242,29 @@ TEST_CASE("scaled functions: the constants are attained")
     }
 }
 
+TEST_CASE("exp(x) K far out is as large as is claimed, where x grows as a power and where it grows as a logarithm")
+{
+    const WorkingPrecision precision(120);
+    const auto radius_of_disc = [](const Complex& f) { // not of the square about it
+        Ball radius;
+        arb_get_rad_arb(radius.get(), f.factor().real().get());
+        return radius;
+    };
+    const Ball order(1);
+    {
+        const double x1 = 9;
+        const StripPiece piece = StripPiece::at(Side::right, x1, endless, 0, 0x1p-12, Transformation::logistic);
+        const Complex f = function_of(Op::bessel_k_scaled, order, abscissa(piece));
+        const ComplexBall x = at(x1, 0);
+        attains(abs(special_function(Op::bessel_k_scaled, order, x)), radius_of_disc(f) * exp(f.right().power.ball() * -log(1 + abs(x))),
+                Rational(998, 1000));
+    }
+    const StripPiece piece = StripPiece::at(Side::right, 2.5, endless, 0, 0x1p-12);
+    const Complex rho(&piece, {}, {0, 1}, ComplexBall(1));
+    const Complex f = function_of(Op::bessel_k_scaled, order, rho);
+    attains(special_function(Op::bessel_k_scaled, order, piece.depth()), radius_of_disc(f), Rational(97, 100));
+}
+
 TEST_CASE("integrals of what is analytic in a sector only")
 {
     is_proved("exp(-x)*besseli(1,x)/x", "0", "inf", "1", true);

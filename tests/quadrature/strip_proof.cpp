@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is proved of a strip, beside the same integrals by a fine step in complex doubles: a bound is above the truth, and not far above it.
 #include "touchstone/quadrature/integrand.hpp"
+#include "touchstone/quadrature/strip_proof.hpp"
 #include "touchstone/quadrature/tanh_sinh.hpp"
 
 #include <doctest/doctest.h>
@@ -9,6 +10,7 @@
 #include <complex>
 #include <functional>
 #include <numbers>
+#include <tuple>
 
 using namespace touchstone;
 using namespace touchstone::quadrature;
@@ -16,6 +18,7 @@ using namespace touchstone::quadrature;
 namespace {
 
 using C = std::complex<double>;
+using PanelFunction = quadrature::detail::PanelFunction<ComplexBall>;
 
 double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
@@ -111,6 +114,28 @@ TEST_CASE("bounds of a strip and of its ends are above the truth, and near to it
             CHECK(share < 1 + 1e-9);
             CHECK(share > 0.25);
         }
+    }
+}
+
+TEST_CASE("an end is proved with the exponents that the integrand has here and there, and what has no integral is told with its own")
+{
+    const WorkingPrecision precision(strip_bits);
+    const PanelFunction of_powers = [](const Frame<ComplexBall>& frame) {
+        return EndpointNumber<ComplexBall>(&frame, {Exponent(-1, 2), 0}, {Exponent(-9, 5), 0}, ComplexBall(1));
+    };
+    quadrature::detail::StripProof proof(of_powers, 100);
+    Panel panel;
+    CHECK_FALSE(proof.run(panel, 100));
+    CHECK(proof.reason == "at the right end the exponent -9/5 is all that is proved, and the integral needs one above -1");
+    const PanelFunction of_others = [](const Frame<ComplexBall>& frame) {
+        return EndpointNumber<ComplexBall>(&frame, {Exponent(-1, 2), 0}, {Exponent(-1, 5), 0}, ComplexBall(1));
+    };
+    quadrature::detail::StripProof other(of_others, 100);
+    REQUIRE(other.run(panel, 100));
+    for (const auto& [end, here, far] :
+         {std::tuple(other.left, Exponent(1, 2), Exponent(4, 5)), std::tuple(other.right, Exponent(4, 5), Exponent(1, 2))}) {
+        CHECK(end.here == here);
+        CHECK(end.far == far);
     }
 }
 

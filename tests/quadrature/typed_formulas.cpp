@@ -442,6 +442,8 @@ TEST_CASE("tails that oscillate against their closed forms")
                  {"sin(1/(x-3))/(x-3)", "3", "inf", "pi/2"},
                  {"cos(1/(3-x))/(1+(3-x)^2)", "-inf", "3", "pi/(2*e)"},
                  {"cos(x)/x", "1", "inf", "-ci(1)"},
+                 {"-(cos(x)/x)", "1", "inf", "ci(1)"},
+                 {"(sin(x)-cos(x))/x", "1", "inf", "pi/2-si(1)+ci(1)"},
                  {"sin(x)/(x-1)", "-inf", "0", "pi*cos(1)/2-cos(1)*si(1)+sin(1)*ci(1)"}};
     for (const auto& c : cases) {
         CAPTURE(c.formula);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Where a strip winds around an end a formula goes on as the function it is on the real line: roots and logarithms of what vanishes at the
+// end are continued, not principal, and which way a value was had must not show. Held against the continuation by hand, from w = log(u/r).
+#include "touchstone/quadrature/integrand.hpp"
+#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/scalar/ball.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <random>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+/// u, r = 1 - u and their continued logarithms at w = pi sinh t.
+struct Place {
+    ComplexBall u, r, log_u, log_r;
+    Place(double x, double y)
+    {
+        const ComplexBall t(Ball::exactly(x), Ball::exactly(y)), w = ComplexBall(pi<Ball>()) * (exp(t) - exp(-t)) / 2;
+        // log u = -log(1 + exp(-w)) where Re w >= 0, where that is principal, w - log(1 + exp(w)) elsewhere; log r = log u - w
+        log_u = x >= 0 ? -log(1 + exp(-w)) : w - log(1 + exp(w));
+        log_r = log_u - w;
+        u = exp(log_u);
+        r = exp(log_r);
+    }
+};
+
+struct Continued {
+    const char* formula; ///< over [0, 1]: x = u, 1 - x = r
+    std::function<ComplexBall(const Place&)> value;
+};
+
+ComplexBall half(const ComplexBall& log) { return exp(log / 2); }
+
+const Continued cases[] = {
+    {"log(x)", [](const Place& p) { return p.log_u; }},
+    {"log(1-x)", [](const Place& p) { return p.log_r; }},
+    {"log(x)*log(1-x)", [](const Place& p) { return p.log_u * p.log_r; }},
+    {"log(x)/(1-x)", [](const Place& p) { return p.log_u / p.r; }},
+    {"sqrt(x)", [](const Place& p) { return half(p.log_u); }},
+    {"x^(1/3)*(1-x)^(-3/7)", [](const Place& p) { return exp(p.log_u / 3 - p.log_r * 3 / 7); }},
+    {"sqrt(1-cos(x))", [](const Place& p) { return sqrt(ComplexBall(2)) * sin(p.u / 2); }},
+    {"sqrt(x^2-x^3)", [](const Place& p) { return p.u * half(p.log_r); }},
+    {"sqrt(exp(1-x)-1)", [](const Place& p) { return half(p.log_r) * sqrt((exp(p.r) - 1) / p.r); }},
+    {"sqrt(x-sin(x))", [](const Place& p) { return p.u * half(p.log_u) * sqrt((p.u - sin(p.u)) / (p.u * p.u * p.u)); }},
+    {"log(1-cos(x))", [](const Place& p) { return 2 * p.log_u + log((1 - cos(p.u)) / (p.u * p.u)); }},
+    {"log(sin(pi*x))", [](const Place& p) { return p.log_u + p.log_r + log(sin(ComplexBall(pi<Ball>()) * p.u) / (p.u * p.r)); }},
+    {"acos(x)", [](const Place& p) { return 2 * asin(half(p.log_r) / sqrt(ComplexBall(2))); }},
+};
+
+} // namespace
+
+TEST_CASE("roots and logarithms go on around an end, whichever way they are had")
+{
+    const WorkingPrecision precision(128);
+    std::mt19937_64 random(20261126);
+    const auto uniform = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    for (const Continued& c : cases) {
+        CAPTURE(std::string(c.formula));
+        const Integrand f(parse_expression(c.formula), Range{parse_limit("0"), parse_limit("1"), Map::finite});
+        int told = 0;
+        for (int k = 0; k < 400; ++k) {
+            const bool left = k % 2 == 0;
+            const double x = uniform(0, 1.9), y = uniform(0, 1.45), width = uniform(0, 0.01);
+            const StripPiece piece = StripPiece::at(left ? Side::left : Side::right, x, x + width, y, y + width);
+            using N = EndpointNumber<ComplexBall>;
+            const N u(&piece, {1, 0}, {}, ComplexBall(1)), r(&piece, {}, {1, 0}, ComplexBall(1));
+            const Place place((left ? -1 : 1) * (x + width / 3), y + width / 2);
+            const Ball size = abs(place.u);
+            if (arb_gt(size.get(), Ball(3).get())) continue; // next to the map's pole: 1 - cos x has zeros of its own there
+            const ComplexBall value = f.at(u, u, r).value(), truth = c.value(place);
+            if (!value.is_finite()) continue;
+            ++told;
+            CAPTURE(x);
+            CAPTURE(y);
+            CAPTURE(left);
+            CHECK_MESSAGE(value.overlaps(truth), value.real().to_string(10), " + i ", value.imag().to_string(10), " is not ",
+                          truth.real().to_string(10), " + i ", truth.imag().to_string(10));
+        }
+        CHECK(told > 330);
+    }
+}
+
+TEST_CASE("log(x)/(1 - x) on balls about the end where both vanish")
+{
+    const WorkingPrecision precision(128);
+    const Integrand f(parse_expression("log(x)/(1-x)"), Range{parse_limit("0"), parse_limit("1"), Map::finite});
+    for (const char* middle : {"1", "0.9", "1.05"}) {
+        CAPTURE(middle);
+        ComplexBall ball(Ball(*parse_rational(middle)));
+        mag_set_d(arb_radref(acb_realref(ball.get())), 0.1);
+        mag_set_d(arb_radref(acb_imagref(ball.get())), 0.1);
+        const ComplexBall value = f.in_plane(ball);
+        REQUIRE(value.is_finite());
+        for (const double re : {-0.09, 0.001, 0.09})
+            for (const double im : {0.0, 0.09}) {
+                const ComplexBall x = ComplexBall(Ball(*parse_rational(middle))) + ComplexBall(Ball::exactly(re), Ball::exactly(im));
+                const ComplexBall truth = log(x) / (1 - x);
+                CHECK(value.overlaps(truth));
+            }
+        CHECK(arb_le(abs(value + ComplexBall(1)).get(), Ball(Rational(1, 2)).get()));
+    }
+}
