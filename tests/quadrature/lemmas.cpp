@@ -9,9 +9,12 @@
 #include "touchstone/quadrature/singular_weights.hpp"
 #include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #include <doctest/doctest.h>
+
+#include <tuple>
 
 using namespace touchstone;
 using namespace touchstone::quadrature;
@@ -206,6 +209,14 @@ TEST_CASE("erfc, Ai and K on a piece: at the least rho they are as large as is c
     {
         const StripPiece piece = piece_from(1.5);
         const Ball A = piece.depth();
+        // erf, and either where x falls, about as near to its limit as it is
+        const Ball rest = special_function(Op::erfc, A), room = rest * 100;
+        for (const auto& [op, direction, truth] : {std::tuple(Op::erf, 1, Ball(1) - rest), std::tuple(Op::erf, -1, rest - Ball(1)),
+                                                   std::tuple(Op::erfc, -1, Ball(2) - rest)}) {
+            const ComplexBall value = function_of(op, grown(piece, ComplexBall(direction))).value();
+            CHECK(value.overlaps(ComplexBall(truth)));
+            CHECK(arb_le(radius_of(value).get(), room.get()));
+        }
         attains(special_function(Op::airy_ai, A), claimed(function_of(Op::airy_ai, grown(piece, ComplexBall(1))), A), Rational(9, 10));
         for (const long order : {0L, 2L})
             attains(special_function(Op::bessel_k, Ball(order), A),

@@ -101,6 +101,28 @@ TEST_CASE("the weights integrate powers of u exactly, up to degree n - 1 and no 
     CHECK_FALSE(by_rule({0, 0, 1, 0}, 3, 3, bits).overlaps(Ball(-2) / Ball(16)));
 }
 
+TEST_CASE("the size of a rule: the integral of |w|, and the sum of the sizes of its weights")
+{
+    constexpr slong bits = 128;
+    const WorkingPrecision precision(bits);
+    struct Weight {
+        SingularWeight w;
+        Ball integral;
+    };
+    const Exponent half(1, 2);
+    for (const auto& [w, integral] : {Weight{{Exponent(-9, 10), 0}, Ball(20)}, Weight{{0, 0, 1, 0}, Ball(2)}, Weight{{0, 0, 0, 2}, Ball(4)},
+                                      Weight{{half, 0, 1, 0}, Ball(8) / Ball(9)}, Weight{{-half, -half}, Ball(2) * pi<Ball>()}})
+        for (const long n : {1L, 4L, 9L}) {
+            const auto rule = WeightedNodes::get(w, n, bits);
+            Ball sum = integral;
+            for (long k = 0; k < (n + 1) / 2; ++k)
+                for (const bool mirrored : {false, true})
+                    if (!mirrored || 2 * k + 1 < n) sum += abs(rule->at(static_cast<std::size_t>(k), mirrored));
+            CHECK(arb_le((sum * (Ball(1) - ScalarTraits<Ball>::power_of_two(-100))).get(), rule->size().get()));
+            CHECK(arb_le(rule->size().get(), (sum * (Ball(1) + ScalarTraits<Ball>::power_of_two(-20))).get()));
+        }
+}
+
 TEST_CASE("what is taken, and by which rule")
 {
     struct Case {

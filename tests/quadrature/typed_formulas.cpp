@@ -261,6 +261,29 @@ TEST_CASE("parts are added at the precision of the digits asked for")
     CHECK(e.value.relative_bits() > 664);
 }
 
+TEST_CASE("what vanishes at an end with others has all its bits beside it, by the series, at a midpoint and as it stands")
+{
+    constexpr slong bits = 200;
+    for (const char* formula : {"(1-cos(x))/x^2", "(exp(x)-1-x)/x^2", "(x-sin(x))/x^3", "(sqrt(1+x)-1)/x", "log(1+x)/x-1/(1+x/2)"}) {
+        CAPTURE(formula);
+        const auto e = parse_expression(formula);
+        const Integrand f(e, Range{parse_limit("0"), parse_limit("1"), Map::finite});
+        for (int k = 2; k <= 120; k += 1) {
+            CAPTURE(k);
+            const Ball x = Ball(3) / 2 * ScalarTraits<Ball>::power_of_two(-k);
+            const Ball truth = [&] {
+                const WorkingPrecision precision(2000);
+                return evaluate_at(*e, x);
+            }();
+            const WorkingPrecision precision(bits);
+            const Ball value = f.at_real(x);
+            CHECK(value.overlaps(truth));
+            const bool is_small = formula[0] == 'l'; // a sum of two such, of which each has its bits
+            CHECK(value.relative_bits() > bits - 25 - (is_small ? 2 * k : 0));
+        }
+    }
+}
+
 TEST_CASE("both rules agree where both serve")
 {
     for (const char* formula : {"exp(x)", "cos(10*x)", "1/(1+x^2)", "x/(exp(x)-1)", "(1-cos(x))/x^2", "gamma(1+x)", "besselj(0,5*x)"}) {
