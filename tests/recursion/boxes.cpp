@@ -262,6 +262,44 @@ TEST_CASE("the disc about a box holds it, and its rim the box's farthest corner"
     }
 }
 
+TEST_CASE("a box is bounded by its quarters where the disc about it has no bound, and they leave out nothing")
+{
+    Points points;
+    const double inner = 1, outer = 1.3, from = 0.2, to = 0.7;
+    for (const int depth : {0, 1, 2}) {
+        std::vector<Disc> bounded;
+        const double smallest = 0.36 * std::exp2(-depth); // the disc about the whole has a radius of 0.34
+        const double bound = over_box(inner, outer, from, to, depth, [&](const Disc& d) {
+            if (d.radius() > smallest) return infinity;
+            bounded.push_back(d);
+            return d.most();
+        });
+        CHECK(bounded.size() == std::size_t(1) << (2 * depth));
+        double most = 0;
+        for (const Disc& d : bounded) most = std::max(most, d.most());
+        CHECK(bound == most);
+        for (int i = 0; i < 500; ++i) {
+            const Z at = std::polar(points.between(inner, outer), points.between(from, to));
+            CHECK(std::any_of(bounded.begin(), bounded.end(), [&](const Disc& d) { return std::abs(at - d.centre()) <= d.radius(); }));
+        }
+        CHECK(std::isinf(over_box(inner, outer, from, to, depth, [&](const Disc& d) { return d.radius() > smallest / 4 ? infinity : 1; })));
+    }
+}
+
+TEST_CASE("squares of sine and cosine over a sector")
+{
+    for (int i = 0; i < 32; ++i) {
+        const double a = std::numbers::pi / 64 * i, b = std::numbers::pi / 64 * (i + 1);
+        const auto [s0, s1, c0, c1] = sector(a, b);
+        for (const auto& [least, most, low, high] : {std::array{s0, s1, std::sin(a), std::sin(b)}, std::array{c0, c1, std::cos(b), std::cos(a)}}) {
+            CHECK(least <= low * low);
+            CHECK(least >= low * low * (1 - 1e-8));
+            CHECK(most >= std::min(1.0, high * high));
+            CHECK(most <= std::min(1.0, high * high * (1 + 1e-8)));
+        }
+    }
+}
+
 TEST_CASE("1/E of a D in the right half plane, nearly attained by small and large real ones")
 {
     Points points;
@@ -350,6 +388,25 @@ TEST_CASE("beyond the last shell the first two levels stay below the bounds of t
         }
 }
 
+TEST_CASE("beyond the last shell R is 1 - load but for less than its last bits, however close the load is to 1, and so is the bound")
+{
+    const WorkingPrecision precision(Levels::precision_for(10));
+    for (const Law law : {Law::density, Law::exceedance})
+        for (double rest = 0.125; rest > 1e-15; rest /= 16) {
+            const Ball load = 1 - Ball::exactly(rest);
+            const Levels levels(law, Ball(3), load, 10);
+            const Direct direct{law, 3, about(load), false};
+            const double end = levels.shells.radius(levels.shells.count());
+            for (int m = 0; directions[static_cast<std::size_t>(m) + 1] < 1.569; ++m) {
+                const double far = levels.levels[1]->boxes.far[static_cast<std::size_t>(m)], angle = directions[static_cast<std::size_t>(m) + 1];
+                CAPTURE(rest);
+                CHECK(root_departure(about(load), end * std::cos(angle)) < 1e-16 * rest);
+                CHECK(std::abs(direct.first(std::polar(end, angle))) <= far * std::sqrt(end) * (1 + 1e-6));
+                CHECK(std::isfinite(far));
+            }
+        }
+}
+
 TEST_CASE("over a narrow disc a bound of the kernel, of its share and of the first level is the value itself")
 {
     const WorkingPrecision precision(bits);
@@ -382,6 +439,11 @@ TEST_CASE("over a narrow disc a bound of the kernel, of its share and of the fir
                 if (z > 1.001) CHECK(std::isinf(share));
                 if (std::isfinite(share)) CHECK(share == doctest::Approx(std::numbers::pi / 2 * z).scale(0).epsilon(1e-6));
                 const double first = levels.first_bound(d), u = std::abs(of.first(at)), D1 = 2 * std::abs(at), at_least = D1 > 0.81 || D1 < 2e-3 ? 0.995 : 0.4;
+                if (std::isfinite(first) && law == Law::exceedance && D1 > 0.81 && !(of.full && at.real() > 0.5)) { // |arcsin z| <= (pi/2)|z|
+                    const Z R = of.full ? 2.0 * std::exp(-at) : std::sqrt((1 - of.load) * (1 - of.load) + 4 * of.load * std::exp(-2.0 * at));
+                    const double of_z = std::abs(std::exp(-of.beta() * at)) * std::sqrt(2 * of.load * std::abs(mean_of(2.0 * at) / (1 + of.load + R)));
+                    CHECK(first == doctest::Approx(std::numbers::pi / 2 * of_z).scale(0).epsilon(1e-6));
+                }
                 if (std::isfinite(first)) {
                     CHECK(u <= first * (1 + 1e-6));
                     CHECK(u >= first * (law == Law::density ? at_least : std::min(at_least, of.full && at.real() > 0.5 ? 0.2 : 0.6)));

@@ -58,6 +58,25 @@ Disc disc_about(double inner, double outer, double from, double to)
     return disc(r * std::cos(a), r * std::sin(a), up(radius));
 }
 
+double over_box(double inner, double outer, double from, double to, int depth, const std::function<double(const Disc&)>& f)
+{
+    const double b = f(disc_about(inner, outer, from, to));
+    if (std::isfinite(b) || depth == 0) return b;
+    const double r = (inner + outer) / 2, a = (from + to) / 2;
+    double most = 0;
+    for (int i = 0; i < 4 && std::isfinite(most); ++i) {
+        const double r0 = i & 1 ? r : inner, r1 = i & 1 ? outer : r, a0 = i & 2 ? a : from, a1 = i & 2 ? to : a;
+        most = std::max(most, over_box(r0, r1, a0, a1, depth - 1, f));
+    }
+    return most;
+}
+
+Sector sector(double a, double b)
+{
+    const double sine_a = std::sin(a), sine_b = std::sin(b), cosine_a = std::cos(a), cosine_b = std::cos(b);
+    return {down(sine_a * sine_a), std::min(1.0, up(sine_b * sine_b)), down(cosine_b * cosine_b), std::min(1.0, up(cosine_a * cosine_a))};
+}
+
 double inverse_mean(double size, double cosine) { return size + 1 / cosine; }
 
 double root_departure(double e, double real_part) { return up(4 * std::exp(-2 * real_part) * e / ((1 - e) * (1 - e))); }
@@ -144,20 +163,6 @@ double Levels::lookup(const Boxes& boxes, const PolarRange& p) const
     return most;
 }
 
-template <class F>
-double Levels::over_box(double inner, double outer, double from, double to, int depth, const F& f) const
-{
-    const double r = (inner + outer) / 2, a = (from + to) / 2;
-    const double b = f(disc_about(inner, outer, from, to));
-    if (std::isfinite(b) || depth == 0) return b;
-    double most = 0;
-    for (int i = 0; i < 4 && std::isfinite(most); ++i) {
-        const double r0 = i & 1 ? r : inner, r1 = i & 1 ? outer : r, a0 = i & 2 ? a : from, a1 = i & 2 ? to : a;
-        most = std::max(most, over_box(r0, r1, a0, a1, depth - 1, f));
-    }
-    return most;
-}
-
 void Levels::fill(Boxes& boxes, double disc_radius, const std::function<double(const Disc&, int shell, int direction, double outer)>& f) const
 {
     boxes.bound.assign(static_cast<std::size_t>(shells.count() + 1) * n_directions, infinity);
@@ -234,8 +239,7 @@ void Levels::bound_boxes(const Level& from, Level& to) const
 
     const std::function<double(const Disc&, double, double, double, int)> kernel_over =
         [&](const Disc& d, double a, double b, double direct, int depth) -> double { // theta in [a, b]
-        const double s0 = down(std::pow(std::sin(a), 2)), s1 = std::min(1.0, up(std::pow(std::sin(b), 2)));
-        const double c0 = down(std::pow(std::cos(b), 2)), c1 = std::min(1.0, up(std::pow(std::cos(a), 2)));
+        const auto [s0, s1, c0, c1] = sector(a, b);
         const double bound = kernel_bound(e, d, disc_over(s0, s1), disc_over(c0, c1), direct);
         if (std::isfinite(bound) || depth == 0) return bound;
         const double mid = (a + b) / 2;
@@ -249,7 +253,7 @@ void Levels::bound_boxes(const Level& from, Level& to) const
         double sum = 0;
         for (int i = 0; i < sectors; ++i) {
             const double a = std::numbers::pi / 2 * i / sectors, b = std::numbers::pi / 2 * (i + 1) / sectors;
-            const double s0 = std::pow(std::sin(a), 2), s1 = std::min(1.0, up(std::pow(std::sin(b), 2))), c1 = up(std::pow(std::cos(a), 2));
+            const auto [s0, s1, c0, c1] = sector(a, b);
             double u = 0;
             if (m < 0) u = from.boxes.at(from.boxes.disc, 0);
             else {

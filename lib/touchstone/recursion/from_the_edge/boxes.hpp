@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <vector>
@@ -56,6 +57,15 @@ Disc disc_over(double from, double to);
 /// That holds inner <= |d| <= outer, from <= arg d <= to, about its middle: its rim goes through the two corners farther out, the farthest
 /// points, since |rho e^(i phi) - r|^2 = (rho - r)^2 + 4 rho r sin^2(phi/2).
 Disc disc_about(double inner, double outer, double from, double to);
+
+/// A bound of f on a box: of the disc about it, or the largest of its quarters' where that has none, so often.
+double over_box(double inner, double outer, double from, double to, int depth, const std::function<double(const Disc&)>& f);
+
+/// sin^2 theta in [s0, s1], cos^2 theta in [c0, c1] for 0 <= a <= theta <= b <= pi/2.
+struct Sector {
+    double s0, s1, c0, c1;
+};
+Sector sector(double a, double b);
 
 /// E(z) = (1 - e^-z)/z; |E - 1| <= sum |z|^k/(k+1)! = (e^|z| - 1 - |z|)/|z|.
 Disc exponential_mean(const Disc& z);
