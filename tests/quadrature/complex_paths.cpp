@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+
 using namespace touchstone;
 using namespace touchstone::quadrature;
 
@@ -212,6 +214,36 @@ TEST_CASE("inner integrals that are not analytic in x, or not proved, have no va
     CHECK_THROWS_AS(parse_expression("integral(integral(y*z,z,0,1),y,0,1)"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("y"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("1+inf"), ExpressionError);
+}
+
+TEST_CASE("an order is real: an inner integral's must not depend on the outer variable, of which complex values are taken")
+{
+    for (const char* formula : {"integral(besselj(20*x,y),y,1,2)", "integral(polylog(1+x,y/2),y,0,1)", "1+re(integral(y*besselk(x,y),y,1,2))"})
+        CHECK_THROWS_AS(along(formula, {"0", "1"}), ExpressionError);
+    is_value(along("integral(besselj(1,x*y)*x,y,0,1)", {"0", "1"}), "1-integral(besselj(0,y),y,0,1)");
+    // and if one gets there all the same it has no value
+    const auto of_order = [](const ComplexBall& order) {
+        return PlainFormula(make(Op::bessel_j, {make_ball(order), make_variable()})).at(ComplexBall(2));
+    };
+    CHECK(of_order(ComplexBall(Ball(1) / Ball(2))).is_finite());
+    CHECK_FALSE(of_order(ComplexBall(Ball(1), Ball(1) / Ball(2))).is_finite());
+}
+
+TEST_CASE("asinh of what crosses its cut, beyond +-i, where it goes to infinity at an end")
+{
+    for (const auto& [formula, from, to] :
+         {std::array{"asinh(i*x+(3-x)/x)/x^2", "2", "inf"}, std::array{"re(asinh(i*x+(3-x)/x))/x^2", "2", "inf"},
+          std::array{"asinh(i*exp(x)+4-x)*exp(-x)", "0", "inf"}, std::array{"asinh(i/x+(1/3-x))", "0", "1/2"},
+          std::array{"asinh(i*x)/x^2", "2", "inf"}})
+        for (const long digits : {3L, 10L}) {
+            CAPTURE(formula);
+            CHECK(along(formula, {from, to}, digits).status != Status::certified);
+        }
+    const Parameters about_zero{{"a", parse_parameter("0+/-1e-20")}};
+    CHECK(along("asinh((i+a)*x)/x^2", {"2", "inf"}, 10, about_zero).status != Status::certified);
+    // on one side of it; by parts, an odd function of the factor
+    is_value(along("asinh((1+i)*x)/x^2", {"2", "inf"}), "asinh(2+2*i)/2+(1+i)*asinh(1/(2+2*i))");
+    is_value(along("asinh((i-1)*x)/x^2", {"2", "inf"}), "-asinh(2-2*i)/2-(1-i)*asinh(1/(2-2*i))");
 }
 
 TEST_CASE("an inner integral at points of the plane is the analytic continuation, in a formula's real part too")

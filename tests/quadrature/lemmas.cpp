@@ -209,6 +209,18 @@ TEST_CASE("erfc, Ai and K on a piece: at the least rho they are as large as is c
     {
         const StripPiece piece = piece_from(1.5);
         const Ball A = piece.depth();
+        const Complex squared = grown(piece, ComplexBall(1), 2); // what holds of rho holds of no power of it
+        for (const Op op : {Op::bessel_k_scaled, Op::bessel_i_scaled, Op::bessel_k}) CHECK_FALSE(function_of(op, Ball(0), squared).factor().is_finite());
+        // atan x = pi/2 - atan(1/x), 1/x in [0, 1/A]
+        const ComplexBall angle = function_of(Op::atan, grown(piece, ComplexBall(-1))).value();
+        CHECK(angle.real().overlaps(touchstone::detail::ball_of(arb_atan, -A)));
+        CHECK(arb_le((radius_of(angle) * A).get(), Ball(Rational(3, 5)).get()));
+        // log rho in [0, (4/e) rho^(1/4)]
+        const Complex logarithm = function_of(Op::log, grown(piece, ComplexBall(1), 3));
+        CHECK(logarithm.right().logs == Exponent(1, 4));
+        for (const double times : {1.0, 10.0, 54.598}) // e^4 where it is largest
+            CHECK((logarithm.factor() * exp(log(A * Ball::exactly(times)) / 4)).overlaps(ComplexBall(log(A * Ball::exactly(times)) * 3)));
+        CHECK_FALSE(logarithm.factor().overlaps(ComplexBall(Rational(-1, 100))));
         // erf, and either where x falls, about as near to its limit as it is
         const Ball rest = special_function(Op::erfc, A), room = rest * 100;
         for (const auto& [op, direction, truth] : {std::tuple(Op::erf, 1, Ball(1) - rest), std::tuple(Op::erf, -1, rest - Ball(1)),

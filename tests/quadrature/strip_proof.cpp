@@ -45,6 +45,8 @@ const Case cases[] = {
     {"exp(x)/sqrt(x)", "1", [](C x, C) { return std::exp(x) / std::sqrt(x); }, 10, 2.5},
     {"exp(-3*x)*(1-x)^(-3/4)", "1", [](C x, C r) { return std::exp(-3. * x) * std::pow(r, -0.75); }, 15, 3},
     {"x^(-1/2)*(1-x)^(-1/4)", "1", [](C x, C r) { return std::pow(x, -0.5) * std::pow(r, -0.25); }, 4, 2},
+    {"x^(-9/10)", "1", [](C x, C) { return std::pow(x, -0.9); }, 3, 2},
+    {"exp(x)*(1-x)^(-9/10)", "1", [](C x, C r) { return std::exp(x) * std::pow(r, -0.9); }, 3.5, 2},
     {"-5*x^(1/3)", "1", [](C x, C) { return -5. * std::pow(x, 1 / 3.); }, 4, 3},
     {"1/(1+9*(x-1/2)^2)", "1", [](C x, C) { return 1. / (1. + 9. * (x - 0.5) * (x - 0.5)); }, 12, 4},
     {"log(x)", "1", [](C x, C r) { return std::abs(r) < 1e-4 ? -r - r * r / 2. : std::log(x); }, 30, 6},
@@ -137,6 +139,21 @@ TEST_CASE("an end is proved with the exponents that the integrand has here and t
         CHECK(end.here == here);
         CHECK(end.far == far);
     }
+}
+
+TEST_CASE("what is known with fewer digits than asked for is undecided, with as many as are known")
+{
+    const auto known_to_twelve_digits = [](const auto& x, const auto&, const auto&) {
+        Ball one(1);
+        mag_set_d(arb_radref(one.get()), 3e-13);
+        return x * std::decay_t<decltype(x)>(one);
+    };
+    const Enclosure e = tanh_sinh(known_to_twelve_digits, Interval::finite(0, 1), Options{});
+    CHECK(e.status == Status::undecided);
+    CHECK(e.digits == 12);
+    CHECK(e.value.contains(Rational(1, 2)));
+    CHECK(e.reason.find("12 of 30 digits") != std::string::npos);
+    CHECK(by_tanh_sinh("x^(-3/2)", "1").reason == "at the left end the exponent -3/2 is all that is proved, and the integral needs one above -1");
 }
 
 TEST_CASE("where a proof stops is told: in words of the last part that was tried, in numbers of the whole")

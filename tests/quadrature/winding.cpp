@@ -34,6 +34,7 @@ struct Continued {
     std::function<ComplexBall(const Place&)> value;
 };
 
+ComplexBall atan(const ComplexBall& z) { return touchstone::detail::complex_ball_of(acb_atan, z); }
 ComplexBall half(const ComplexBall& log) { return exp(log / 2); }
 
 const Continued cases[] = {
@@ -49,6 +50,8 @@ const Continued cases[] = {
     {"sqrt(x-sin(x))", [](const Place& p) { return p.u * half(p.log_u) * sqrt((p.u - sin(p.u)) / (p.u * p.u * p.u)); }},
     {"log(1-cos(x))", [](const Place& p) { return 2 * p.log_u + log((1 - cos(p.u)) / (p.u * p.u)); }},
     {"log(sin(pi*x))", [](const Place& p) { return p.log_u + p.log_r + log(sin(ComplexBall(pi<Ball>()) * p.u) / (p.u * p.r)); }},
+    {"atan(1/x)", [](const Place& p) { return ComplexBall(pi<Ball>() / 2) - atan(p.u); }},
+    {"atan(-3/(1-x)^2)", [](const Place& p) { return atan(p.r * p.r / 3) - ComplexBall(pi<Ball>() / 2); }},
     {"acos(x)", [](const Place& p) { return 2 * asin(half(p.log_r) / sqrt(ComplexBall(2))); }},
 };
 

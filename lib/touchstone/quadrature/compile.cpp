@@ -428,18 +428,12 @@ NodePtr Compiler::by_operation(const ExpressionPtr& e) const
     case Op::ei: // left of the imaginary axis the function is another one than the usual
         require_real_arguments(*e);
         return node(Kind::function, e->args, e->op);
-    case Op::bessel_j:
-    case Op::bessel_y:
-    case Op::bessel_i:
-    case Op::bessel_k:
-    case Op::bessel_i_scaled:
-    case Op::bessel_k_scaled:
-    case Op::polylog:
+    default:
+        if (!has_order(e->op)) return node(Kind::function, e->args, e->op);
         if (depends_on_x(*e->args[0]))
             throw ExpressionError(e->column, "the order of a Bessel function or polylogarithm must not depend on x");
         require_real_arguments(*e, true);
         return node(Kind::ordered_function, e->args, e->op);
-    default: return node(Kind::function, e->args, e->op);
     }
 }
 

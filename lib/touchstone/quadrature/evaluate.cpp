@@ -303,8 +303,10 @@ N<V> ordinary(const Node& node, const Point<V>& p, const Place& place)
         const N<V> order = arg(0);
         if constexpr (std::same_as<V, Ball>)
             return function_of(node.op, order.factor(), arg(1));
-        else
+        else if (acb_is_real(order.factor().get()))
             return function_of(node.op, order.factor().real(), arg(1));
+        else
+            return N<V>(V::indeterminate()); // the order of an inner integral's function at a complex x
     }
     case Kind::logarithm_of_fraction: {
         const N<V> over(kept<V>(node, 0, node.rest[0], place));

@@ -150,6 +150,8 @@ std::vector<std::string> function_names();
 bool depends_on_x(const Expression&);
 /// Whether it is real for real x (and real points of an outer variable) wherever its functions are: nothing in it is imaginary.
 bool is_real(const Expression&);
+/// Whether the first of two arguments is an order, which must be a real number: Bessel functions, the polylogarithm.
+bool has_order(Op);
 /// Whether a point of an outer variable in it is not on the real line.
 bool has_complex_point(const Expression&);
 /// Whether a node of the tree, inside inner integrals too, is as asked.

@@ -45,6 +45,20 @@ bool depends_on_x(const Expression& e)
     return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return depends_on_x(*a); });
 }
 
+bool has_order(Op op)
+{
+    switch (op) {
+    case Op::bessel_j:
+    case Op::bessel_y:
+    case Op::bessel_i:
+    case Op::bessel_k:
+    case Op::bessel_i_scaled:
+    case Op::bessel_k_scaled:
+    case Op::polylog: return true;
+    default: return false;
+    }
+}
+
 bool is_real(const Expression& e)
 {
     if (e.op == Op::imaginary_unit) return false;

@@ -81,6 +81,15 @@ void require_analytic_between_complex_ends(const Expression& e)
                                         "sign, floor, ceil, max, min or ei of its variable");
 }
 
+/// What is proved is proved for an x in the plane, where an order that depends on it is no real number.
+void require_orders_without_outer_variable(const Expression& integrand)
+{
+    const auto is_outer = [](const Expression& n) { return n.op == Op::outer; };
+    const auto offends = [&](const Expression& n) { return has_order(n.op) && any_node(*n.args[0], is_outer); };
+    if (any_node(integrand, offends))
+        throw ExpressionError(integrand.column, "the order of a Bessel function or polylogarithm must not depend on x");
+}
+
 /// y = from + (to - from) t over [0, 1], or from + t (to + t) where the other end is infinite, which is nothing.
 Integral over_moving_ends(const InnerIntegral& inner, const ExpressionPtr& f, const std::optional<ComplexBall>& from,
                           const std::optional<ComplexBall>& to, const IntegralOptions& options)
@@ -103,6 +112,7 @@ std::shared_ptr<const InnerIntegral> inner_integral(const Expression& e)
 {
     const WorkingPrecision precision(256);
     require_analytic_between_complex_ends(e);
+    require_orders_without_outer_variable(*e.integrand);
     auto inner = std::make_shared<InnerIntegral>();
     inner->integrand = e.integrand;
     for (const std::size_t k : {0, 1}) inner->fixed[k] = fixed_end(e.args[k]);

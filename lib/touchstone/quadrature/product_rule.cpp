@@ -231,22 +231,13 @@ bool ProductRule::integrate(Panels& all) const
 
 } // namespace
 
-std::optional<ProductIntegral> integrate_by_product_rule(const MakePanel& make, const Interval& interval, const Options& options)
+std::optional<ProductIntegral> integrate_by_product_rule(const MakePanel& make, const Options& options)
 {
     const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
     Panels found;
     if (!ProductRule(make, options, wanted).integrate(found)) return std::nullopt;
-    ProductIntegral e;
-    e.value = found.value;
-    e.proof = found.proof;
-    e.evaluations = found.evaluations;
-    const double have = static_cast<double>(e.value.relative_bits());
-    if (have < wanted - 1 && !options.of_absolute) return std::nullopt;
-    e.digits = std::min(options.digits, static_cast<long>(have / bits_per_digit));
-    e.status = e.digits == options.digits ? Status::certified : Status::undecided;
-    e.certificate.interval = interval.to_string();
-    e.certificate.digits = options.digits;
-    return e;
+    if (static_cast<double>(found.value.relative_bits()) < wanted - 1 && !options.of_absolute) return std::nullopt;
+    return ProductIntegral{found.value, found.evaluations, found.proof};
 }
 
 } // namespace touchstone::quadrature::detail

@@ -17,10 +17,11 @@
 namespace touchstone::quadrature::detail {
 
 /// Nothing if the integrand is not of that kind, or takes more evaluations than tanh-sinh would.
-struct ProductIntegral : Enclosure {
+struct ProductIntegral {
+    Ball value;
     long evaluations = 0; ///< at nodes and for the proof
     std::string proof;    ///< one line for a person
 };
-std::optional<ProductIntegral> integrate_by_product_rule(const MakePanel&, const Interval&, const Options&);
+std::optional<ProductIntegral> integrate_by_product_rule(const MakePanel&, const Options&);
 
 } // namespace touchstone::quadrature::detail
