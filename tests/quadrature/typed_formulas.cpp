@@ -569,6 +569,7 @@ TEST_CASE("Cauchy's principal value: the poles named are folded, others still di
                  {"1/(x*(x-pi))", "1", "5", {"pi"}, "(log((5-pi)/5)-log(pi-1))/pi"},
                  {"1/log(x)", "0", "2", {"1"}, "li(2)"},
                  {"1/x", "-1", "1", {"0"}, "0"},
+                 {"1/x", "2", "-1", {"0"}, "-log(2)"},
                  // residues that are no exact number
                  {"cos(x)/(x-1/2)", "0", "1", {"1/2"}, "-2*sin(1/2)*si(1/2)"},
                  {"exp(x)/(x-1)", "0", "3", {"1"}, "e*(ei(2)-ei(-1))"},
@@ -798,6 +799,8 @@ TEST_CASE("what takes numbers on its branch cut is named, with its column, what 
                              {"besselk(0,x)", "-2", "-1", "besselk at column 1 takes -1.857"},
                              {"log(1-x)/(1+x^4)", "0", "inf", "log at column 1 takes -1.095 at x = 2.095"},
                              {"log(x)/(1+x^4)", "-inf", "inf", "log at column 1 takes -0.5714"},
+                             {"1+x/0", "1", "2", "what stands at column 3 is divided by 0"},
+                             {"0^x", "0", "1", "the power at column 1 takes 0 at x = 0.1429, where it is no analytic function"},
                              {"exp(-1/x^2+1/x^3)", "0", "1", "is not proved to be"}}) {
         const Integral refused = integral(r.formula, r.from, r.to, 10);
         INFO(r.formula, ": ", refused.reason);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/branch_cut.hpp"
 
+#include <functional>
 #include <sstream>
 #include <vector>
 
@@ -57,6 +58,12 @@ std::string few_digits(const ComplexBall& z)
     return out.str();
 }
 
+/// What is divided by, if that is 0 wherever it is looked at: 1/0, x/(x-x).
+bool divides_by_zero(const Expression& n, const std::function<ComplexBall(const ExpressionPtr&)>& value)
+{
+    return n.op == Op::divide && acb_is_zero(value(n.args[1]).get()) != 0;
+}
+
 } // namespace
 
 std::optional<std::string> argument_on_cut(const ExpressionPtr& e, const Limit& from, const Limit& to)
@@ -66,13 +73,19 @@ std::optional<std::string> argument_on_cut(const ExpressionPtr& e, const Limit& 
     for (const Ball& x : points_inside(from, to)) {
         const auto value = [&](const ExpressionPtr& f) { return PlainFormula(f).at(ComplexBall(x)); };
         any_node(*e, [&](const Expression& n) {
+            if (divides_by_zero(n, value)) {
+                found = "what stands at column " + std::to_string(n.column) + " is divided by 0";
+                return true;
+            }
             const char* name = name_with_cut(n);
             if (!name) return false;
             const ExpressionPtr& of = n.op == Op::power ? n.args.front() : n.args.back(); // besselk(n, x)
             const ComplexBall argument = value(of);
             if (!argument.is_finite() || value(std::make_shared<const Expression>(n)).is_finite()) return false;
             found = std::string(name) + " at column " + std::to_string(n.column) + " takes " + few_digits(argument) + " at x = " +
-                    few_digits(ComplexBall(x)) + ", on its cut (write the branch that is meant, as i*sqrt(-x) for sqrt(x) of x < 0)";
+                    few_digits(ComplexBall(x));
+            *found += acb_is_zero(argument.get()) ? ", where it is no analytic function"
+                                                  : ", on its cut (write the branch that is meant, as i*sqrt(-x) for sqrt(x) of x < 0)";
             return true;
         });
         if (found) return found;

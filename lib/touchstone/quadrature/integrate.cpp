@@ -45,6 +45,20 @@ bool changes_branch(const Expression& e, const ExactSum& at)
     return std::any_of(e.args.begin(), e.args.end(), [&](const ExpressionPtr& a) { return changes_branch(*a, at); });
 }
 
+bool is_reversed(const Limit& from, const Limit& to)
+{
+    const WorkingPrecision precision(256);
+    if (from.infinite || to.infinite) return from.infinite > to.infinite;
+    return arb_gt(from.ball().get(), to.ball().get()) != 0;
+}
+
+Integral negated(Integral i)
+{
+    i.value = -i.value;
+    i.imaginary = -i.imaginary;
+    return i;
+}
+
 class Integration {
 public:
     Integration(const ExpressionPtr& e, const IntegralOptions& o, bool substituted = false)
@@ -380,8 +394,6 @@ Integral Integration::run(const Limit& from, const Limit& to)
     {
         const WorkingPrecision precision(256);
         const bool same = (from.exact && to.exact && *from.exact == *to.exact) || (from.infinite != 0 && from.infinite == to.infinite);
-        const bool reversed = !same && (from.infinite > 0 || to.infinite < 0 ||
-                                        (!from.infinite && !to.infinite && arb_gt(from.ball().get(), to.ball().get())));
         if (same && from.infinite) throw DomainError("the range from " + from.text + " to " + to.text + " holds no number");
         if (same) { // nothing to integrate over
             out.value = Ball(0);
@@ -389,12 +401,7 @@ Integral Integration::run(const Limit& from, const Limit& to)
             out.digits = options_.digits;
             return out;
         }
-        if (reversed) {
-            out = run(to, from);
-            out.value = -out.value;
-            out.imaginary = -out.imaginary;
-            return out;
-        }
+        if (is_reversed(from, to)) return negated(run(to, from));
     }
     std::vector<Limit> cuts;
     {
@@ -482,8 +489,8 @@ Integral with_enough_digits(const IntegralOptions& options, const std::function<
 
 Integral integrate(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options)
 {
-    if (!options.principal_value.empty()) return principal_value(e, from, to, options);
-    return Integration(e, options).run(from, to);
+    if (options.principal_value.empty()) return Integration(e, options).run(from, to);
+    return is_reversed(from, to) ? negated(principal_value(e, to, from, options)) : principal_value(e, from, to, options);
 }
 
 } // namespace touchstone::quadrature
