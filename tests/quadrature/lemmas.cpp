@@ -130,6 +130,18 @@ TEST_CASE("strip's tail: the integral of the lemma, by a fine step")
     attains(sum * factor, lemma::strip_tail(Ball(1), alpha, Ball(0), A, d), Rational(99, 100));
 }
 
+TEST_CASE("truncation bounds grow by the factor of the far end, whatever its exponent")
+{
+    const WorkingPrecision precision(100);
+    const Ball K(3), alpha = decimal("0.3"), A = decimal("0.7"), far = decimal("7");
+    for (const Rational& beta : {Rational(2), Rational(-3, 2)}) {
+        const Ball factor = lemma::far_factor(Ball(beta), A);
+        CHECK(factor.overlaps(exp(-abs(Ball(beta)) * log(1 - exp(-A)))));
+        CHECK(lemma::truncation(K, alpha, Ball(beta), A, far).overlaps(lemma::truncation(K, alpha, Ball(0), A, far) * factor));
+        CHECK(lemma::logistic_truncation(K, alpha, Ball(beta), A, far).overlaps(lemma::logistic_truncation(K, alpha, Ball(0), A, far) * factor));
+    }
+}
+
 TEST_CASE("far factor: E = -exp(-A) attains it")
 {
     const WorkingPrecision precision(100);
@@ -211,6 +223,10 @@ TEST_CASE("erfc, Ai and K on a piece: at the least rho they are as large as is c
         const Ball A = piece.depth();
         const Complex squared = grown(piece, ComplexBall(1), 2); // what holds of rho holds of no power of it
         for (const Op op : {Op::bessel_k_scaled, Op::bessel_i_scaled, Op::bessel_k}) CHECK_FALSE(function_of(op, Ball(0), squared).factor().is_finite());
+        // what is known of J and I of integer order is known of nothing else
+        CHECK(function_of(Op::bessel_j, Ball(0), grown(piece, ComplexBall(1))).factor().is_finite());
+        CHECK_FALSE(function_of(Op::bessel_j, Ball(1) / 2, grown(piece, ComplexBall(1))).factor().is_finite());
+        CHECK_FALSE(function_of(Op::bessel_y, Ball(0), grown(piece, ComplexBall(1))).factor().is_finite());
         // atan x = pi/2 - atan(1/x), 1/x in [0, 1/A]
         const ComplexBall angle = function_of(Op::atan, grown(piece, ComplexBall(-1))).value();
         CHECK(angle.real().overlaps(touchstone::detail::ball_of(arb_atan, -A)));

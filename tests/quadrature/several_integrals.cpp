@@ -37,6 +37,21 @@ TEST_CASE("several integrals over one range, the strip proved once")
     }
 }
 
+TEST_CASE("several integrals: a weight serves neighbours with the same powers at both ends, and no others")
+{
+    const std::vector<const char*> powers{"x^(-1/3)",              "x^(-2/3)",     "x^(-2/3)*cos(x)", "x^(-2/3)*(1-x)^(-1/4)",
+                                          "x^(-1/3)*(1-x)^(-1/4)", "(1-x)^(-1/4)", "1"};
+    const auto all = several(powers, "0", "1");
+    for (std::size_t k = 0; k < powers.size(); ++k) {
+        CAPTURE(std::string(powers[k]));
+        CHECK(all[k].parts.at(0).rule == "tanh-sinh, the strip proved for all formulas");
+        const Integral alone = integrate(parse_expression(powers[k]), parse_limit("0"), parse_limit("1"));
+        CHECK(all[k].status == Status::certified);
+        CHECK(alone.status == Status::certified);
+        CHECK(all[k].value.overlaps(alone.value));
+    }
+}
+
 TEST_CASE("several integrals: one that fails takes no other with it")
 {
     const auto all = several({"1/sqrt(x)", "1/x", "abs(x-1/3)^(-1/2)", "i*x", "sign(x-1/2)*x"}, "0", "1", 20);

@@ -284,6 +284,34 @@ TEST_CASE("what vanishes at an end with others has all its bits beside it, by th
     }
 }
 
+TEST_CASE("a ball that meets the beginning of a cut has no value, one beside it has")
+{
+    const WorkingPrecision precision(64);
+    struct Cut {
+        Op op;
+        double re, im, along_re, along_im; ///< where it begins, and which way it goes
+    };
+    const double branch = -std::exp(-1.0);
+    for (const Cut& c : {Cut{Op::log, 0, 0, -1, 0}, Cut{Op::log1p, -1, 0, -1, 0}, Cut{Op::lgamma, 0, 0, -1, 0}, Cut{Op::ci, 0, 0, -1, 0},
+                         Cut{Op::li, 1, 0, -1, 0}, Cut{Op::acosh, 1, 0, -1, 0}, Cut{Op::asin, 1, 0, 1, 0}, Cut{Op::asin, -1, 0, -1, 0},
+                         Cut{Op::acos, 1, 0, 1, 0}, Cut{Op::acos, -1, 0, -1, 0}, Cut{Op::atanh, 1, 0, 1, 0}, Cut{Op::atanh, -1, 0, -1, 0},
+                         Cut{Op::atan, 0, 1, 0, 1}, Cut{Op::atan, 0, -1, 0, -1}, Cut{Op::asinh, 0, 1, 0, 1}, Cut{Op::asinh, 0, -1, 0, -1},
+                         Cut{Op::dilog, 1, 0, 1, 0}, Cut{Op::elliptic_k, 1, 0, 1, 0}, Cut{Op::elliptic_e, 1, 0, 1, 0},
+                         Cut{Op::lambert_w, branch, 0, -1, 0}}) {
+        CAPTURE(static_cast<int>(c.op));
+        const auto is_finite_at = [&](double along, double across) {
+            ComplexBall z(Ball::exactly(c.re + along * c.along_re + across * c.along_im),
+                          Ball::exactly(c.im + along * c.along_im + across * c.along_re));
+            widen(z, Ball::exactly(0.01));
+            return special_function(c.op, z).is_finite();
+        };
+        for (const double along : {0.0, 0.0125, 0.5, 3.0}) CHECK_FALSE(is_finite_at(along, 0));
+        for (const double along : {0.0, 0.05, 0.5})
+            for (const double side : {-1.0, 1.0}) CHECK(is_finite_at(along, side * (0.1 + along / 2)));
+        CHECK(is_finite_at(-0.1, 0));
+    }
+}
+
 TEST_CASE("both rules agree where both serve")
 {
     for (const char* formula : {"exp(x)", "cos(10*x)", "1/(1+x^2)", "x/(exp(x)-1)", "(1-cos(x))/x^2", "gamma(1+x)", "besselj(0,5*x)"}) {
@@ -466,6 +494,7 @@ TEST_CASE("tails that oscillate against their closed forms")
                  {"cos(1/(3-x))/(1+(3-x)^2)", "-inf", "3", "pi/(2*e)"},
                  {"cos(x)/x", "1", "inf", "-ci(1)"},
                  {"-(cos(x)/x)", "1", "inf", "ci(1)"},
+                 {"sin(2*x+1)/x", "1", "inf", "cos(1)*(pi/2-si(2))-sin(1)*ci(2)"},
                  {"(sin(x)-cos(x))/x", "1", "inf", "pi/2-si(1)+ci(1)"},
                  {"sin(x)/(x-1)", "-inf", "0", "pi*cos(1)/2-cos(1)*si(1)+sin(1)*ci(1)"}};
     for (const auto& c : cases) {

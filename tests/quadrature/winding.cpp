@@ -88,6 +88,29 @@ TEST_CASE("roots and logarithms go on around an end, whichever way they are had"
     }
 }
 
+TEST_CASE("on a piece without end the logarithm of a distance is rho times what is said, at each of its points")
+{
+    const WorkingPrecision precision(128);
+    for (const auto& [x1, d] : {std::pair(0.03125, 0.125), std::pair(0.0625, 1.25), std::pair(0.5, 0.75), std::pair(1.75, 1.25)})
+        for (const Side side : {Side::left, Side::right}) {
+            const StripPiece piece = StripPiece::at(side, x1, std::numeric_limits<double>::infinity(), 0, d);
+            const ComplexBall claimed = piece.logarithm_over_rho(side);
+            CHECK(claimed.is_finite());
+            for (const double beyond : {0.0, 0.01, 0.2, 1.0})
+                for (const double y : {0.0, d / 2, d}) {
+                    const double x = x1 + beyond;
+                    const Place at(side == Side::left ? -x : x, y);
+                    const Ball e = exp(Ball::exactly(x)), rho = pi<Ball>() * (e - 1 / e) / 2 * cos(Ball::exactly(y));
+                    const ComplexBall truth = (side == Side::left ? at.log_u : at.log_r) / ComplexBall(rho);
+                    CAPTURE(x1);
+                    CAPTURE(x);
+                    CAPTURE(y);
+                    CHECK(claimed.real().overlaps(truth.real()));
+                    CHECK(abs(claimed.imag()).overlaps(abs(truth.imag())));
+                }
+        }
+}
+
 TEST_CASE("log(x)/(1 - x) on balls about the end where both vanish")
 {
     const WorkingPrecision precision(128);
