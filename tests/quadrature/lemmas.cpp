@@ -323,6 +323,7 @@ TEST_CASE("elliptic remainder: K(1 - u) less its logarithm, for u so small that 
 TEST_CASE("means of K and E: the first mean against the limit, at every size")
 {
     const WorkingPrecision precision(128);
+    CHECK(lemma::limit_of_means(Ball(3), Ball(Rational(1, 2))).contains(Rational(3)));
     for (const char* scale : {"1/16", "1", "50"}) {
         const Ball a(*parse_rational(scale)), b = a / 2, mean = (a + b) / 2, delta = sqrt(a * b);
         Ball limit;

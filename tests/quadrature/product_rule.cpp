@@ -98,6 +98,7 @@ TEST_CASE("the weights integrate powers of u exactly, up to degree n - 1 and no 
     agree(by_rule({0, 0, 0, 1}, 2, 7, bits), Ball(-2) * (Ball(11) / Ball(6)) / Ball(3), wanted);
     // log(u) log(1 - u): 2 - pi^2/6
     agree(by_rule({0, 0, 1, 1}, 0, 7, bits), Ball(2) * (Ball(2) - pi<Ball>() * pi<Ball>() / Ball(6)), wanted);
+    CHECK(moments({0, 0, 1, 0}, 5).size() == 5);
     // log(u)^2 log(1 - u): -2 sum of 1/(k (k + 1)^3) = 2 zeta(2) + 2 zeta(3) - 6
     Ball zeta_3;
     arb_zeta_ui(zeta_3.get(), 3, bits);
