@@ -7,6 +7,7 @@
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/oscillation.hpp"
 #include "touchstone/quadrature/path.hpp"
+#include "touchstone/quadrature/special.hpp"
 #include "touchstone/quadrature/split.hpp"
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/scalar/refusal.hpp"
@@ -203,5 +204,23 @@ TEST_CASE("on a half-line the distances to both ends are s and 1/(1 + s), or exp
             CHECK((left ? point.left : point.right).value().overlaps(s));
             CHECK((left ? point.right : point.left).value().overlaps(other));
             CHECK(point.x.value().overlaps(left ? Ball(2) + s : Ball(2) - s));
+        }
+}
+
+TEST_CASE("odd functions beside their zero are what they are elsewhere, and vanish as their argument does")
+{
+    const WorkingPrecision precision(100);
+    for (const Op op : {Op::sinh, Op::tanh, Op::asinh, Op::atanh})
+        for (const ComplexBall& s : {at(0.3, 0.2), at(0.7, -0.4), at(1e-5, 1e-6), at(0, 0.5)}) {
+            CAPTURE(static_cast<int>(op));
+            const compiled::Disc<ComplexBall> disc(Side::left, s);
+            const N f = function_of(op, N(&disc, {1, 0}, {}, ComplexBall(1)));
+            CHECK(f.left().power == Exponent(1));
+            const ComplexBall truth = special_function(op, s), value = f.value();
+            CHECK(value.overlaps(truth));
+            CHECK(acb_rel_accuracy_bits(value.get()) > 60);
+            const compiled::Disc<Ball> line(Side::left, s.real() + Ball(Rational(1, 8)));
+            const auto on_the_line = function_of(op, EndpointNumber<Ball>(&line, {1, 0}, {}, Ball(1)));
+            CHECK(on_the_line.value().overlaps(special_function(op, s.real() + Ball(Rational(1, 8)))));
         }
 }

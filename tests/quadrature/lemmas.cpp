@@ -302,6 +302,8 @@ TEST_CASE("Bessel remainder: K_n less its leading term, near and far")
     // |R| -> |a_1|/|z|: half of what is claimed, the other half is 2 |a_1|
     attains(Ball(2) * remainder(Ball(7), ComplexBall(decimal("1e8"))), lemma::bessel_remainder(Ball(7), decimal("1e8"), Ball(1)),
             Rational(99, 100));
+    attains(Ball(2) * remainder(Ball(0), ComplexBall(decimal("1e8"))), lemma::bessel_remainder(Ball(0), decimal("1e8"), Ball(1)),
+            Rational(99, 100));
     // a longer way around 0 counts as if z were as much nearer
     const Ball longer = pi<Ball>() / 2;
     const Ball around = lemma::bessel_remainder(Ball(7), longer * 100, longer) - lemma::bessel_remainder(Ball(7), Ball(100), Ball(1));
@@ -324,6 +326,7 @@ TEST_CASE("means of K and E: the first mean against the limit, at every size")
 {
     const WorkingPrecision precision(128);
     CHECK(lemma::limit_of_means(Ball(3), Ball(Rational(1, 2))).contains(Rational(3)));
+    CHECK(lemma::rest_of_means(Ball(2), Ball(Rational(1, 2)), 4).contains(Rational(32)));
     for (const char* scale : {"1/16", "1", "50"}) {
         const Ball a(*parse_rational(scale)), b = a / 2, mean = (a + b) / 2, delta = sqrt(a * b);
         Ball limit;
