@@ -3,7 +3,7 @@
 """Change a sign, an operation, a comparison or a constant in a source of the library, one at a time, and see whether its tests find it.
 
 usage: mutate_library.py SOURCE BUILD SCRATCH [--area NAME] [--count N] [--seed 1] [--only PATH-PART] [--listed FILE] [--dearest SECONDS]
-       [--seconds S] [--jobs 1] [--list]
+       [--seconds S] [--jobs 1] [--believe] [--list]
 
 BUILD is a build of SOURCE with its tests. All changes drawn of an area (AREAS) are compiled at once into copies of its sources, and switched on at run
 time (proofs/source_mutants/switch.hpp); these objects and the area's tests, which are compiled anew where they include a changed header, make one
@@ -12,7 +12,8 @@ each with a limit of time (a change that makes a loop endless is found). A chang
 where it compiles, and could not be switched or stands in a constant expression, all tests are run, otherwise no test reaches it and it survives.
 Survivors are listed, unless library_equivalent_changes.json says why the change changes nothing that is claimed; exit code 1 if there is any. A
 sample of --count is drawn from each area, or all of it, and judged in the order drawn, which the seed decides: what is done when --seconds have
-passed is a fair sample too. With --list the changes are only shown, with --listed those are judged whose lines FILE has.
+passed is a fair sample too (not with --believe, where excuses come first). With --list the changes are only shown, with --listed those are judged whose
+lines FILE has, with --believe no tests are run for those that are excused.
 
 The operands of && and || stay those they are: a && b && c becomes (a && b) || c and (a || b) && c. What a change of the formulas in
 lib/touchstone/paper/*.hpp and wave/*.hpp and of proofs/ does: proofs/mutate_sources.py.
@@ -382,7 +383,10 @@ def judge_area(o, area, excused, listed):
     switched = {n: everything[n] for n in some}
     objects = program.build(switched)
     counts = dict.fromkeys(("found", "excused", "survives", "does not compile"), 0)
-    for n, (verdict, who) in program.judged(objects, some, switched, everything):
+    believed = {n for n in some if o.believe and str(everything[n]) in excused}
+    judged = itertools.chain(((n, ("survives", "-")) for n in believed),
+                             program.judged(objects, [n for n in some if n not in believed], switched, everything))
+    for n, (verdict, who) in judged:
         why = excused.get(str(everything[n])) if verdict == "survives" else None
         counts["excused" if why else verdict] += 1
         print(f"{'excused' if why else 'SURVIVES' if verdict == 'survives' else verdict:8}  {everything[n]}  {why or who}", flush=True)
@@ -408,6 +412,7 @@ def main():
     parser.add_argument("--dearest", type=float, default=600)
     parser.add_argument("--seconds", type=float, default=math.inf)
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--believe", action="store_true", help="no test is run for what is excused")
     parser.add_argument("--list", action="store_true")
     o = parser.parse_args()
     everything = [c for area in AREAS for c in numbered(o.source, area).values()]
