@@ -262,6 +262,25 @@ TEST_CASE("the disc about a box holds it, and its rim the box's farthest corner"
     }
 }
 
+TEST_CASE("arcs cover the upper half of an ellipse, and two neighbours barely more than it")
+{
+    for (const auto& [mid, half, rho] : {std::tuple(0.0, 1.0, 2.0), std::tuple(3.0, 0.25, 1.1), std::tuple(-1.0, 2.0, 8.0)})
+        for (const int arcs : {24, 40}) {
+            double tightest = 0;
+            for (int k = 0; k <= 2000; ++k) {
+                const Z w = rho * std::polar(1.0, std::numbers::pi * k / 2000), at = mid + half * (w + 1. / w) / 2.;
+                double nearest = infinity;
+                for (int i = 0; i < arcs; ++i) {
+                    const Arc arc = arc_of_ellipse(mid, half, rho, i, arcs);
+                    nearest = std::min(nearest, std::abs(at - Z(arc.x, arc.y)) / arc.radius);
+                }
+                CHECK(nearest <= 1);
+                tightest = std::max(tightest, nearest);
+            }
+            CHECK(tightest > 0.99);
+        }
+}
+
 TEST_CASE("a box is bounded by its quarters where the disc about it has no bound, and they leave out nothing")
 {
     Points points;

@@ -58,6 +58,12 @@ Disc disc_about(double inner, double outer, double from, double to)
     return disc(r * std::cos(a), r * std::sin(a), up(radius));
 }
 
+Arc arc_of_ellipse(double mid, double half, double rho, int i, int arcs)
+{
+    const double phi = std::numbers::pi * (i + 0.5) / arcs, A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+    return {mid + half * A * std::cos(phi), half * B * std::sin(phi), up(half * A * std::numbers::pi / (2 * arcs))};
+}
+
 double over_box(double inner, double outer, double from, double to, int depth, const std::function<double(const Disc&)>& f)
 {
     const double b = f(disc_about(inner, outer, from, to));

@@ -58,6 +58,13 @@ Disc disc_over(double from, double to);
 /// points, since |rho e^(i phi) - r|^2 = (rho - r)^2 + 4 rho r sin^2(phi/2).
 Disc disc_about(double inner, double outer, double from, double to);
 
+/// About the point of the ellipse with foci mid +- half whose angle is in the middle of the i-th of so many parts of (0, pi): together they
+/// cover the upper half of the ellipse, |dz| <= half (rho + 1/rho)/2 |d phi|.
+struct Arc {
+    double x, y, radius;
+};
+Arc arc_of_ellipse(double mid, double half, double rho, int i, int arcs);
+
 /// A bound of f on a box: of the disc about it, or the largest of its quarters' where that has none, so often.
 double over_box(double inner, double outer, double from, double to, int depth, const std::function<double(const Disc&)>& f);
 

@@ -72,12 +72,11 @@ double Levels::ellipse_bound(const Level& to, double a, double b, bool logarithm
 {
     const Boxes& boxes = to.boxes;
     const double lo = logarithmic ? std::log(a) : a, hi = logarithmic ? std::log(b) : b;
-    const double mid = (lo + hi) / 2, half = up((hi - lo) / 2), A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+    const double mid = (lo + hi) / 2, half = up((hi - lo) / 2);
     constexpr int arcs = 40;
-    const double radius = up(half * A * std::numbers::pi / (2 * arcs));
     double most = 0;
     for (int i = 0; i < arcs && std::isfinite(most); ++i) {
-        const double phi = std::numbers::pi * (i + 0.5) / arcs, x = mid + half * A * std::cos(phi), y = half * B * std::sin(phi);
+        const auto [x, y, radius] = arc_of_ellipse(mid, half, rho, i, arcs);
         if (logarithmic) {
             if (y + radius > 3.1) return infinity;
             const double outer = up(std::exp(x + radius)), least = std::max(0.0, y - radius);

@@ -67,14 +67,12 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
         double best_error = infinity;
         int finite = 0;
         for (const double r : set.piece_rhos) {
-            const double A = (r + 1 / r) / 2, B = (r - 1 / r) / 2;
-            if (B * l >= 1) continue;
+            if ((r - 1 / r) / 2 * l >= 1) continue; // so high that nothing is known there
             constexpr int arcs = 24;
             double most = 0;
             for (int i = 0; i < arcs && std::isfinite(most); ++i) {
-                const double phi = std::numbers::pi * (i + 0.5) / arcs;
-                const Disc t = disc(mid + l * A * std::cos(phi), l * B * std::sin(phi), up(l * A * std::numbers::pi / (2 * arcs)));
-                most = std::max(most, integrand_bound(from, kind, d, t));
+                const auto [x, y, radius] = arc_of_ellipse(mid, l, r, i, arcs);
+                most = std::max(most, integrand_bound(from, kind, d, disc(x, y, radius)));
             }
             if (!std::isfinite(most)) continue;
             const double front = up(product_of_bounds({16.0 / 3 * l / (norm_d * (1 - 1 / r)), most}));
