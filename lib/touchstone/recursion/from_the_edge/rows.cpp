@@ -67,7 +67,7 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
         double best_error = infinity;
         int finite = 0;
         for (const double r : set.piece_rhos) {
-            if ((r - 1 / r) / 2 * l >= 1) continue; // so high that nothing is known there
+            if ((r - 1 / r) / 2 * l >= 1) continue; // it meets t = i, where the bound is infinite
             constexpr int arcs = 24;
             double most = 0;
             for (int i = 0; i < arcs && std::isfinite(most); ++i) {
