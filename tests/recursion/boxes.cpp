@@ -305,6 +305,27 @@ TEST_CASE("a box is bounded by its quarters where the disc about it has no bound
     }
 }
 
+TEST_CASE("what a box reaches at 2 d s: the shells from the nearest to the farthest, and what is beyond the last")
+{
+    const Levels levels(Law::density, Ball(3), Ball(Rational(1, 2)), 10);
+    const Shells& shells = levels.shells;
+    Boxes boxes;
+    boxes.bound.assign(static_cast<std::size_t>(shells.count() + 1) * n_directions, smallest_bound);
+    boxes.far.assign(n_directions, 3);
+    const int m = 4, last = shells.count(), middle = last / 2;
+    for (int j = 0; j <= last; ++j) boxes.at(j, m) = 1 + j; // grows outwards
+    CHECK(levels.reached(boxes, middle, m, 0, 0.499) == 1 + middle);               // 2 s < 1: no farther than it is itself
+    CHECK(levels.reached(boxes, middle, m, 0, 1) == 1 + middle + Shells::density); // twice as far
+    for (int j = 0; j <= last; ++j) boxes.at(j, m) = 1 + last - j; // falls
+    CHECK(levels.reached(boxes, middle, m, 0.5, 1) == 1 + last - (middle - 1)); // from the inner rim on, where a shell ends
+    CHECK(levels.reached(boxes, middle, m, 1e-30, 1) == 1 + last);
+    CHECK(levels.reached(boxes, 0, m, 0.5, 1) == 1 + last);
+    const double end = shells.radius(last);
+    CHECK(levels.reached(boxes, last, m, 0.4, 0.499) < 50);
+    CHECK(levels.reached(boxes, last, m, 0.9, 1) == doctest::Approx(3 * std::sqrt(2 * end)).scale(0).epsilon(1e-12));
+    CHECK(levels.reached(boxes, last - 3, m, 0.9, 1) == doctest::Approx(3 * std::sqrt(2 * shells.radius(last - 3))).scale(0).epsilon(1e-12));
+}
+
 TEST_CASE("squares of sine and cosine over a sector")
 {
     for (int i = 0; i < 32; ++i) {

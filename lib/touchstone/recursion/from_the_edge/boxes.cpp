@@ -169,6 +169,14 @@ double Levels::lookup(const Boxes& boxes, const PolarRange& p) const
     return most;
 }
 
+double Levels::reached(const Boxes& boxes, int j, int m, double s0, double s1) const
+{
+    const double near = 2 * (j == 0 ? 0 : shells.radius(j - 1)) * s0, far = 2 * shells.radius(j) * s1;
+    const int j0 = shells.shell(down(near)), j1 = std::min(shells.shell(up(far)), j + Shells::density); // |2 d s| <= 2 |d|
+    const double u = boxes.largest(j0, std::min(j1, shells.count()), m);
+    return far > shells.radius(shells.count()) ? std::max(u, boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far)) : u;
+}
+
 void Levels::fill(Boxes& boxes, double disc_radius, const std::function<double(const Disc&, int shell, int direction, double outer)>& f) const
 {
     boxes.bound.assign(static_cast<std::size_t>(shells.count() + 1) * n_directions, infinity);
@@ -260,14 +268,7 @@ void Levels::bound_boxes(const Level& from, Level& to) const
         for (int i = 0; i < sectors; ++i) {
             const double a = std::numbers::pi / 2 * i / sectors, b = std::numbers::pi / 2 * (i + 1) / sectors;
             const auto [s0, s1, c0, c1] = sector(a, b);
-            double u = 0;
-            if (m < 0) u = from.boxes.at(from.boxes.disc, 0);
-            else {
-                const double near = 2 * (j == 0 ? 0 : shells.radius(j - 1)) * s0, far = 2 * outer * s1;
-                const int j0 = shells.shell(down(near)), j1 = std::min(shells.shell(up(far)), j + Shells::density); // |2 d s| <= 2 |d|
-                u = from.boxes.largest(j0, std::min(j1, shells.count()), m);
-                if (far > end) u = std::max(u, from.boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far));
-            }
+            const double u = m < 0 ? from.boxes.at(from.boxes.disc, 0) : reached(from.boxes, j, m, s0, s1);
             if (!std::isfinite(u)) return infinity;
             const double direct = cosine > 0.001 ? inverse_mean(2 * outer * c1, cosine) : infinity;
             const double k = kernel_over(d, a, b, up(direct), 5);

@@ -119,6 +119,8 @@ public:
     double first_bound(const Disc& d) const;
     /// Largest bound of boxes that meet the range; infinite if one of them is not proven.
     double lookup(const Boxes& boxes, const PolarRange& p) const;
+    /// Bound of |u| at 2 d s, for the d of a box and s0 <= s <= s1.
+    double reached(const Boxes&, int shell, int direction, double s0, double s1) const;
     void fill(Boxes& boxes, double disc_radius, const std::function<double(const Disc&, int shell, int direction, double outer)>& f) const;
     std::unique_ptr<Level> first_level() const;
     /// |kernel| E^(1/2) where |x| <= e and |4w| <= eta (1-e)^2: R = (1-x)(1 + eta')^(1/2), |P| <= 2 + 2 eta, M = (1-x)(2 + ...).
