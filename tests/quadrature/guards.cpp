@@ -199,7 +199,8 @@ TEST_CASE("on a half-line the distances to both ends are s and 1/(1 + s), or exp
             const Map on_the_right = algebraic ? Map::right_algebraic : Map::right_exponential,
                       on_the_left = algebraic ? Map::left_algebraic : Map::left_exponential;
             const Range range{parse_limit(from), parse_limit(to), left ? on_the_right : on_the_left};
-            const auto point = compiled::Place{&range}.at_distance(side, s);
+            const compiled::Disc<Ball> disc(side, s);
+            const auto point = compiled::point_about(disc, compiled::Place{&range});
             const Ball other = algebraic ? Ball(1) / (Ball(1) + s) : exp(-s);
             CHECK((left ? point.left : point.right).value().overlaps(s));
             CHECK((left ? point.right : point.left).value().overlaps(other));

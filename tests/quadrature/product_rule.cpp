@@ -271,6 +271,9 @@ TEST_CASE("the boxes of an ellipse cover it, and hold the sine and the cosine of
             acb_sin_cos(sine.get(), cosine.get(), angle.get(), strip_bits);
             CHECK(acb_contains(box.sine.get(), sine.get()));
             CHECK(acb_contains(box.cosine.get(), cosine.get()));
+            const Ball re = middle.real();
+            if (box.side) CHECK((*box.side == Side::left ? arb_is_negative(re.get()) : arb_is_positive(re.get())) != 0);
+            else CHECK(!even);
             const Ball allowed = radius_of(box.z) * Ball(2); // |d sin| <= cosh |d angle|
             CHECK(arb_le(radius_of(box.sine).get(), allowed.get()));
             CHECK(arb_le(radius_of(box.cosine).get(), allowed.get()));

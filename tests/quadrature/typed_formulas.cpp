@@ -261,6 +261,21 @@ TEST_CASE("parts are added at the precision of the digits asked for")
     CHECK(e.value.relative_bits() > 664);
 }
 
+TEST_CASE("exact constants hold products of as many roots as one likes")
+{
+    const ExactSum product = *exact_value(*parse_expression("sqrt(999999937)*sqrt(999999929)*sqrt(999999893)"));
+    const WorkingPrecision precision(200);
+    CHECK(product.ball().overlaps(sqrt(Ball(Rational("999999759000018810999521389")))));
+    const ExactSum square = product * product;
+    CHECK(square.rational() == Rational("999999759000018810999521389"));
+    CHECK(integral("x+sqrt(999999937)*sqrt(999999929)*sqrt(999999893)", "0", "1", 20).value.overlaps(product.ball() + Ball(1) / Ball(2)));
+    CHECK(integral("x", "0", "sqrt(999999937)*sqrt(999999929)*sqrt(999999893)", 20).value.overlaps(square.ball() / Ball(2)));
+    CHECK_THROWS_AS([] {
+        ExactSum pi = ExactSum::pi();
+        for (int k = 0; k < 62; ++k) pi = pi * pi;
+    }(), DomainError);
+}
+
 TEST_CASE("what vanishes at an end with others has all its bits beside it, by the series, at a midpoint and as it stands")
 {
     constexpr slong bits = 200;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Where a strip winds around an end a formula goes on as the function it is on the real line: roots and logarithms of what vanishes at the
 // end are continued, not principal, and which way a value was had must not show. Held against the continuation by hand, from w = log(u/r).
-#include "touchstone/quadrature/integrand.hpp"
+#include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/scalar/ball.hpp"
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <functional>
+#include <limits>
 #include <random>
 
 using namespace touchstone;
@@ -121,6 +123,49 @@ TEST_CASE("on a piece without end the logarithm of a distance is rho times what 
                     CHECK(claimed.real().overlaps(truth.real()));
                     CHECK(abs(claimed.imag()).overlaps(abs(truth.imag())));
                 }
+        }
+}
+
+TEST_CASE("where a root goes on left of 0 it is no principal one, and the ellipse is proved of one of the two")
+{
+    // the pole of the root that goes on, at -c, is nearer than the ellipse that the principal root would allow
+    const WorkingPrecision precision(400);
+    const Ball c = Ball(51) / Ball(100);
+    for (const auto& [formula, from, to] : {std::array{"1/(x+3)+1e-12*(0.51/(sqrt(x^2)+0.51))^40", "0", "1"},
+                                            std::array{"1/(x+5/2)+1e-12*(0.51/(sqrt((x-1/2)^2)+0.51))^40", "1/2", "3/2"}})
+        for (const long digits : {20L, 30L, 50L}) {
+            CAPTURE(std::string(formula));
+            CAPTURE(digits);
+            IntegralOptions options;
+            options.digits = digits;
+            const Integral i = integrate(parse_expression(formula), parse_limit(from), parse_limit(to), options);
+            const Ball small = pow(Ball(10), Ball(-12)) * (c - pow(c, Ball(40)) * pow(c + 1, Ball(-39))) / Ball(39);
+            CHECK(i.status == Status::certified);
+            CHECK(i.value.overlaps(log(Ball(4) / Ball(3)) + small));
+        }
+    // a box on both sides of the middle has to be finite in either form
+    const Integrand f(parse_expression("sqrt(x^2)"), Range{parse_limit("0"), parse_limit("1"), Map::finite});
+    ComplexBall beyond(Ball(Rational(-1, 2)), Ball(Rational(1, 10)));
+    CHECK(f.in_plane_from(Side::left, beyond).overlaps(beyond));
+    CHECK(f.in_plane_from(Side::right, beyond).overlaps(-beyond));
+    mag_set_d(arb_radref(acb_realref(beyond.get())), 0.75);
+    CHECK(f.in_plane_from(Side::left, beyond).is_finite());
+    CHECK_FALSE(f.in_plane_from(Side::right, beyond).is_finite());
+    CHECK_FALSE(f.in_plane_from(std::nullopt, beyond).is_finite());
+}
+
+TEST_CASE("the orders that a formula shows are the same on every piece, whichever way its zero is had")
+{
+    const Integrand f(parse_expression("1/sqrt(1-x)-1-x/2"), Range{parse_limit("0"), parse_limit("1"), Map::finite});
+    const WorkingPrecision precision(64);
+    for (const double x : {0.0, 0.3, 0.6, 0.9, 1.2, 1.8})
+        for (const double width : {0.001, 0.1}) {
+            const StripPiece piece = StripPiece::at(Side::left, x, x + width, 0.2, 0.2 + width);
+            using N = EndpointNumber<ComplexBall>;
+            const N u(&piece, {1, 0}, {}, ComplexBall(1)), r(&piece, {}, {1, 0}, ComplexBall(1)), value = f.at(u, u, r);
+            CAPTURE(x);
+            CHECK(value.left().power == Exponent(2));
+            CHECK(value.right().power == Exponent(-1, 2));
         }
 }
 

@@ -100,9 +100,6 @@ struct Place {
     bool on_the_line = false;
     /// Whether i stands for -i, and whether points of an outer variable stand for their conjugates.
     bool conjugated = false, mirrored = false;
-    /// The point whose distance to one end is exactly s.
-    template <class V>
-    Point<V> at_distance(Side side, const V& s) const;
     template <class V>
     std::optional<EndpointNumber<V>> exp_x(const EndpointNumber<V>& left, const EndpointNumber<V>& right) const;
 };

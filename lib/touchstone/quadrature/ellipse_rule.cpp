@@ -36,6 +36,8 @@ long rounded_count(double n)
     return std::max(4L, static_cast<long>(std::ceil(n / static_cast<double>(step))) * step);
 }
 
+constexpr double half_turn = 3.1416; // a little more than pi
+
 /// z = cosh(s + i phi) on a box, as balls of cosh s cos phi and sinh s sin phi.
 EllipseBox box_of(double s1, double s2, double phi1, double phi2)
 {
@@ -44,7 +46,9 @@ EllipseBox box_of(double s1, double s2, double phi1, double phi2)
     Ball sine, cosine, sinh_s, cosh_s;
     arb_sin_cos(sine.get(), cosine.get(), phi.get(), strip_bits);
     arb_sinh_cosh(sinh_s.get(), cosh_s.get(), s.get(), strip_bits);
-    EllipseBox box{ComplexBall(cosh_s * cosine, sinh_s * sine), {}, {}};
+    EllipseBox box{ComplexBall(cosh_s * cosine, sinh_s * sine), {}, {}, {}};
+    if (phi1 >= half_turn / 2) box.side = Side::left;
+    if (phi2 <= half_turn / 2) box.side = Side::right;
     const ComplexBall angle = (ComplexBall(1) + box.z) * ComplexBall(pi<Ball>() / Ball(4));
     acb_sin_cos(box.sine.get(), box.cosine.get(), angle.get(), strip_bits);
     return box;
@@ -63,8 +67,6 @@ const EllipseBox& kept_box(double s1, double s2, double phi1, double phi2)
 
 /// Bounds M_k, in the order of the weights.
 using Bounds = std::vector<Ball>;
-
-constexpr double half_turn = 3.1416; // a little more than pi
 
 class EllipseProof {
 public:

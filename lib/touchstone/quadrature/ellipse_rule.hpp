@@ -23,6 +23,7 @@ namespace touchstone::quadrature {
 /// A box about the ellipse: z, and the sine and cosine of (pi/4)(1 + z).
 struct EllipseBox {
     ComplexBall z, sine, cosine;
+    std::optional<Side> side; ///< of the curve phi = pi/2 through the middle, z = cosh(s + i phi); none where it is on both
 };
 
 /// A real function of z in [-1, 1] in two arithmetics: the c_k beside its weights, in their order.

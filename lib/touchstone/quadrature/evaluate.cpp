@@ -351,7 +351,8 @@ V at_midpoint(const Node& node, const Zero& zero, Side side, const V& s, const P
         const double lost =
             static_cast<double>(zero.order + 2) * std::max(1.0, -log2_size(upper_ball(middle))); // what the terms of the sum have in common
         const WorkingPrecision more(bits + static_cast<slong>(lost) + 20);
-        t = ordinary(node, place.at_distance(side, middle), place).value() / analytic::integer_power(middle, zero.order);
+        const Disc<V> disc(side, middle); // as it goes on from the range: a root left of the end is not the principal one
+        t = ordinary(node, point_about(disc, place), place).value() / analytic::integer_power(middle, zero.order);
     }
     widen(t, lemma::slope(zero.bound, Ball::exactly(zero.radius), radius_of(s)));
     return t;
@@ -363,6 +364,21 @@ bool within(const Ball& size, double radius, double halvings)
     Ball r = Ball::exactly(radius);
     arb_mul_2exp_si(r.get(), r.get(), -static_cast<slong>(std::ceil(halvings)));
     return arb_lt(size.get(), r.get()) != 0;
+}
+
+/// Whether u, the fraction to the finite end of a half-line, is the distance to the right one.
+bool is_mirrored(const Place& place)
+{
+    return place.range && (place.range->map == Map::left_algebraic || place.range->map == Map::left_exponential);
+}
+
+/// The order at the far end that a quotient shows, which the series has to show too: which root of T is taken must not depend on the piece.
+template <class V>
+Order order_beyond(const Node& node, const Point<V>& p, const Place& place, const N<V>& front, Side far, Side in_frame)
+{
+    const auto* frame = p.distance(far).frame();
+    if (std::same_as<V, Ball> || p.distance(far).is_plain() || (frame && frame->keeps_logarithms())) return {};
+    return (ordinary(node, p, place) / front).order(in_frame);
 }
 
 constexpr double least_known = 12;    // bits: a ball that knows less of its place is served by the series
@@ -388,17 +404,19 @@ N<V> with_zeros(const Node& node, const Point<V>& p, const Place& place)
         V t = within(size, zero->radius, std::max(2.0, halvings)) || bits_known(distance) < least_known
                   ? series(node, *zero, s == Side::left ? 0 : other_end, distance, place)
                   : at_midpoint(node, *zero, s, distance, place);
-        const auto& other = node.zero[s == Side::left ? 1 : 0];
-        if (other && other->order != 0)
-            t = t / to_power(p.distance(s == Side::left ? Side::right : Side::left), Exponent(other->order)).value();
-        return front * N<V>(front.frame(), {}, {}, t);
+        const Side far = s == Side::left ? Side::right : Side::left;
+        const auto& other = node.zero[far == Side::left ? 0 : 1];
+        if (other && other->order != 0) t = t / to_power(p.distance(far), Exponent(other->order)).value();
+        const Side at = is_mirrored(place) ? s : far; // in the frame
+        const Order shown = other ? Order{} : order_beyond(node, p, place, front, far, at);
+        const N<V> beyond(p.distance(far).frame(), at == Side::left ? shown : Order{}, at == Side::right ? shown : Order{}, V(1));
+        return front * beyond * N<V>(shown.is_zero() ? t : t / beyond.value());
     }
     const N<V> quotient = ordinary(node, p, place) / front;
     // The orders that the sum shows at an end with a zero belong to the factor: T has none there. Where logarithms are kept the other end's
     // do too, as in T: what stands beside a logarithm must be one function, whichever way it was enclosed.
     const bool all = quotient.frame() && quotient.frame()->keeps_logarithms();
-    // u is the fraction to the finite end of a half-line, whichever side that is on
-    const bool mirrored = place.range && (place.range->map == Map::left_algebraic || place.range->map == Map::left_exponential);
+    const bool mirrored = is_mirrored(place);
     const bool in_left = node.zero[mirrored ? 1 : 0] || all, in_right = node.zero[mirrored ? 0 : 1] || all;
     const Order left = in_left ? Order{} : quotient.left(), right = in_right ? Order{} : quotient.right();
     const N<V> hidden(quotient.frame(), in_left ? quotient.left() : Order{}, in_right ? quotient.right() : Order{}, V(1));
@@ -492,14 +510,6 @@ Point<V> about(const Range& range, Side side, const Number& s)
 } // namespace
 
 template <class V>
-Point<V> Place::at_distance(Side side, const V& s) const
-{
-    Point<V> p = about<V>(*range, side, EndpointNumber<V>(s));
-    p.exp_x = exp_x(p.left, p.right);
-    return p;
-}
-
-template <class V>
 Point<V> point_about(const Disc<V>& disc, const Place& place)
 {
     const Order one{1, 0};
@@ -512,7 +522,5 @@ Point<V> point_about(const Disc<V>& disc, const Place& place)
 
 template Point<Ball> point_about(const Disc<Ball>&, const Place&);
 template Point<ComplexBall> point_about(const Disc<ComplexBall>&, const Place&);
-template Point<Ball> Place::at_distance(Side, const Ball&) const;
-template Point<ComplexBall> Place::at_distance(Side, const ComplexBall&) const;
 
 } // namespace touchstone::quadrature::compiled

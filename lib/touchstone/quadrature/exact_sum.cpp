@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/exact_sum.hpp"
 
+#include "touchstone/scalar/scalar.hpp"
+
 #include <algorithm>
-#include <numeric>
 
 namespace touchstone::quadrature {
 namespace {
@@ -21,6 +22,14 @@ std::optional<std::pair<Rational, long>> square_and_rest(const Rational& r)
             square *= d;
         }
     return std::pair(Rational(square) / Rational(r.get_den()), rest);
+}
+
+/// Of sqrt(pi), powers of powers included.
+long sum_of_powers(long a, long b)
+{
+    long sum = 0;
+    if (__builtin_add_overflow(a, b, &sum)) throw DomainError("a power of pi with an exponent beyond 2^62");
+    return sum;
 }
 
 } // namespace
@@ -64,7 +73,7 @@ ExactSum ExactSum::imaginary() const
 {
     ExactSum r;
     for (const auto& [key, q] : terms_)
-        if (key.second < 0) r.add({key.first, -key.second}, q);
+        if (key.second < 0) r.add({key.first, Integer(-key.second)}, q);
     return r;
 }
 
@@ -90,7 +99,7 @@ Ball ExactSum::ball() const
             arb_pow_ui(power.get(), root.get(), static_cast<ulong>(n < 0 ? -n : n), WorkingPrecision::bits());
             term = n < 0 ? term / power : term * power;
         }
-        if (key.second != 1) term *= touchstone::sqrt(Ball(key.second));
+        if (key.second != 1) term *= touchstone::sqrt(Ball(Rational(key.second)));
         sum += term;
     }
     return sum;
@@ -115,9 +124,9 @@ ExactSum operator*(const ExactSum& a, const ExactSum& b)
     ExactSum r;
     for (const auto& [ka, qa] : a.terms_)
         for (const auto& [kb, qb] : b.terms_) { // sqrt(m) sqrt(n) = g sqrt(m n/g^2), its sign changed if both are imaginary
-            const long g = std::gcd(ka.second, kb.second);
+            const Integer g = gcd(ka.second, kb.second);
             const long sign = ka.second < 0 && kb.second < 0 ? -1 : 1;
-            r.add({ka.first + kb.first, (ka.second / g) * (kb.second / g)}, Rational(qa * qb * g * sign));
+            r.add({sum_of_powers(ka.first, kb.first), Integer((ka.second / g) * (kb.second / g))}, Rational(qa * qb * g * sign));
         }
     return r;
 }

@@ -37,7 +37,7 @@ public:
         return s;
     }
 
-    using Key = std::pair<long, long>; ///< power of sqrt(pi), radicand
+    using Key = std::pair<long, Integer>; ///< power of sqrt(pi), radicand
     const std::map<Key, Rational>& terms() const { return terms_; }
 
     bool is_zero() const { return terms_.empty(); }

@@ -105,6 +105,14 @@ struct Integrand::Body {
     double width = 1;
     bool has_inner_integral = false;
     std::optional<RealFormula> straight;
+
+    /// The value at z, as it goes on from that end.
+    ComplexBall about(Side side, const ComplexBall& z, const Place& there) const
+    {
+        const Ball from = range.from.ball(), to = range.to.ball();
+        const compiled::Disc<ComplexBall> disc(side, side == Side::left ? z - ComplexBall(from) : ComplexBall(to) - z);
+        return compiled::evaluate(*root, compiled::point_about(disc, there), there).value();
+    }
 };
 
 Integrand::Integrand(const ExpressionPtr& e, Range range)
@@ -152,6 +160,15 @@ template std::array<EndpointNumber<ComplexBall>, 2> Integrand::both_parts(const 
 ComplexBall Integrand::in_plane(const ComplexBall& z) const { return about_an_end(z, false); }
 ComplexBall Integrand::on_the_line(const ComplexBall& z) const { return about_an_end(z, arb_is_zero(acb_imagref(z.get())) != 0); }
 
+ComplexBall Integrand::in_plane_from(std::optional<Side> end, const ComplexBall& z) const
+{
+    if (end) return body_->about(*end, z, body_->place);
+    ComplexBall left = body_->about(Side::left, z, body_->place);
+    if (!left.is_finite()) return left;
+    ComplexBall right = body_->about(Side::right, z, body_->place);
+    return !right.is_finite() || acb_rel_accuracy_bits(right.get()) > acb_rel_accuracy_bits(left.get()) ? right : left;
+}
+
 Ball Integrand::at_real(const Ball& x) const
 {
     const Ball from_left = x - body_->range.from.ball();
@@ -164,12 +181,10 @@ ComplexBall Integrand::about_an_end(const ComplexBall& z, bool on_the_line) cons
 {
     Place place = body_->place;
     place.on_the_line = on_the_line;
-    const ComplexBall from_left = z - ComplexBall(body_->range.from.ball()), from_right = ComplexBall(body_->range.to.ball()) - z;
+    const ComplexBall from_left = z - ComplexBall(body_->range.from.ball());
     const double l =
         mag_get_d(arb_radref(acb_realref(from_left.get()))) + std::fabs(arf_get_d(arb_midref(acb_realref(from_left.get())), ARF_RND_NEAR));
-    const Side side = l < body_->width / 2 ? Side::left : Side::right;
-    const compiled::Disc<ComplexBall> disc(side, side == Side::left ? from_left : from_right);
-    return compiled::evaluate(*body_->root, compiled::point_about(disc, place), place).value();
+    return body_->about(l < body_->width / 2 ? Side::left : Side::right, z, place);
 }
 
 bool Integrand::is_regular_at_ends() const

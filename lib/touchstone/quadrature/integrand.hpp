@@ -85,8 +85,10 @@ public:
     /// Of a complex formula, the two parts of its value at a node; on a piece f and f*, which bound them (tanh_sinh.md, section 13).
     template <class V>
     std::array<EndpointNumber<V>, 2> both_parts(const EndpointNumber<V>& x, const EndpointNumber<V>& left, const EndpointNumber<V>& right) const;
-    /// At a point of the plane: non-finite unless analytic on the whole ball. For finite ranges.
+    /// On a ball of the plane that has points of the range in it: non-finite unless analytic on the whole ball. For finite ranges.
     ComplexBall in_plane(const ComplexBall& z) const;
+    /// As it goes on from that end of the range, or the same from both: what sqrt(x^2) is left of 0 depends on the way there.
+    ComplexBall in_plane_from(std::optional<Side> end, const ComplexBall& z) const;
     /// The values of a real formula on a ball of the finite range, in real arithmetic.
     Ball at_real(const Ball& x) const;
     /// The values on a real ball (z without imaginary part), across kinks and steps too.

@@ -129,7 +129,7 @@ std::optional<Attempt> by_one_ellipse(const Integrand& f, bool even, long digits
     g.is_even = even;
     g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
         prepare();
-        c.assign(1, f.in_plane(ComplexBall(ends.middle) + ComplexBall(ends.half) * box.z));
+        c.assign(1, f.in_plane_from(box.side, ComplexBall(ends.middle) + ComplexBall(ends.half) * box.z));
     };
     g.at_node = [&](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
         prepare();

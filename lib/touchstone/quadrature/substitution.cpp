@@ -201,7 +201,7 @@ ExpressionPtr formula_of(const ExactSum& c)
         else if (halves_of_pi != 0)
             term = product(term, make(Op::power, {make(Op::pi, {}), number(Rational(halves_of_pi) / 2)}));
         if (radicand < 0) term = product(term, make(Op::imaginary_unit, {}));
-        if (std::labs(radicand) != 1) term = product(term, make(Op::sqrt, {number(Rational(std::labs(radicand)))}));
+        if (const Integer size = abs(radicand); size != 1) term = product(term, make(Op::sqrt, {number(Rational(size))}));
         sum = sum ? make(Op::add, {sum, term}) : term;
     }
     return sum ? sum : number(0);
