@@ -142,6 +142,15 @@ TEST_CASE("truncation bounds grow by the factor of the far end, whatever its exp
     }
 }
 
+TEST_CASE("a strip's tail has the factor of both ends")
+{
+    const WorkingPrecision precision(100);
+    const Ball K(3), alpha = decimal("0.3"), beta = decimal("-0.8"), A = decimal("0.7"), d = decimal("0.5");
+    const Ball both = lemma::far_factor(decimal("1.1"), A), one = lemma::far_factor(alpha, A);
+    CHECK((lemma::strip_tail(K, alpha, beta, A, d) * one).overlaps(lemma::strip_tail(K, alpha, Ball(0), A, d) * both));
+    CHECK((lemma::logistic_strip_tail(K, alpha, beta, A) * one).overlaps(lemma::logistic_strip_tail(K, alpha, Ball(0), A) * both));
+}
+
 TEST_CASE("far factor: E = -exp(-A) attains it")
 {
     const WorkingPrecision precision(100);

@@ -510,6 +510,9 @@ TEST_CASE("tails that oscillate against their closed forms")
                  {"cos(x)/x", "1", "inf", "-ci(1)"},
                  {"-(cos(x)/x)", "1", "inf", "ci(1)"},
                  {"sin(2*x+1)/x", "1", "inf", "cos(1)*(pi/2-si(2))-sin(1)*ci(2)"},
+                 {"sin(x+1)*cos(2*x)/x", "1", "inf", "(cos(1)*(si(1)-si(3))-sin(1)*(ci(3)+ci(1)))/2"},
+                 {"sin(x)*cos(2*x+1)/x", "1", "inf", "(cos(1)*(si(1)-si(3))-sin(1)*(ci(3)-ci(1)))/2"},
+                 {"sin(x+1)*sin(2*x)/x", "1", "inf", "(cos(1)*(ci(3)-ci(1))+sin(1)*(pi-si(1)-si(3)))/2"},
                  {"(sin(x)-cos(x))/x", "1", "inf", "pi/2-si(1)+ci(1)"},
                  {"sin(x)/(x-1)", "-inf", "0", "pi*cos(1)/2-cos(1)*si(1)+sin(1)*ci(1)"}};
     for (const auto& c : cases) {
