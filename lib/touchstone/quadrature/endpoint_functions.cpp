@@ -157,8 +157,8 @@ EndpointNumber<V> arc_tangent_of_pole(const EndpointNumber<V>& x)
 Real logarithm(const Real& x) { return log(x); }
 Complex logarithm(const Complex& x);
 
-/// asinh x = log x + log(1 + sqrt(1 + 1/x^2)) for Re x > 0, where x grows: what stays is regular. An odd function. Between the half planes is
-/// the cut, which neither form shows: what lies beside the powers of the distances has to be proved on one side.
+/// asinh x = log x + log(1 + sqrt(1 + 1/x^2)) for Re x > 0, where x grows: what stays is regular. An odd function. Between the half planes
+/// is the cut, which neither form shows: what lies beside the powers of the distances has to be proved on one side.
 template <class V>
 EndpointNumber<V> inverse_hyperbolic_sine_of_large(const EndpointNumber<V>& x)
 {
