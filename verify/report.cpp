@@ -104,8 +104,6 @@ int make_report(const ReportOptions& o)
 
 } // namespace
 
-bool is_figure(const std::string& id) { return figures::find_recipe(id) != nullptr; }
-
 int write_figure(const std::string& id, const std::string& svg, const std::string& pdf, const std::string& csv)
 {
     const figures::Recipe* recipe = figures::find_recipe(id);

@@ -9,7 +9,5 @@ namespace touchstone::program {
 
 /// Writes one figure alone; empty names are left out. \returns an exit code
 int write_figure(const std::string& id, const std::string& svg, const std::string& pdf, const std::string& csv);
-/// Whether `touchstone paper ID` with --svg, --pdf or --csv can draw it.
-bool is_figure(const std::string& id);
 
 } // namespace touchstone::program

@@ -42,7 +42,6 @@ private:
         ++pieces;
         return f_(p);
     }
-    bool constant(Panel& panel, double bits);
     StripPiece piece(Side side, double x1, double x2, double y1, double y2) const
     {
         return StripPiece::at(side, x1, x2, y1, y2, transformation_);

@@ -154,8 +154,6 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
             node.data = N * (begin + i);
             const bool least = node.left == 0 ? node.width < rule.smallest : node.width < node.left * std::numeric_limits<Real>::epsilon() * 4;
             if (answers[i].tail <= rule.tolerance || least) {
-                ++leaves_;
-                if (node.left > 0) worst_tail_ = std::max(worst_tail_, answers[i].tail);
                 for (std::size_t j = 0; j < N; ++j) moments_.push_back(gauss_->weights[j] * node.width * answers[i].values[j]);
                 coefficients_.insert(coefficients_.end(), answers[i].series.begin(), answers[i].series.end());
                 continue;

@@ -51,10 +51,6 @@ public:
     Piecewise shortened() const;
     Real at(const Real& x) const;
     Real integral() const;
-    /// Number of leaves.
-    std::size_t leaves() const { return leaves_; }
-    /// Sum over intervals of |tail| min(1, sqrt(h/(a+h)))/|V|: worst one.
-    double worst_tail() const { return worst_tail_; }
 
 private:
     struct Node {
@@ -73,8 +69,6 @@ private:
     std::size_t roots_ = 0;
     std::vector<Node> nodes_;
     std::vector<Real> moments_, coefficients_;
-    std::size_t leaves_ = 0;
-    double worst_tail_ = 0;
 };
 
 extern template class Piecewise<Extended>;

@@ -127,15 +127,6 @@ T force_weighted(const T& u)
 /// \returns c_0 ... c_levels, enclosed. \pre G >= 2
 std::vector<Ball> size(const Ball& G, long levels);
 
-/// **Lemma (tail_near_zero):** What B_m holds below y is at most y^(1/2) wherever V_m is 0 there: it reaches the next level with weight share_of(G y).
-/// *Proof.* Monotone, and B_0(y) <= y^(1/2), T 1 <= 1.
-template <Field T>
-T tail_near_zero(const T& y)
-{
-    using std::sqrt;
-    return sqrt(y);
-}
-
 // ---- full contact: the disc on which T V~ is analytic, V~ continued at each end of the wave by the polynomial of one panel (recursion's after-the-fact proof)
 
 /// **Lemma (disc_full):** x_c > 1, |x - x_c| <= r <= reach g, g = |1 -+ c| at the edge where the continued polynomial takes over: |1 -+ c| keeps a fifth of itself on
