@@ -169,6 +169,31 @@ TEST_CASE("the orders that a formula shows are the same on every piece, whicheve
         }
 }
 
+TEST_CASE("the order of a Bessel function is the same near 0 and far from it, and so is its value")
+{
+    // beyond |A x^k| = 8 another form is taken; what a root or a logarithm of it is must not show where
+    const std::pair<const char*, Exponent> all[] = {{"besseli(15/2,61*x^(7/2))", Exponent(105, 4)},
+                                                    {"besselj(-1/2,40*x)", Exponent(-1, 2)},
+                                                    {"besselk(3,40*x)", Exponent(-3)},
+                                                    {"bessely(2,40*x^(1/2))", Exponent(-1)}};
+    for (const auto& [formula, power] : all) {
+        const Integrand f(parse_expression(formula), Range{parse_limit("0"), parse_limit("1"), Map::finite});
+        const WorkingPrecision precision(128);
+        CAPTURE(std::string(formula));
+        for (const double x : {-0.7, -0.4, -0.1, 0.2, 0.5})
+            for (const double y : {0.0, 0.1}) {
+                const StripPiece piece = StripPiece::at(Side::left, x, x + 0.001, y, y + 0.001);
+                using N = EndpointNumber<ComplexBall>;
+                const N u(&piece, {1, 0}, {}, ComplexBall(1)), r(&piece, {}, {1, 0}, ComplexBall(1)), value = f.at(u, u, r);
+                CAPTURE(x);
+                REQUIRE(value.factor().is_finite());
+                CHECK(value.left().power == power);
+                const ComplexBall plain = f.on_the_line(piece.distance(Side::left));
+                CHECK(value.value().overlaps(plain));
+            }
+    }
+}
+
 TEST_CASE("log(x)/(1 - x) on balls about the end where both vanish")
 {
     const WorkingPrecision precision(128);

@@ -38,7 +38,7 @@ struct InnerIntegral;
 struct Zero {
     long order = 0;
     std::vector<ExactSum> c; ///< first coefficients of T
-    double radius = 0;       ///< T is analytic for |s| <= radius
+    Ball radius;             ///< exact: T is analytic for |s| <= radius
     Ball bound;              ///< of |T| there
 };
 

@@ -184,6 +184,7 @@ template <class V>
 V rational_power(const V& z, const Exponent& e)
 {
     if (is_one(z)) return z;
+    if (e.is_zero()) return z.is_finite() ? V(1) : V::indeterminate(); // of what has no value there is no power
     if (e.is_integer()) return integer_power(z, e.num());
     if (e.den() == 2) return integer_power(analytic::sqrt(z), e.num());
     if constexpr (std::same_as<V, Ball>) {
@@ -311,6 +312,11 @@ public:
         static const Terms none;
         return logarithms_ ? *logarithms_ : none;
     }
+    /// Whether its factors are finite, those beside logarithms too.
+    bool has_value() const
+    {
+        return c_.is_finite() && std::all_of(logarithms().begin(), logarithms().end(), [](const LogarithmTerm<V>& t) { return t.c.is_finite(); });
+    }
     const Frame<V>* frame() const { return frame_; }
     bool is_plain() const { return p_.is_zero() && q_.is_zero() && !logarithms_; }
     /// u^p r^q c as one ball: non-finite if it is unbounded here.
@@ -416,6 +422,7 @@ template <class V>
 EndpointNumber<V> to_power(const EndpointNumber<V>& x, const Exponent& e)
 {
     constexpr long most = 8;
+    if (x.has_logarithms() && e.is_zero()) return x.has_value() ? EndpointNumber<V>(1) : EndpointNumber<V>(V::indeterminate());
     if (x.has_logarithms() && e.is_integer() && e.num() > 0 && e.num() <= most) return e.num() == 1 ? x : x * to_power(x, e - Exponent(1));
     return {x.frame(), x.left() * e, x.right() * e, analytic::rational_power(x.factor(), e)};
 }

@@ -327,7 +327,7 @@ V series(const Node& node, const Zero& zero, std::size_t first_kept, const V& s,
     V r(0);
     if (!zero.c.empty()) r = kept<V>(node, first_kept + zero.c.size() - 1, zero.c.back(), place);
     for (std::size_t i = zero.c.empty() ? 0 : zero.c.size() - 1; i-- > 0;) r = r * s + kept<V>(node, first_kept + i, zero.c[i], place);
-    const Ball q = upper_ball(s) / Ball::exactly(zero.radius);
+    const Ball q = upper_ball(s) / zero.radius;
     widen(r, lemma::remainder(zero.bound, q, static_cast<long>(zero.c.size())));
     return r;
 }
@@ -354,14 +354,13 @@ V at_midpoint(const Node& node, const Zero& zero, Side side, const V& s, const P
         const Disc<V> disc(side, middle); // as it goes on from the range: a root left of the end is not the principal one
         t = ordinary(node, point_about(disc, place), place).value() / analytic::integer_power(middle, zero.order);
     }
-    widen(t, lemma::slope(zero.bound, Ball::exactly(zero.radius), radius_of(s)));
+    widen(t, lemma::slope(zero.bound, zero.radius, radius_of(s)));
     return t;
 }
 
 /// Whether s is surely within the radius times 2^-halvings.
-bool within(const Ball& size, double radius, double halvings)
+bool within(const Ball& size, Ball r, double halvings)
 {
-    Ball r = Ball::exactly(radius);
     arb_mul_2exp_si(r.get(), r.get(), -static_cast<slong>(std::ceil(halvings)));
     return arb_lt(size.get(), r.get()) != 0;
 }

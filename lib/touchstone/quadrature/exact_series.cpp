@@ -91,8 +91,8 @@ Series inverse(const Series& a)
 /// a^e: k c_0 b_k = sum over j of (e j - (k - j)) a_j b_(k-j), from a b' = e a' b.
 Series power(const Series& a, const Rational& e)
 {
-    if (e == 0) return constant(1);
     if (!a) return std::nullopt;
+    if (e == 0) return constant(1);
     if (a->is_exactly_zero) return e > 0 ? a : std::nullopt;
     if (a->c.empty()) return std::nullopt;
     std::optional<ExactSum> lead;

@@ -71,6 +71,7 @@ public:
     Integral run(const Limit& from, const Limit& to);
 
 private:
+    Integral over(const Limit& from, const Limit& to, bool reversed);
     /// Parts between neighbouring cuts; false with a reason if one fails.
     bool add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
     bool add_cut(const Limit& from, const Limit& to, const ExactSum& at, long digits, int depth, Integral& out);
@@ -389,20 +390,24 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
 
 Integral Integration::run(const Limit& from, const Limit& to)
 {
-    Integral out;
-    out.value = Ball::indeterminate();
     {
         const WorkingPrecision precision(256);
         const bool same = (from.exact && to.exact && *from.exact == *to.exact) || (from.infinite != 0 && from.infinite == to.infinite);
         if (same && from.infinite) throw DomainError("the range from " + from.text + " to " + to.text + " holds no number");
         if (same) { // nothing to integrate over
-            out.value = Ball(0);
-            out.status = Status::certified;
-            out.digits = options_.digits;
-            return out;
+            Integral nothing;
+            nothing.value = Ball(0);
+            nothing.status = Status::certified;
+            nothing.digits = options_.digits;
+            return nothing;
         }
-        if (is_reversed(from, to)) return negated(run(to, from));
     }
+    return is_reversed(from, to) ? over(to, from, true) : over(from, to, false);
+}
+
+/// Of a range that is not empty; `reversed`: with the other sign.
+Integral Integration::over(const Limit& from, const Limit& to, bool reversed)
+{
     std::vector<Limit> cuts;
     {
         const WorkingPrecision precision(256);
@@ -437,7 +442,7 @@ Integral Integration::run(const Limit& from, const Limit& to)
             whole.imaginary += p.imaginary;
         }
         return true;
-    });
+    }, reversed);
 }
 
 /// Whether the error is within the tolerance, if there is one.
@@ -456,7 +461,7 @@ slong bits_of(const Integral& i)
 
 } // namespace
 
-Integral with_enough_digits(const IntegralOptions& options, const std::function<bool(long, Integral&)>& attempt)
+Integral with_enough_digits(const IntegralOptions& options, const std::function<bool(long, Integral&)>& attempt, bool reversed)
 {
     Integral out;
     const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
@@ -465,6 +470,7 @@ Integral with_enough_digits(const IntegralOptions& options, const std::function<
     constexpr int most_rounds = 4; // parts that cancel are repeated with more digits
     for (int round = 0; round < most_rounds; ++round) {
         if (!attempt(digits, out)) return out;
+        if (reversed) out = negated(std::move(out));
         const double shortfall = wanted - static_cast<double>(bits_of(out));
         if (shortfall <= 0 || is_within_tolerance(out, options) || options.of_absolute || options.quick) break;
         if (last_shortfall && shortfall > *last_shortfall - 1) break; // a parameter that is a ball: more digits don't help
@@ -490,7 +496,7 @@ Integral with_enough_digits(const IntegralOptions& options, const std::function<
 Integral integrate(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options)
 {
     if (options.principal_value.empty()) return Integration(e, options).run(from, to);
-    return is_reversed(from, to) ? negated(principal_value(e, to, from, options)) : principal_value(e, from, to, options);
+    return is_reversed(from, to) ? principal_value(e, to, from, options, true) : principal_value(e, from, to, options, false);
 }
 
 } // namespace touchstone::quadrature

@@ -70,10 +70,11 @@ Integral integrate(const ExpressionPtr&, const Limit& from, const Limit& to, con
 /// Of several formulas over one range. Where tanh-sinh is the rule the strip is proved once for all of them, and they share their nodes.
 std::vector<Integral> integrate_several(const std::vector<ExpressionPtr>&, const Limit& from, const Limit& to, const IntegralOptions& = {});
 
-/// Used by integrate where `principal_value` names poles.
-Integral principal_value(const ExpressionPtr&, const Limit& from, const Limit& to, const IntegralOptions&);
+/// Used by integrate where `principal_value` names poles; from is below to, `reversed`: with the other sign.
+Integral principal_value(const ExpressionPtr&, const Limit& from, const Limit& to, const IntegralOptions&, bool reversed);
 
-/// The attempt repeated with more digits until the value has those asked for, at most a few times, and what the result then is.
-Integral with_enough_digits(const IntegralOptions&, const std::function<bool(long digits, Integral&)>& attempt);
+/// The attempt repeated with more digits until the value has those asked for, at most a few times, and what the result then is; `reversed`: with
+/// the other sign, in what is said of it too.
+Integral with_enough_digits(const IntegralOptions&, const std::function<bool(long digits, Integral&)>& attempt, bool reversed = false);
 
 } // namespace touchstone::quadrature

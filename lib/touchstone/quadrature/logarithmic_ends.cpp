@@ -229,15 +229,20 @@ std::optional<N<V>> bessel(Op op, const Ball& order, const N<V>& x)
     const bool integer = arb_is_int(order.get()) != 0, logarithmic = op == Op::bessel_k || op == Op::bessel_y;
     const bool half_odd = !integer && arb_is_int((order * Ball(2)).get()) != 0;
     if (!(integer && logarithmic && nu >= 0) && !(half_odd && (op == Op::bessel_j || op == Op::bessel_i))) return std::nullopt;
+    const Exponent exponent(std::lround(2 * nu), 2);
     // farther away terms cancel: bits at a node, less than what a box loses otherwise on a piece
     const Rational near(std::same_as<V, Ball> ? 2 : 8);
     constexpr long farthest = 64; // the series takes as many terms as x is large
     if (keeps_its_logarithm(x) && !is_below(x.value(), Rational(farthest))) return N<V>(V::indeterminate());
     if (!keeps_its_logarithm(x) && !is_below(x.value(), near)) {
         if (!is_principal(x)) return N<V>(V::indeterminate());
-        return N<V>(special_function(op, order, x.value()));
+        const V value = special_function(op, order, x.value());
+        if constexpr (std::same_as<V, Ball>) return N<V>(value);
+        // with the order that it has near 0: of which sheet a root or a logarithm of it is must not depend on the piece
+        const N<V> front = to_power(x / N<V>(2), integer ? Exponent(-static_cast<long>(nu)) : exponent);
+        return front * N<V>(value / front.value());
     }
-    return integer ? with_logarithm(op, static_cast<long>(nu), x) : with_power(op, Exponent(std::lround(2 * nu), 2), x);
+    return integer ? with_logarithm(op, static_cast<long>(nu), x) : with_power(op, exponent, x);
 }
 
 } // namespace

@@ -88,7 +88,7 @@ std::vector<Piece> folded(const ExpressionPtr& e, const Limit& from, const Limit
 
 } // namespace
 
-Integral principal_value(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options)
+Integral principal_value(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options, bool reversed)
 {
     const std::vector<Piece> pieces = [&] {
         const WorkingPrecision precision(256);
@@ -124,7 +124,7 @@ Integral principal_value(const ExpressionPtr& e, const Limit& from, const Limit&
         }
         return true;
     };
-    return with_enough_digits(options, add);
+    return with_enough_digits(options, add, reversed);
 }
 
 } // namespace touchstone::quadrature

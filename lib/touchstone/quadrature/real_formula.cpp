@@ -43,6 +43,7 @@ void set_power(Ball& y, const Ball& x, long n, long d, slong bits)
         if (d == 2) arb_sqrt(y.get(), x.get(), bits);
         else arb_set(y.get(), x.get());
         const auto size = static_cast<ulong>(std::labs(n));
+        if (size == 0 && !y.is_finite()) return; // of what has no value there is no power
         if (size == 2) arb_sqr(y.get(), y.get(), bits);
         else if (size != 1) arb_pow_ui(y.get(), y.get(), size, bits);
         if (n < 0) arb_inv(y.get(), y.get(), bits);

@@ -12,42 +12,56 @@ namespace {
 
 double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
+/// A number of few bits about half of x > 0. A double would not do: ranges may be as small as 1e-400 and as large as 1e400.
+Ball about_half(const Ball& x)
+{
+    Ball half;
+    arf_set_round(arb_midref(half.get()), arb_midref(x.get()), 53, ARF_RND_DOWN);
+    arb_mul_2exp_si(half.get(), half.get(), -1);
+    return half;
+}
+
+/// x/2^halvings, exactly.
+Ball divided(Ball x, slong halvings)
+{
+    arb_mul_2exp_si(x.get(), x.get(), -halvings);
+    return x;
+}
+
+constexpr int most_halvings = 6; ///< of the radius of the discs that are tried
+
 } // namespace
 
 /// The power of s that n shows on a small box beside the end; nothing if it is not proved analytic there.
-std::optional<Exponent> Zeros::order_beside(const Node& n, Side side, double distance) const
+std::optional<Exponent> Zeros::order_beside(const Node& n, Side side, const Ball& distance) const
 {
-    const ComplexBall s(Ball::exactly(distance));
+    const ComplexBall s(distance);
     const Disc<ComplexBall> disc(side, s);
     const EndpointNumber<ComplexBall> v = evaluate(n, point_about(disc, place_), place_);
     return v.factor().is_finite() ? std::optional(v.order(side).power) : std::nullopt;
 }
 
 /// Whether n is a power of s times what is proved analytic and without a zero on the disc |s| <= radius: then no expansion shows more.
-bool Zeros::shows_its_order(const Node& n, Side side, double radius) const
+bool Zeros::shows_its_order(const Node& n, Side side, const Ball& radius) const
 {
-    const ComplexBall s = disc(Ball::exactly(radius));
+    const ComplexBall s = disc(radius);
     const Disc<ComplexBall> about(side, s);
     const ComplexBall c = evaluate(n, point_about(about, place_), place_).factor();
     return c.is_finite() && !acb_contains_zero(c.get());
 }
 
 /// On the disc |s| <= radius about the end, n = s^p c: p, and a bound of |c|. Nothing if c is not proved analytic there.
-std::optional<std::pair<Exponent, Ball>> Zeros::bound_on_disc(const Node& n, Side side, double radius) const
+std::optional<std::pair<Exponent, Ball>> Zeros::bound_on_disc(const Node& n, Side side, const Ball& radius) const
 {
     constexpr int across = 4; // boxes along a side of the square about the disc
-    const double half = radius / across;
+    const Ball half = radius / Ball(across);
     std::optional<Exponent> order;
     Ball most(0);
     for (int i = 0; i < across; ++i)
         for (int j = 0; j < across; ++j) {
             const auto interval = [&](int k) {
-                Ball b = Ball::exactly((2 * k + 1 - across) * half);
-                mag_t m;
-                mag_init(m);
-                mag_set_d(m, half);
-                arb_add_error_mag(b.get(), m);
-                mag_clear(m);
+                Ball b = Ball(2 * k + 1 - across) * half;
+                arb_add_error(b.get(), half.get());
                 return b;
             };
             const ComplexBall s(interval(i), interval(j));
@@ -66,10 +80,10 @@ std::optional<std::pair<Exponent, Ball>> Zeros::bound_on_disc(const Node& n, Sid
 /// The zero that the exact expansion shows and the sum of terms does not.
 std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) const
 {
-    constexpr double beside = 0x1p-20;
+    constexpr slong beside = 20;
     const Range& range = *place_.range;
-    const double span = range.map == Map::finite ? to_double(range.to.ball() - range.from.ball()) / 2 : 1;
-    if (shows_its_order(n, side, span * beside)) return std::nullopt;
+    const Ball span = range.map == Map::finite ? about_half(range.to.ball() - range.from.ball()) : Ball(1);
+    if (shows_its_order(n, side, divided(span, beside))) return std::nullopt;
     const auto series = expand();
     if (!series) return std::nullopt;
     const bool whole = series->valuation.get_den() == 1 && series->valuation.get_num().fits_slong_p();
@@ -77,9 +91,11 @@ std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) co
     Zero zero;
     zero.order = series->valuation.get_num().get_si();
     zero.c = series->c;
-    if (const auto own = order_beside(n, side, span / 64); own && *own == Exponent(zero.order)) return std::nullopt; // it shows as it is
+    if (const auto own = order_beside(n, side, divided(span, most_halvings)); own && *own == Exponent(zero.order))
+        return std::nullopt; // it shows as it is
     std::optional<Zero> best;
-    for (double radius = span; radius >= span / 64; radius /= 2) {
+    for (int k = 0; k <= most_halvings; ++k) {
+        const Ball radius = divided(span, k);
         const auto bound = bound_on_disc(n, side, radius);
         if (!bound) continue;
         const auto& [order, size] = *bound;
@@ -87,7 +103,7 @@ std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) co
         if (order == Exponent(zero.order)) return std::nullopt; // it shows as it is
         // |T| on the circle, so inside: |c| R^(order - m)
         zero.radius = radius;
-        zero.bound = size * exp((order - Exponent(zero.order)).ball() * log(Ball::exactly(radius)));
+        zero.bound = size * exp((order - Exponent(zero.order)).ball() * log(radius));
         if (!zero.bound.is_finite()) continue;
         best = zero;
         if (zero.c.empty()) break; // all that is known of T is its bound
@@ -98,15 +114,15 @@ std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) co
 }
 
 /// Whether a formula that was compiled for no range is analytic on a neighbourhood of the circle |s| = radius: boxes that overlap cover it.
-bool Zeros::is_analytic_about_circle(const Node& plain, double radius)
+bool Zeros::is_analytic_about_circle(const Node& plain, const Ball& radius)
 {
     constexpr int boxes = 64;
-    const double half = 1.01 * radius * std::numbers::pi / boxes; // at least the half length of an arc
+    const Ball half = radius * Ball::exactly(1.01 * std::numbers::pi / boxes); // at least the half length of an arc
     const EndpointNumber<ComplexBall> nowhere(ComplexBall::indeterminate());
     for (int i = 0; i < boxes; ++i) {
         const double angle = 2 * std::numbers::pi * i / boxes;
-        ComplexBall s(Ball::exactly(radius * std::cos(angle)), Ball::exactly(radius * std::sin(angle)));
-        widen(s, Ball::exactly(half));
+        ComplexBall s(radius * Ball::exactly(std::cos(angle)), radius * Ball::exactly(std::sin(angle)));
+        widen(s, half);
         if (!evaluate(plain, Point<ComplexBall>{s, nowhere, nowhere, std::nullopt}, Place{}).value().is_finite()) return false;
     }
     return true;
@@ -120,8 +136,9 @@ std::optional<Zero> Zeros::of_odd_difference(const Node& n, const Node& h) const
 {
     const Range& range = *place_.range;
     if (range.map != Map::finite) return std::nullopt;
-    const double span = to_double(range.to.ball()) / 2;
-    for (double radius = span; radius >= span / 64; radius /= 2) {
+    const Ball span = about_half(range.to.ball());
+    for (int k = 0; k <= most_halvings; ++k) {
+        const Ball radius = divided(span, k);
         if (!is_analytic_about_circle(h, radius) || !bound_on_disc(*n.args[1], Side::left, radius)) continue;
         const auto bound = bound_on_disc(*n.args[0], Side::left, radius);
         if (!bound) continue;
@@ -130,8 +147,7 @@ std::optional<Zero> Zeros::of_odd_difference(const Node& n, const Node& h) const
         Zero zero;
         zero.order = 1;
         zero.radius = radius;
-        const Ball R = Ball::exactly(radius);
-        zero.bound = lemma::odd_difference(size * exp(order.ball() * log(R)), R);
+        zero.bound = lemma::odd_difference(size * exp(order.ball() * log(radius)), radius);
         return zero;
     }
     return std::nullopt;

@@ -25,10 +25,10 @@ public:
     std::optional<Zero> of_odd_difference(const Node&, const Node& h) const;
 
 private:
-    std::optional<Exponent> order_beside(const Node&, Side, double distance) const;
-    bool shows_its_order(const Node&, Side, double radius) const;
-    std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node&, Side, double radius) const;
-    static bool is_analytic_about_circle(const Node& plain, double radius);
+    std::optional<Exponent> order_beside(const Node&, Side, const Ball& distance) const;
+    bool shows_its_order(const Node&, Side, const Ball& radius) const;
+    std::optional<std::pair<Exponent, Ball>> bound_on_disc(const Node&, Side, const Ball& radius) const;
+    static bool is_analytic_about_circle(const Node& plain, const Ball& radius);
 
     const Place& place_;
 };
