@@ -75,6 +75,13 @@ TEST_CASE("directed roundings enclose the value, a unit apart; what is exact sta
     CHECK(round_to_digits(Rational(9996, 100), 3, Rounding::down).text() == "99.9");
     CHECK(round_to_digits(Rational(9991, 100), 3, Rounding::up).text() == "100");
     CHECK(round_to_digits(Rational(-9991, 100), 3, Rounding::down).text() == "-100");
+    for (const long e : {-3L, 0L, 2L}) { // one digit just below a power of ten: 10^e - 10^(e-1), not 0
+        const Rational ten = power(Rational(10), e), below = ten * Rational(98, 100), nine = ten * Rational(9, 10);
+        for (const Rounding how : {Rounding::down, Rounding::zero}) CHECK(round_to_digits(below, 1, how).value() == nine);
+        for (const Rounding how : {Rounding::up, Rounding::away}) CHECK(round_to_digits(below, 1, how).value() == ten);
+        for (const Rounding how : {Rounding::up, Rounding::zero}) CHECK(round_to_digits(-below, 1, how).value() == -nine);
+        for (const Rounding how : {Rounding::down, Rounding::away}) CHECK(round_to_digits(-below, 1, how).value() == -ten);
+    }
 }
 
 TEST_CASE("eval rounds in a direction what is proven")

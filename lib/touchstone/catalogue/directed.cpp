@@ -45,11 +45,12 @@ Decimal round_to_digits(const Rational& r, long digits, Rounding how)
     else --units;
     d.digits = units.get_str();
     const long length = static_cast<long>(d.digits.size());
+    const bool is_shorter = length < digits || units == 0; // of one digit: 1 - 1
     if (length > digits) { // 99 + 1
         d.digits.pop_back();
         ++d.exponent;
     }
-    else if (length < digits) { // 100 - 1: the number lies below the power of ten, where units are ten times smaller
+    else if (is_shorter) { // 100 - 1: the number lies below the power of ten, where units are ten times smaller
         --d.exponent;
         d.digits = std::string(static_cast<std::size_t>(digits), '9');
     }
@@ -66,7 +67,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
         more.digits += extra;
         const Evaluation finer = evaluate(q, in, more);
         const auto value = parse_rational(finer.value), error = parse_rational(finer.error_bound);
-        if (!value || !error || finer.digits < options.digits) break;
+        if (!value || !error || finer.digits < options.digits || (e.proven && !finer.proven)) break;
         if (const auto d = rounded(Rational(*value - *error), Rational(*value + *error), options.digits, how)) {
             e.value = d->text(options.digits);
             e.error_bound = unit(*d);
