@@ -99,7 +99,7 @@ const std::vector<Observer>& observers()
     return all;
 }
 
-std::string observers_reach(Asked asked) { return fmt::format("n <= {}, load from 1e-300 to 10^6, G > 1.000001", observed_scales(asked)); }
+std::string observers_reach(Asked asked) { return fmt::format("n <= {}, load from 1e-300 to 10^6, 1.000001 < G < 10^9", observed_scales(asked)); }
 
 std::string observers_refusal(const Problem& p)
 {
@@ -107,6 +107,7 @@ std::string observers_refusal(const Problem& p)
         return p.asked == Asked::area ? fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", observed_scales(p.asked))
                                       : fmt::format("{} of pressure are computed for the scales n <= {} only", p.asked == Asked::density ? "densities" : "exceedances", observed_scales(p.asked));
     if (!G_above(p, Rational(1'000'001, 1'000'000))) return "not computed for G within 1e-6 of 1";
+    if (!G_below_10_9(p)) return "not computed for G of 10^9 and more";
     if (p.load > 1'000'000 || p.load < power(Rational(10), -300)) return "not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)";
     return p_is_0(p) ? no_density_at_0 : "";
 }

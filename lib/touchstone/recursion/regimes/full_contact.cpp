@@ -77,6 +77,7 @@ static std::string refusal_of_levels(const Problem& p, const LevelsReach& reach)
         return fmt::format("with full contact, {} are certified for n <= {} only", p.asked == Asked::density ? "densities" : "areas and exceedances", reach.scales);
     if (p.load > reach.load) return fmt::format("with full contact and so many digits, certified for load <= {} only", reach.load.get_str());
     if (!G_above(p, Rational(1003, 1000))) return "G too near 1 for the proven levels";
+    if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
     const double G = about_G(p); // below: the first panel of the finest mesh begins above all ratios
     return 4 * p.load.get_d() < 1e-53 * G * G ? "load too small for the proven levels" : "";
 }
@@ -88,7 +89,7 @@ Method proven_shares()
     return {
         .name = "proven-levels",
         .asked = {Asked::area, Asked::exceedance},
-        .reach = fmt::format("1 <= n <= {}, load <= {}, G > 1.003", shares_reach.scales, shares_reach.load.get_str()),
+        .reach = fmt::format("1 <= n <= {}, load <= {}, 1.003 < G < 10^9", shares_reach.scales, shares_reach.load.get_str()),
         .refusal = [](const Problem& p) -> std::string { return p.n < 1 ? "n must be at least 1" : refusal_of_levels(p, shares_reach); },
         .digits = 20,
         .cost = [](const Problem& p, Accuracy a) { return (p.load > 10 ? 20 : 4) * (1 + static_cast<double>(p.n) / 40) * growth(a, 2); },
@@ -111,7 +112,7 @@ Method proven_densities()
     return {
         .name = "proven-levels",
         .asked = {Asked::density},
-        .reach = fmt::format("2 <= n <= {}, load <= {}, G > 1.003, p >= p*_n/1024", densities_reach.scales, densities_reach.load.get_str()),
+        .reach = fmt::format("2 <= n <= {}, load <= {}, 1.003 < G < 10^9, p >= p*_n/1024", densities_reach.scales, densities_reach.load.get_str()),
         .refusal = [](const Problem& p) -> std::string {
             if (p.n < 2) return "n must be at least 2";
             if (p_is_0(p)) return no_density_at_0;
@@ -142,7 +143,7 @@ Method third_wave_density()
     return {
         .name = "three-waves",
         .asked = {Asked::density},
-        .reach = fmt::format("n = 2, load <= {}, G > 1.003, p >= p*_n/1024", densities_reach.load.get_str()),
+        .reach = fmt::format("n = 2, load <= {}, 1.003 < G < 10^9, p >= p*_n/1024", densities_reach.load.get_str()),
         .refusal = [levels = proven_densities()](const Problem& p) -> std::string { return p.n == 2 ? levels.refusal(p) : "n must be 2"; },
         .digits = 22, // of the 31 of two binary64
         .cost = [](const Problem&, Accuracy a) { return 6 * growth(a, 2); },
