@@ -10,6 +10,7 @@ found of each table, with the sha256 of its rows. Exit code 0: no row is wrong; 
 """
 import argparse
 import hashlib
+import inspect
 import json
 import os
 import re
@@ -20,6 +21,7 @@ from math import inf
 from fractions import Fraction
 
 import certificate
+import certificate_text
 import closed_forms
 import intervals as iv
 import memory
@@ -134,6 +136,24 @@ def with_patience(seconds):
         signal.alarm(seconds)
 
 
+def names_of(quantity):
+    """the inputs of a quantity, as every table of it has them"""
+    if quantity in certificate_text.CLAIMS:
+        return certificate_text.CLAIMS[quantity].split()[:-2]
+    return ["G"] if quantity == "limit.area_ratio" else [*inspect.signature(closed_forms.FORMS[quantity]).parameters]
+
+
+def digits_of(cell, error):
+    """how many digits of a printed number its error leaves: those down to the last whose unit is not below it"""
+    mantissa, _, exponent = cell.lower().partition("e")
+    whole, _, decimals = mantissa.lstrip("+-").partition(".")
+    digits = len((whole + decimals).lstrip("0"))
+    unit = Fraction(10) ** (int(exponent or 0) - len(decimals))
+    while digits and error > unit:
+        digits, unit = digits - 1, 10 * unit
+    return digits
+
+
 def verdict(form, row, names, binary64):
     """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits"""
     cells = row.split()
@@ -146,9 +166,8 @@ def verdict(form, row, names, binary64):
         return "unreadable", 0
     if any(name == "n" and not 0 <= x <= MOST_SCALE for name, x in zip(names, inputs)):
         return "unreadable", 0
-    printed, low, high = len(cells[len(names)].split("e")[0].replace("-", "").replace(".", "").lstrip("0")), 0, 0
-    width = inf
-    Interval.bits = 64 + int(3.33 * len(cells[len(names)].split("e")[0]))
+    printed, low, high, width = digits_of(cells[len(names)], error), 0, 0, inf
+    Interval.bits = 64 + int(3.33 * len(cells[len(names)].lower().split("e")[0]))
     while Interval.bits <= MOST_BITS:
         try:
             true = form(*inputs)
@@ -217,6 +236,8 @@ def main():
             form = forms.get(header["quantity"])
             if form is None:
                 raise Unreadable(f"{path}: no closed form is known for '{header['quantity']}'")
+            if header["inputs"] != (names := names_of(header["quantity"])):
+                raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(names)}, not {' '.join(header['inputs'])}")
         except (Unreadable, MemoryError) as reason:
             print(f"check.py: {printable(reason) or f'{path}: needs too much memory'}", file=sys.stderr)
             worst = max(worst, 65)
