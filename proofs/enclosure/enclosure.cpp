@@ -150,19 +150,6 @@ bool evaluates_at(const ex& left, const ex& right, const Points& points)
     return true;
 }
 
-Check less_at(const ex& left, const ex& right, const Points& points)
-{
-    int n = 0;
-    for (const Point& p : points) {
-        const Ball l = evaluate(left, p), r = evaluate(right, p);
-        const Truth t = less(l, r);
-        if (!possibly(t)) return {Verdict::refuted, "at " + str(p) + " it is " + l.to_string(8) + ", not below " + r.to_string(8)};
-        if (!certainly(t)) return {Verdict::undecided, "not decided at " + str(p)};
-        ++n;
-    }
-    return {Verdict::verified, "at " + std::to_string(n) + " points in balls"};
-}
-
 namespace {
 
 /// f at 2/5 of every range, where nothing is symmetric: what tells one function from another that is positive too (recorded.hpp).
@@ -198,7 +185,7 @@ std::pair<std::vector<Range>, std::vector<Range>> halves(std::vector<Range> piec
 
 } // namespace
 
-Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces)
+Check positive_over(const BallFunction& f, const std::vector<Range>& box, Bound bound, int most_pieces)
 {
     for (const Range& r : box)
         if (r.high <= r.low) throw std::invalid_argument("an empty range: " + in_words(box));
@@ -214,9 +201,10 @@ Check positive_over(const BallFunction& f, const std::vector<Range>& box, int mo
             values.push_back(hull(Ball(r.low), Ball(r.high)));
             middle.push_back(middle_of(r));
         }
-        if (certainly(less(zero, f(values)))) continue;
-        const Ball at_middle = f(middle);
-        if (at_middle.is_finite() && !possibly(less(zero, at_middle))) {
+        const Ball over_piece = f(values), at_middle = f(middle);
+        const bool strict = bound == Bound::strict;
+        if (strict ? certainly(less(zero, over_piece)) : over_piece.is_finite() && !possibly(less(over_piece, zero))) continue;
+        if (at_middle.is_finite() && (strict ? !possibly(less(zero, at_middle)) : certainly(less(at_middle, zero)))) {
             std::string where;
             for (const Range& r : piece) where += " " + r.symbol + " = " + Rational((r.low + r.high) / 2).get_str();
             return {Verdict::refuted, "at" + where + " it is " + at_middle.to_string(8)};
@@ -229,14 +217,14 @@ Check positive_over(const BallFunction& f, const std::vector<Range>& box, int mo
             "enclosed for " + in_words(box) + " in " + std::to_string(pieces) + " pieces, at 2/5 of it " + value_inside(f, box)};
 }
 
-Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces)
+Check positive_on(const ex& e, const std::vector<Range>& box, Bound bound, int most_pieces)
 {
     const auto at = [&](const std::vector<Ball>& v) {
         std::map<std::string, Ball> values;
         for (std::size_t i = 0; i < box.size(); ++i) values.emplace(box[i].symbol, v[i]);
         return evaluate(e, values);
     };
-    return positive_over(at, box, most_pieces);
+    return positive_over(at, box, bound, most_pieces);
 }
 
 Check less_than(const Ball& a, const Ball& b, const std::string& what)

@@ -44,18 +44,19 @@ Ball evaluate(const ex& e, const Point&);
 Check compare_at(const ex& left, const ex& right, const Points&);
 /// Both sides have a finite enclosure at every point.
 bool evaluates_at(const ex& left, const ex& right, const Points&);
-/// left < right (or > ) at all points, certainly. Proves nothing beyond them: `verified`.
-Check less_at(const ex& left, const ex& right, const Points&);
 
 struct Range {
     std::string symbol;
     Rational low, high;
 };
-/// e > 0 on the whole box, by subdivision until every piece is decided.
-Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces = 20000);
+/// Whether 0 itself is let in. A bound that is reached inside the box is then not refuted; nor, as a rule, proved: no piece about the place
+/// decides it.
+enum class Bound { strict, may_be_reached };
+/// e > 0 (or e >= 0) on the whole box, by subdivision until every piece is decided.
+Check positive_on(const ex& e, const std::vector<Range>& box, Bound = Bound::strict, int most_pieces = 20000);
 /// The same of a function of as many balls as there are ranges.
 using BallFunction = std::function<Ball(const std::vector<Ball>&)>;
-Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces = 20000);
+Check positive_over(const BallFunction& f, const std::vector<Range>& box, Bound = Bound::strict, int most_pieces = 20000);
 
 /// a < b, decided in balls.
 Check less_than(const Ball& a, const Ball& b, const std::string& what);
