@@ -45,8 +45,26 @@ TEST_CASE("essential singularities at both ends, or at one of a half-line, each 
     is(integral("exp(-1/x-1/(1-x))", "0", "1"), "2*exp(-2)*(besselk(1,2)-besselk(0,2))");
     is(integral("exp(-1/(x-1)-1/(3-x))", "1", "3"), "2*exp(-1)*(besselk(1,1)-besselk(0,1))");
     is(integral("exp(1/x-1/(x+2))", "-2", "0"), "2*exp(-1)*(besselk(1,1)-besselk(0,1))");
+    is(integral("exp(-1/(x-5)-1/(6-x))", "5", "6"), "2*exp(-2)*(besselk(1,2)-besselk(0,2))");
+    is(integral("exp(-1/(x+6)+1/(x+5))", "-6", "-5"), "2*exp(-2)*(besselk(1,2)-besselk(0,2))");
     is(integral("exp(-1/(x-2)-x)", "2", "inf"), "2*exp(-2)*besselk(1,2)");
     is(integral("exp(1/(x+2)+x)", "-inf", "-2"), "2*exp(-2)*besselk(1,2)");
+}
+
+TEST_CASE("a wave beside one end and an essential singularity at the other: two halves, wherever the range lies and whichever end is which")
+{
+    const Integral one = integral("sin(1/x)*exp(-1/(2-x))", "0", "2");
+    for (const auto& [formula, from, to] : {std::tuple("sin(1/(x-1))*exp(-1/(3-x))", "1", "3"), {"sin(1/(x-5))*exp(-1/(7-x))", "5", "7"}, {"sin(1/(x+7))*exp(1/(x+5))", "-7", "-5"},
+                                            {"sin(1/(3-x))*exp(-1/(x-1))", "1", "3"}, {"sin(1/(9-x))*exp(-1/(x-7))", "7", "9"}, {"-sin(1/(x+7))*exp(-1/(x+9))", "-9", "-7"}}) {
+        CAPTURE(std::string(formula));
+        const Integral other = integral(formula, from, to);
+        CHECK_MESSAGE(other.status == Status::certified, other.reason);
+        CHECK(other.value.overlaps(one.value));
+        CHECK(other.parts.size() > 1);
+    }
+    is(integral("exp(-sqrt(x))", "4", "inf"), "6*exp(-2)");
+    is(integral("x*exp(-x^2)", "2", "inf"), "exp(-4)/2");
+    is(integral("x*exp(-x^2)", "-inf", "-2"), "-exp(-4)/2");
 }
 
 TEST_CASE("a range that is run through backwards has the negative of both parts, whichever of its ends is infinite")
@@ -85,9 +103,14 @@ TEST_CASE("tails that oscillate begin anywhere, and have parts that do not")
     is(integral("(1+cos(x))/x^2", "3/2", "inf"), "2/3+cos(3/2)/(3/2)+si(3/2)-pi/2");
     is(integral("(sin(x)^2+1/x)/x^2", "2", "inf"), "1/8+1/4-(cos(4)/2+2*si(4)-pi)/2");
     is(integral("cos(x)/(x+40)", "0", "inf"), "-cos(40)*ci(40)+sin(40)*(pi/2-si(40))");
-    const Integral inexact = integral("sin(x)/x", "-inf", "-zeta(3)"); // an end that cannot be mirrored exactly
-    CHECK(inexact.status != Status::certified);
-    CHECK_FALSE(inexact.reason.empty());
+    // ends that cannot be mirrored, nor gone on from, exactly
+    for (const auto& [formula, from, to] : {std::tuple("sin(x)/x", "-inf", "-zeta(3)"), {"x*sin(x)", "zeta(3)", "inf"}, {"exp(sin(x))/x", "zeta(3)", "inf"}, {"x*cos(x^2)", "-inf", "-zeta(3)"},
+                                            {"exp(-1/(zeta(3)-x))", "1", "zeta(3)"}, {"exp(-x^2)*abs(x-zeta(3))^x", "-zeta(3)", "inf"}}) {
+        CAPTURE(std::string(formula));
+        const Integral inexact = integral(formula, from, to);
+        CHECK(inexact.status != Status::certified);
+        CHECK_FALSE(inexact.reason.empty());
+    }
 }
 
 TEST_CASE("parts that cancel are repeated until the digits are those of the sum")
@@ -196,6 +219,18 @@ TEST_CASE("where a proof stops is found in x, and the range cut there, if what i
     is_cut_at("-7/3", "exp(x)*cbrt((x+7/3)^2)", "-inf", "-1");
     is_cut_at("1/2", "sech(x)*cbrt((x-1/2)^2)", "-inf", "inf");
     is_cut_at("-1/2", "sech(x)*cbrt((x+1/2)^2)", "-inf", "inf");
+}
+
+TEST_CASE("a kink that is no root of a polynomial is cut at where the proof stops there")
+{
+    for (const auto& [formula, value] : {std::pair("exp(-3*x)*max(exp(x-1/2),1)", "(1-exp(-3/2))/3+exp(-3/2)/2"), {"exp(-3*x)*min(-exp(x-1/2),-1)", "(exp(-3/2)-1)/3-exp(-3/2)/2"},
+                                         {"exp(-3*x)*abs(exp(x-1/2)-1)", "(1-exp(-3/2))/3-exp(-1/2)*(1-exp(-1))/2+exp(-3/2)/6"},
+                                         {"exp(-x)*sign(exp(x-1/2)-1)", "2*exp(-1/2)-1"}}) {
+        CAPTURE(std::string(formula));
+        const Integral i = integral(formula, "0", "inf");
+        is(i, value);
+        CHECK(std::any_of(i.parts.begin(), i.parts.end(), [](const Part& p) { return p.from == "1/2"; }));
+    }
 }
 
 TEST_CASE("where a proof stops at no point with a name it is told as a number")

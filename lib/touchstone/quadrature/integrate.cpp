@@ -35,7 +35,7 @@ bool changes_branch(const Expression& e, const ExactSum& at)
 {
     const auto vanishes = [&](const Expression& a) {
         const auto s = expand(a, at, 1);
-        return s && !s->c.empty() && s->valuation > 0;
+        return (s ? s->valuation : Rational(0)) > 0;
     };
     const bool is_root = e.op == Op::sqrt || e.op == Op::cbrt || (e.op == Op::power && !depends_on_x(*e.args[1]));
     if ((e.op == Op::abs || e.op == Op::sign || e.op == Op::log || is_root) && vanishes(*e.args[0])) return true;
@@ -229,7 +229,7 @@ bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long 
     const bool has_start = from.infinite == 0, has_end = to.infinite == 0;
     if (has_start == has_end) return false;
     if (has_end) {
-        if (!to.exact || substituted_) return false;
+        if (!to.exact) return false;
         const auto mirrored = shifted(e_, ExactSum(0), -1);
         if (!waves(mirrored)) return false;
         IntegralOptions options;
