@@ -281,6 +281,16 @@ TEST_CASE("the real part of a value mirrors i and the points of an outer variabl
     CHECK(is(at_z(Op::real_part), ComplexBall(0)));
     CHECK(is(at_z(Op::imaginary_part), outer * z));
     CHECK(is(at_z(Op::conjugate), -i * outer * z));
+    // without i in it only the point is mirrored
+    const ExpressionPtr g = make(Op::multiply, {make_ball(outer), make_variable()});
+    const auto of_g = [&](Op op) { return PlainFormula(make(op, {g})).at(z); };
+    CHECK(is(of_g(Op::real_value), ComplexBall(2) * z));
+    CHECK(is(of_g(Op::imaginary_value), ComplexBall(3) * z));
+    CHECK(is(of_g(Op::real_part), outer * z));
+    CHECK(is(of_g(Op::imaginary_part), ComplexBall(0)));
+    CHECK(is(of_g(Op::conjugate), outer * z));
+    for (const Op op : {Op::real_value, Op::imaginary_value, Op::real_part, Op::imaginary_part, Op::conjugate})
+        CHECK((at_z(op).is_finite() && of_g(op).is_finite()));
 }
 
 TEST_CASE("between ends that are not real an inner integral is of analytic functions of its variable: what asks for real numbers is refused")
