@@ -332,17 +332,11 @@ TEST_CASE("a path is told by its points, whatever spaces stand about them: each 
         std::vector<const char*> path;
         const char* value;
         std::size_t parts;
-    } cases[] = {{{"0", "1", "1+i"}, "exp(1+i)-1", 2},
-                 {{"0", "1", "2"}, "exp(2)-1", 2},
-                 {{" 0", "1 "}, "exp(1)-1", 1},
-                 {{"i", "1", "3"}, "exp(3)-exp(i)", 2},
-                 {{"0", "0", "1+i"}, "exp(1+i)-1", 1},
-                 {{"0", "1+i", "1+i", "2", "2"}, "exp(2)-1", 2},
-                 {{"i*i", "1+i"}, "exp(1+i)-exp(-1)", 1},
-                 {{"-inf", "i"}, "exp(i)", 1},
-                 {{"i", "-inf"}, "-exp(i)", 1},
-                 {{" -oo ", "1+i", "2"}, "exp(2)", 2},
-                 {{"(-2+i)*inf", "i"}, "exp(i)", 1}};
+    } cases[] = {
+        {{"0", "1", "1+i"}, "exp(1+i)-1", 2},    {{"0", "1", "2"}, "exp(2)-1", 2},     {{" 0", "1 "}, "exp(1)-1", 1},
+        {{"i", "1", "3"}, "exp(3)-exp(i)", 2},   {{"0", "0", "1+i"}, "exp(1+i)-1", 1}, {{"0", "1+i", "1+i", "2", "2"}, "exp(2)-1", 2},
+        {{"i*i", "1+i"}, "exp(1+i)-exp(-1)", 1}, {{"-inf", "i"}, "exp(i)", 1},         {{"i", "-inf"}, "-exp(i)", 1},
+        {{" -oo ", "1+i", "2"}, "exp(2)", 2},    {{"(-2+i)*inf", "i"}, "exp(i)", 1}};
     for (const auto& c : cases) {
         CAPTURE(std::string(c.path.front()));
         CAPTURE(std::string(c.path.back()));
@@ -356,9 +350,11 @@ TEST_CASE("a path is told by its points, whatever spaces stand about them: each 
     CHECK(parse_vertex("  1+i ").text == "1+i");
     CHECK(parse_vertex("1 + i").text == "1 + i");
     CHECK(along("exp(x)", {"0", "i"}).parts.front().rule.find(" on the path from 0 to i as a fraction of it") != std::string::npos);
-    CHECK(along("exp(x)", {"-inf", "i"}).parts.front().rule.find(" on the path from -inf to i in units of its direction") != std::string::npos);
+    CHECK(along("exp(x)", {"-inf", "i"}).parts.front().rule.find(" on the path from -inf to i in units of its direction") !=
+          std::string::npos);
     for (const char* nothing : {"", " ", "    "}) CHECK_THROWS_AS(parse_vertex(nothing), ExpressionError);
-    for (const std::vector<const char*>& short_path : {std::vector<const char*>{}, {"0"}}) CHECK_THROWS_AS(along("x", short_path), DomainError);
+    for (const std::vector<const char*>& short_path : {std::vector<const char*>{}, {"0"}})
+        CHECK_THROWS_AS(along("x", short_path), DomainError);
     const Integral nowhere = along("exp(x)", {"1+i", "1+i"});
     CHECK(nowhere.status == Status::certified);
     CHECK((nowhere.value.is_exact() && nowhere.value.contains_zero() && nowhere.imaginary.contains_zero()));

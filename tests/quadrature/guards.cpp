@@ -193,11 +193,18 @@ TEST_CASE("a step is one number only where it is, to both ends of the range")
     }
     const Integrand steady(parse_expression("floor(x)"), Range{parse_limit("1/4"), parse_limit("1"), Map::finite});
     CHECK(steady.in_plane(ComplexBall(Ball(1) / 2)).is_finite());
-    for (const auto& [formula, from, to, step] : {std::tuple("floor(x)", "0", "1", 0L), {"floor(x)", "5/4", "2", 1L}, {"floor(-x)", "0", "1", -1L}, {"floor(2*x-7)", "1/2", "1", -6L},
-                                                  {"ceil(x)", "0", "1", 1L}, {"ceil(x)", "5/4", "2", 2L}, {"ceil(-x)", "0", "1", 0L}, {"ceil(2*x-7)", "1/2", "1", -5L}}) {
+    for (const auto& [formula, from, to, step] : {std::tuple("floor(x)", "0", "1", 0L),
+                                                  {"floor(x)", "5/4", "2", 1L},
+                                                  {"floor(-x)", "0", "1", -1L},
+                                                  {"floor(2*x-7)", "1/2", "1", -6L},
+                                                  {"ceil(x)", "0", "1", 1L},
+                                                  {"ceil(x)", "5/4", "2", 2L},
+                                                  {"ceil(-x)", "0", "1", 0L},
+                                                  {"ceil(2*x-7)", "1/2", "1", -5L}}) {
         CAPTURE(std::string(formula));
         const Integrand one(parse_expression(formula), Range{parse_limit(from), parse_limit(to), Map::finite});
-        const ComplexBall value = one.in_plane(ComplexBall(hull(parse_limit(from).ball(), parse_limit(to).ball()))); // analytic across the whole range
+        const ComplexBall value =
+            one.in_plane(ComplexBall(hull(parse_limit(from).ball(), parse_limit(to).ball()))); // analytic across the whole range
         CHECK(acb_equal_si(value.get(), step) != 0);
     }
     // of more bits than a step is counted in

@@ -28,8 +28,12 @@ TrueNode truth_at(long k, long m, Side side, Transformation transformation)
     const Ball t = log2 * Ball(side == Side::left ? -k : k) / Ball(m);
     const Ball w = logistic ? t : pi<Ball>() * (exp(t) - exp(-t)) / Ball(2);
     const auto log_of_sum = [](const Ball& x) { return log(Ball(1) + x); };
-    return {Ball(1) / (Ball(1) + exp(-w)), Ball(1) / (Ball(1) + exp(w)), -log_of_sum(exp(-w)), -log_of_sum(exp(w)),
-            logistic ? Ball(1) : (exp(t) + exp(-t)) / Ball(2), std::fabs(arf_get_d(arb_midref(w.get()), ARF_RND_NEAR))};
+    return {Ball(1) / (Ball(1) + exp(-w)),
+            Ball(1) / (Ball(1) + exp(w)),
+            -log_of_sum(exp(-w)),
+            -log_of_sum(exp(w)),
+            logistic ? Ball(1) : (exp(t) + exp(-t)) / Ball(2),
+            std::fabs(arf_get_d(arb_midref(w.get()), ARF_RND_NEAR))};
 }
 
 } // namespace
@@ -38,9 +42,17 @@ TEST_CASE("a table of nodes, whichever was asked for before it, has what the map
 {
     constexpr long spare = 1300; // bits of what it is held against
     const Exponent exponents[] = {0, {1, 2}, {-1, 2}, {-1, 3}, 2, {-7, 4}, {5, 16}, {3, 32}, {70, 1}, {-131, 2}};
-    for (const auto& [m, octaves, bits, decay] :
-         {std::tuple(1L, 4L, 128L, 1.0), {1L, 5L, 320L, 0.25}, {2L, 4L, 128L, 1.0}, {8L, 3L, 64L, 2.0}, {13L, 4L, 320L, 1.0}, {13L, 5L, 128L, 0.125},
-          {13L, 4L, 192L, 0.3}, {8L, 4L, 640L, 1.0}, {2L, 9L, 128L, 1.0}, {13L, 4L, 320L, 0.5}, {1L, 7L, 640L, 1.0}})
+    for (const auto& [m, octaves, bits, decay] : {std::tuple(1L, 4L, 128L, 1.0),
+                                                  {1L, 5L, 320L, 0.25},
+                                                  {2L, 4L, 128L, 1.0},
+                                                  {8L, 3L, 64L, 2.0},
+                                                  {13L, 4L, 320L, 1.0},
+                                                  {13L, 5L, 128L, 0.125},
+                                                  {13L, 4L, 192L, 0.3},
+                                                  {8L, 4L, 640L, 1.0},
+                                                  {2L, 9L, 128L, 1.0},
+                                                  {13L, 4L, 320L, 0.5},
+                                                  {1L, 7L, 640L, 1.0}})
         for (const Transformation transformation : {Transformation::tanh_sinh, Transformation::logistic}) {
             const long count = octaves * m * (transformation == Transformation::logistic ? 9 : 1);
             const auto table = NodeTable::get(m, count, bits, decay, transformation);

@@ -21,7 +21,8 @@ IntegralOptions with_digits(long digits)
     return o;
 }
 
-Integral integral(const char* formula, const char* from, const char* to, const IntegralOptions& options = with_digits(20), const Parameters& parameters = {})
+Integral integral(const char* formula, const char* from, const char* to, const IntegralOptions& options = with_digits(20),
+                  const Parameters& parameters = {})
 {
     return integrate(parse_expression(formula, parameters), parse_limit(from), parse_limit(to), options);
 }
@@ -54,8 +55,12 @@ TEST_CASE("essential singularities at both ends, or at one of a half-line, each 
 TEST_CASE("a wave beside one end and an essential singularity at the other: two halves, wherever the range lies and whichever end is which")
 {
     const Integral one = integral("sin(1/x)*exp(-1/(2-x))", "0", "2");
-    for (const auto& [formula, from, to] : {std::tuple("sin(1/(x-1))*exp(-1/(3-x))", "1", "3"), {"sin(1/(x-5))*exp(-1/(7-x))", "5", "7"}, {"sin(1/(x+7))*exp(1/(x+5))", "-7", "-5"},
-                                            {"sin(1/(3-x))*exp(-1/(x-1))", "1", "3"}, {"sin(1/(9-x))*exp(-1/(x-7))", "7", "9"}, {"-sin(1/(x+7))*exp(-1/(x+9))", "-9", "-7"}}) {
+    for (const auto& [formula, from, to] : {std::tuple("sin(1/(x-1))*exp(-1/(3-x))", "1", "3"),
+                                            {"sin(1/(x-5))*exp(-1/(7-x))", "5", "7"},
+                                            {"sin(1/(x+7))*exp(1/(x+5))", "-7", "-5"},
+                                            {"sin(1/(3-x))*exp(-1/(x-1))", "1", "3"},
+                                            {"sin(1/(9-x))*exp(-1/(x-7))", "7", "9"},
+                                            {"-sin(1/(x+7))*exp(-1/(x+9))", "-9", "-7"}}) {
         CAPTURE(std::string(formula));
         const Integral other = integral(formula, from, to);
         CHECK_MESSAGE(other.status == Status::certified, other.reason);
@@ -104,8 +109,12 @@ TEST_CASE("tails that oscillate begin anywhere, and have parts that do not")
     is(integral("(sin(x)^2+1/x)/x^2", "2", "inf"), "1/8+1/4-(cos(4)/2+2*si(4)-pi)/2");
     is(integral("cos(x)/(x+40)", "0", "inf"), "-cos(40)*ci(40)+sin(40)*(pi/2-si(40))");
     // ends that cannot be mirrored, nor gone on from, exactly
-    for (const auto& [formula, from, to] : {std::tuple("sin(x)/x", "-inf", "-zeta(3)"), {"x*sin(x)", "zeta(3)", "inf"}, {"exp(sin(x))/x", "zeta(3)", "inf"}, {"x*cos(x^2)", "-inf", "-zeta(3)"},
-                                            {"exp(-1/(zeta(3)-x))", "1", "zeta(3)"}, {"exp(-x^2)*abs(x-zeta(3))^x", "-zeta(3)", "inf"}}) {
+    for (const auto& [formula, from, to] : {std::tuple("sin(x)/x", "-inf", "-zeta(3)"),
+                                            {"x*sin(x)", "zeta(3)", "inf"},
+                                            {"exp(sin(x))/x", "zeta(3)", "inf"},
+                                            {"x*cos(x^2)", "-inf", "-zeta(3)"},
+                                            {"exp(-1/(zeta(3)-x))", "1", "zeta(3)"},
+                                            {"exp(-x^2)*abs(x-zeta(3))^x", "-zeta(3)", "inf"}}) {
         CAPTURE(std::string(formula));
         const Integral inexact = integral(formula, from, to);
         CHECK(inexact.status != Status::certified);
@@ -127,7 +136,8 @@ TEST_CASE("an absolute error that is asked for is enough, and none that is large
 {
     const Parameters parameters{{"a", {Rational(1, 2), Rational(1, 1000000)}}};
     for (const char* formula : {"x^a", "x^a+i*x^a"})
-        for (const auto& [tolerance, enough] : {std::pair(Rational(1, 1000), true), {Rational(1, 100000), true}, {Rational(1, 10000000), false}}) {
+        for (const auto& [tolerance, enough] :
+             {std::pair(Rational(1, 1000), true), {Rational(1, 100000), true}, {Rational(1, 10000000), false}}) {
             CAPTURE(std::string(formula));
             CAPTURE(tolerance.get_str());
             IntegralOptions o = with_digits(20);
@@ -180,7 +190,8 @@ TEST_CASE("what diverges at an end is said with its power there")
     CHECK(has(reason("sqrt(x)", "1", "inf"), "diverges at x = inf: the formula behaves there like |x|^(1/2)"));
     CHECK(has(reason("x/(1+x^2)", "1", "inf"), "diverges at x = inf: the formula behaves there like |x|^-1"));
     CHECK(has(reason("1+0*x", "-inf", "1"), "diverges at x = -inf: the formula behaves there like |x|^0"));
-    for (const auto& [formula, from, to] : {std::tuple("x^(-1/2)*abs(x-1/2)", "0", "1"), {"1/x^2", "1", "inf"}, {"x^2/x^(7/2)", "1", "inf"}}) {
+    for (const auto& [formula, from, to] :
+         {std::tuple("x^(-1/2)*abs(x-1/2)", "0", "1"), {"1/x^2", "1", "inf"}, {"x^2/x^(7/2)", "1", "inf"}}) {
         CAPTURE(std::string(formula));
         CHECK_FALSE(integral(formula, from, to).divergent);
     }
@@ -188,7 +199,8 @@ TEST_CASE("what diverges at an end is said with its power there")
 
 namespace {
 
-/// The range is cut, untold, at the point with a name where the proof stops, and the sum is that of the range which is told to be cut there.
+/// The range is cut, untold, at the point with a name where the proof stops, and the sum is that of the range which is told to be cut
+/// there.
 void is_cut_at(const char* cut, const char* formula, const char* from, const char* to)
 {
     CAPTURE(std::string(formula));
@@ -223,7 +235,8 @@ TEST_CASE("where a proof stops is found in x, and the range cut there, if what i
 
 TEST_CASE("a kink that is no root of a polynomial is cut at where the proof stops there")
 {
-    for (const auto& [formula, value] : {std::pair("exp(-3*x)*max(exp(x-1/2),1)", "(1-exp(-3/2))/3+exp(-3/2)/2"), {"exp(-3*x)*min(-exp(x-1/2),-1)", "(exp(-3/2)-1)/3-exp(-3/2)/2"},
+    for (const auto& [formula, value] : {std::pair("exp(-3*x)*max(exp(x-1/2),1)", "(1-exp(-3/2))/3+exp(-3/2)/2"),
+                                         {"exp(-3*x)*min(-exp(x-1/2),-1)", "(exp(-3/2)-1)/3-exp(-3/2)/2"},
                                          {"exp(-3*x)*abs(exp(x-1/2)-1)", "(1-exp(-3/2))/3-exp(-1/2)*(1-exp(-1))/2+exp(-3/2)/6"},
                                          {"exp(-x)*sign(exp(x-1/2)-1)", "2*exp(-1/2)-1"}}) {
         CAPTURE(std::string(formula));
@@ -235,9 +248,11 @@ TEST_CASE("a kink that is no root of a polynomial is cut at where the proof stop
 
 TEST_CASE("where a proof stops at no point with a name it is told as a number")
 {
-    for (const auto& [formula, from, to, near] :
-         {std::tuple("1/(x-zeta(3))^2", "1", "2", 1.202), {"1/((x-zeta(3))^2*(1+x^2))", "1", "inf", 1.202}, {"exp(-x)/(x-zeta(3))^2", "1/2", "inf", 1.202},
-          {"1/((x+zeta(3))^2*(1+x^2))", "-inf", "-1", -1.202}, {"exp(x)/(x+zeta(3))^2", "-inf", "-1/2", -1.202}}) {
+    for (const auto& [formula, from, to, near] : {std::tuple("1/(x-zeta(3))^2", "1", "2", 1.202),
+                                                  {"1/((x-zeta(3))^2*(1+x^2))", "1", "inf", 1.202},
+                                                  {"exp(-x)/(x-zeta(3))^2", "1/2", "inf", 1.202},
+                                                  {"1/((x+zeta(3))^2*(1+x^2))", "-inf", "-1", -1.202},
+                                                  {"exp(x)/(x+zeta(3))^2", "-inf", "-1/2", -1.202}}) {
         CAPTURE(std::string(formula));
         const Integral refused = integral(formula, from, to, with_digits(10));
         CHECK(refused.status != Status::certified);

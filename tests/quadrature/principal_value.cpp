@@ -52,7 +52,8 @@ TEST_CASE("an odd difference vanishes where its variable does, and at the beginn
         CAPTURE(std::string(from));
         const WorkingPrecision precision(64);
         const Range range{parse_limit(from), parse_limit(to), Map::finite};
-        const compiled::NodePtr node = compiled::compile(make(Op::odd_difference, {parse_expression("exp(x)+x^2")}), compiled::Place{&range});
+        const compiled::NodePtr node =
+            compiled::compile(make(Op::odd_difference, {parse_expression("exp(x)+x^2")}), compiled::Place{&range});
         CHECK_FALSE(node->zero[0]);
         CHECK_FALSE(node->zero[1]);
     }
@@ -139,7 +140,8 @@ TEST_CASE("about a pole the fold reaches to the nearer end, and half way to the 
     CHECK(value("sqrt(1+x)/(x+1/3)", "-1", "1", {"-1/3"}).status == Status::certified);
     CHECK(is(value("1/(x*(x-1))", "-1/8", "9/8", {"0", "1"}), "-4*log(3)"));
     // what is left of another power than the first has no principal value, in whichever form it is folded
-    for (const auto& [formula, from, to] : {std::tuple("1/x^2", "-1", "1"), {"exp(x)/x^2", "-1", "1"}, {"1/abs(x)", "-1", "2"}, {"1/x^2", "-inf", "inf"}}) {
+    for (const auto& [formula, from, to] :
+         {std::tuple("1/x^2", "-1", "1"), {"exp(x)/x^2", "-1", "1"}, {"1/abs(x)", "-1", "2"}, {"1/x^2", "-inf", "inf"}}) {
         CAPTURE(std::string(formula));
         const Integral none = value(formula, from, to, {"0"});
         CHECK_FALSE(none.value.is_finite());

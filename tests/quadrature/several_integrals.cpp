@@ -137,17 +137,21 @@ TEST_CASE("several integrals over half-lines and lines in either direction are w
     cut.digits = 15;
     for (const auto& [from, to, inside] : {std::tuple("0", "1", "1/3"), {"-inf", "0", "-3"}, {"0", "inf", "5"}, {"-inf", "inf", "1/2"}}) {
         cut.at = {parse_limit(inside)};
-        const auto all = integrate_several({parse_expression("1/(1+x^2)"), parse_expression("i/(1+x^2)")}, parse_limit(from), parse_limit(to), cut);
+        const auto all =
+            integrate_several({parse_expression("1/(1+x^2)"), parse_expression("i/(1+x^2)")}, parse_limit(from), parse_limit(to), cut);
         CHECK(all[0].parts.size() == 2);
         CHECK(all[1].is_complex);
         CHECK_FALSE(all[0].is_complex);
         CHECK(all[1].imaginary.overlaps(all[0].value));
         CHECK(all[0].status == Status::certified);
     }
-    for (const auto& [from, to, outside] : {std::tuple("-inf", "0", "1"), {"0", "inf", "-1"}, {"0", "inf", "0"}, {"-inf", "0", "0"}, {"-inf", "inf", "inf"}}) {
+    for (const auto& [from, to, outside] :
+         {std::tuple("-inf", "0", "1"), {"0", "inf", "-1"}, {"0", "inf", "0"}, {"-inf", "0", "0"}, {"-inf", "inf", "inf"}}) {
         CAPTURE(outside);
         cut.at = {parse_limit(outside)};
-        CHECK_THROWS_AS(integrate_several({parse_expression("exp(-x^2)"), parse_expression("exp(-4*x^2)")}, parse_limit(from), parse_limit(to), cut), DomainError);
+        CHECK_THROWS_AS(
+            integrate_several({parse_expression("exp(-x^2)"), parse_expression("exp(-4*x^2)")}, parse_limit(from), parse_limit(to), cut),
+            DomainError);
     }
 }
 
