@@ -246,6 +246,19 @@ TEST_CASE("a kink that is no root of a polynomial is cut at where the proof stop
     }
 }
 
+TEST_CASE("where Gauss-Legendre quadrature is not to be chosen it is not, beside kinks and singular ends either")
+{
+    IntegralOptions without = with_digits(15);
+    without.gauss_legendre = false;
+    for (const char* formula : {"abs(exp(x-1/2)-1)", "sqrt(x)*abs(x-1/3)", "max(exp(x-1/2),1)", "exp(x)", "sqrt(x*(1-x))", "x^(1/3)*abs(x-1/2)"}) {
+        CAPTURE(std::string(formula));
+        const Integral i = integral(formula, "0", "1", without), other = integral(formula, "0", "1", with_digits(15));
+        CHECK_MESSAGE(i.status == Status::certified, i.reason);
+        CHECK(i.value.overlaps(other.value));
+        for (const Part& p : i.parts) CHECK_FALSE(p.rule.starts_with("gauss"));
+    }
+}
+
 TEST_CASE("where a proof stops at no point with a name it is told as a number")
 {
     for (const auto& [formula, from, to, near] : {std::tuple("1/(x-zeta(3))^2", "1", "2", 1.202),
