@@ -86,7 +86,8 @@ TEST_CASE("on a finite range a formula has its values, and their bits up to the 
                   "floor(x)+x",
                   // of the same sign at both ends, and of another in between
                   "max((x-1/4)*(x-1/2)*(x-2),0)+1", "min(0,(x-1/4)*(x-1/2)*(2-x))-1", "max((x-1/4)*(x-1/2),0)+x",
-                  "min((1/4-x)*(x-1/2),0)-x"}},
+                  "min((1/4-x)*(x-1/2),0)-x", "abs((x-1/4)*(x-1/2))+x", "sign((x-1/4)*(x-1/2)*(x-2))+3*x", "floor(4*x^2-4*x+1/2)+x",
+                  "ceil(4*x-4*x^2+1/2)*x"}},
              Row{"1", "3",
                  {"(x-1)^2*(3-x)", "x^2-4*x+3", "log((x-1)/2)", "log((3-x)/2)", "log(x)", "log(2/(x-1))", "acosh(x)", "sin(x-1)",
                   "abs(1-x)", "abs(x-1)",

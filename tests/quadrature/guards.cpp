@@ -211,6 +211,8 @@ TEST_CASE("a step is one number only where it is, to both ends of the range")
     const Integrand far_out(parse_expression("floor(x)-1e20"), Range{parse_limit("1e20"), parse_limit("1e20+1/2"), Map::finite});
     const WorkingPrecision more(128);
     CHECK(far_out.at_real(parse_limit("1e20+1/4").ball()).contains_zero());
+    const Integrand of_many(parse_expression("floor(x)"), Range{parse_limit("2^70"), parse_limit("2^70+1024"), Map::finite});
+    CHECK(of_many.at_real(parse_limit("2^70+7/2").ball()).contains(Rational(power(Rational(2), 70) + 3)));
 }
 
 TEST_CASE("on a half-line the distances to both ends are s and 1/(1 + s), or exp(-s)")
