@@ -50,6 +50,9 @@ void check_all(double most)
     check_estimate<Real>([](const Real&, const Real&, const Real& r) { return Real(1 / sqrt(r)); }, Interval::finite(0, 1), Ball(2), most);
     check_estimate<Real>([](const Real&, const Real&, const Real& r) { return Real(sqrt(r)); }, Interval::finite(-1, 3), Ball(16) / 3, most);
     check_estimate<Real>([](const Real& x, const Real&, const Real&) { return Real(exp(x)); }, Interval::finite(0, 1), exp(Ball(1)) - 1, most);
+    const long small = 1'000'000'000'000;
+    check_estimate<Real>([small](const Real& x, const Real&, const Real&) { return Real(exp(x) / small); }, Interval::finite(0, 1),
+                         (exp(Ball(1)) - 1) / Ball(small), most);
     check_estimate<Real>([](const Real&, const Real& l, const Real&) { return Real(log(l)); }, Interval::finite(0, 1), Ball(-1), most);
     check_estimate<Real>([](const Real&, const Real& l, const Real& r) { return power_of(Real(l * r), 1, 4); }, Interval::finite(-1, 1),
                          sqrt(pi<Ball>()) * gamma_function(Ball(Rational(5, 4))) / gamma_function(Ball(Rational(7, 4))), most);

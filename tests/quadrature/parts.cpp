@@ -257,7 +257,7 @@ TEST_CASE("where Gauss-Legendre quadrature is not to be chosen it is not, beside
         CHECK(i.value.overlaps(other.value));
         for (const Part& p : i.parts) CHECK_FALSE(p.rule.starts_with("gauss"));
     }
-    for (const char* formula : {"abs(exp(x)-1)", "abs(exp(x-1)-1)"}) { // a kink at just the end
+    for (const char* formula : {"abs(exp(x-1/100000)-1)", "abs(exp(x-1+1/100000)-1)"}) { // a kink so near to the end that no rule is had there
         CAPTURE(std::string(formula));
         CHECK(integral(formula, "0", "1", with_digits(15)).parts.at(0).rule == "gauss-legendre");
         for (const Part& p : integral(formula, "0", "1", without).parts) CHECK_FALSE(p.rule.starts_with("gauss"));
