@@ -281,6 +281,16 @@ TEST_CASE("the real part of a value mirrors i and the points of an outer variabl
     CHECK(is(at_z(Op::real_part), ComplexBall(0)));
     CHECK(is(at_z(Op::imaginary_part), outer * z));
     CHECK(is(at_z(Op::conjugate), -i * outer * z));
+    // without i in it only the point is mirrored
+    const ExpressionPtr g = make(Op::multiply, {make_ball(outer), make_variable()});
+    const auto of_g = [&](Op op) { return PlainFormula(make(op, {g})).at(z); };
+    CHECK(is(of_g(Op::real_value), ComplexBall(2) * z));
+    CHECK(is(of_g(Op::imaginary_value), ComplexBall(3) * z));
+    CHECK(is(of_g(Op::real_part), outer * z));
+    CHECK(is(of_g(Op::imaginary_part), ComplexBall(0)));
+    CHECK(is(of_g(Op::conjugate), outer * z));
+    for (const Op op : {Op::real_value, Op::imaginary_value, Op::real_part, Op::imaginary_part, Op::conjugate})
+        CHECK((at_z(op).is_finite() && of_g(op).is_finite()));
 }
 
 TEST_CASE("between ends that are not real an inner integral is of analytic functions of its variable: what asks for real numbers is refused")
@@ -313,5 +323,49 @@ TEST_CASE("an inner integral between ends that move: both, one of them, one of t
         const Integral i = along(c.formula, {c.from, c.to}, 15);
         CHECK_MESSAGE(i.status == Status::certified, i.reason);
         CHECK(i.value.overlaps(parse_limit(c.value).ball()));
+    }
+}
+
+TEST_CASE("a path is told by its points, whatever spaces stand about them: each side counts once, a point that is named twice for nothing")
+{
+    const struct {
+        std::vector<const char*> path;
+        const char* value;
+        std::size_t parts;
+    } cases[] = {
+        {{"0", "1", "1+i"}, "exp(1+i)-1", 2},    {{"0", "1", "2"}, "exp(2)-1", 2},     {{" 0", "1 "}, "exp(1)-1", 1},
+        {{"i", "1", "3"}, "exp(3)-exp(i)", 2},   {{"0", "0", "1+i"}, "exp(1+i)-1", 1}, {{"0", "1+i", "1+i", "2", "2"}, "exp(2)-1", 2},
+        {{"i*i", "1+i"}, "exp(1+i)-exp(-1)", 1}, {{"-inf", "i"}, "exp(i)", 1},         {{"i", "-inf"}, "-exp(i)", 1},
+        {{" -oo ", "1+i", "2"}, "exp(2)", 2},    {{"(-2+i)*inf", "i"}, "exp(i)", 1}};
+    for (const auto& c : cases) {
+        CAPTURE(std::string(c.path.front()));
+        CAPTURE(std::string(c.path.back()));
+        const Integral i = along("exp(x)", c.path);
+        is_value(i, c.value);
+        CHECK(i.parts.size() == c.parts);
+        CHECK(i.digits == 25);
+    }
+    is_value(along("exp(-x)", {"1", " infinity"}), "exp(-1)");
+    is_value(along("exp(-x)", {"1", "+inf"}), "exp(-1)");
+    CHECK(parse_vertex("  1+i ").text == "1+i");
+    CHECK(parse_vertex("1 + i").text == "1 + i");
+    CHECK(along("exp(x)", {"0", "i"}).parts.front().rule.find(" on the path from 0 to i as a fraction of it") != std::string::npos);
+    CHECK(along("exp(x)", {"-inf", "i"}).parts.front().rule.find(" on the path from -inf to i in units of its direction") !=
+          std::string::npos);
+    for (const char* nothing : {"", " ", "    "}) CHECK_THROWS_AS(parse_vertex(nothing), ExpressionError);
+    for (const std::vector<const char*>& short_path : {std::vector<const char*>{}, {"0"}})
+        CHECK_THROWS_AS(along("x", short_path), DomainError);
+    const Integral nowhere = along("exp(x)", {"1+i", "1+i"});
+    CHECK(nowhere.status == Status::certified);
+    CHECK((nowhere.value.is_exact() && nowhere.value.contains_zero() && nowhere.imaginary.contains_zero()));
+    for (const char* point : {"x", "1+i*x"}) {
+        CAPTURE(point);
+        try {
+            parse_vertex(point);
+            FAIL("a point that depends on x");
+        }
+        catch (const ExpressionError& e) {
+            CHECK(e.column() == 1);
+        }
     }
 }

@@ -34,6 +34,9 @@ void check_estimate(const F& f, const Interval& interval, const Ball& exact, dou
     INFO("relative error " << relative << ", claimed " << e.error);
     CHECK(relative <= most);
     CHECK(relative * std::fabs(static_cast<double>(e.value)) <= static_cast<double>(e.error));
+    const double size = std::fabs(static_cast<double>(e.value));
+    CHECK(static_cast<double>(e.error) <= (std::same_as<Real, double> ? 1e5 : 2000) * most * size); // Boost's levels differ by more
+    CHECK(std::fabs(static_cast<double>(e.magnitude) - size) <= 1e-9 * size); // no integrand here changes its sign
 }
 
 template <class Real>
@@ -47,6 +50,9 @@ void check_all(double most)
     check_estimate<Real>([](const Real&, const Real&, const Real& r) { return Real(1 / sqrt(r)); }, Interval::finite(0, 1), Ball(2), most);
     check_estimate<Real>([](const Real&, const Real&, const Real& r) { return Real(sqrt(r)); }, Interval::finite(-1, 3), Ball(16) / 3, most);
     check_estimate<Real>([](const Real& x, const Real&, const Real&) { return Real(exp(x)); }, Interval::finite(0, 1), exp(Ball(1)) - 1, most);
+    const long small = 1'000'000'000'000;
+    check_estimate<Real>([small](const Real& x, const Real&, const Real&) { return Real(exp(x) / small); }, Interval::finite(0, 1),
+                         (exp(Ball(1)) - 1) / Ball(small), most);
     check_estimate<Real>([](const Real&, const Real& l, const Real&) { return Real(log(l)); }, Interval::finite(0, 1), Ball(-1), most);
     check_estimate<Real>([](const Real&, const Real& l, const Real& r) { return power_of(Real(l * r), 1, 4); }, Interval::finite(-1, 1),
                          sqrt(pi<Ball>()) * gamma_function(Ball(Rational(5, 4))) / gamma_function(Ball(Rational(7, 4))), most);
@@ -82,6 +88,13 @@ TEST_CASE("what is not finite, or does not settle, is not called converged")
     CHECK(nothing.converged);
     CHECK(nothing.value == 0);
     CHECK_FALSE(estimate<Mpfr>([](const Mpfr& x, const Mpfr&, const Mpfr&) { return Mpfr(abs(x - Mpfr(1) / 3)); }, Interval::finite(-1, 1), Mpfr(0), 8).converged);
+    // where the differences of levels shrink by a factor alone the last of them is the error, and no power of it (but for two that agree
+    // by accident)
+    for (const int levels : {6, 8, 10}) {
+        const auto kink = estimate<Mpfr>([](const Mpfr& x, const Mpfr&, const Mpfr&) { return Mpfr(abs(x - Mpfr(1) / 3)); },
+                                         Interval::finite(-1, 1), Mpfr(0), levels);
+        CHECK(Mpfr(abs(kink.value - Mpfr(10) / 9)) <= kink.error);
+    }
     // Beyond the last node is a part of 10^-37 of it, however small the whole: the sums agree to more than that.
     const auto cut_off = estimate<Mpfr>([](const Mpfr&, const Mpfr& l, const Mpfr&) { return Mpfr(power_of(l, -19, 20) * Mpfr("1e-30")); },
                                         Interval::finite(0, 1));

@@ -179,7 +179,13 @@ TEST_CASE("a step is one number only where it is, to both ends of the range")
                                             {"floor(x)", "-0.7", "0.5"},
                                             {"ceil(x)", "0.2", "1.6"},
                                             {"ceil(x)", "-1.7", "-0.2"},
-                                            {"floor(2*x)", "0", "0.9"}}) {
+                                            {"floor(2*x)", "0", "0.9"},
+                                            {"floor(x)", "0.6", "1.9"},
+                                            {"ceil(x)", "0.8", "1.9"},
+                                            {"floor(x)", "-1.4", "-0.3"},
+                                            {"ceil(x)", "-1.9", "-0.8"},
+                                            {"floor(-x)", "0.6", "1.9"},
+                                            {"ceil(3-x)", "0.3", "1.2"}}) {
         CAPTURE(formula);
         const Integrand f(parse_expression(formula), Range{parse_limit(from), parse_limit(to), Map::finite});
         const ComplexBall whole = f.in_plane(ComplexBall(hull(parse_limit(from).ball(), parse_limit(to).ball())));
@@ -187,6 +193,26 @@ TEST_CASE("a step is one number only where it is, to both ends of the range")
     }
     const Integrand steady(parse_expression("floor(x)"), Range{parse_limit("1/4"), parse_limit("1"), Map::finite});
     CHECK(steady.in_plane(ComplexBall(Ball(1) / 2)).is_finite());
+    for (const auto& [formula, from, to, step] : {std::tuple("floor(x)", "0", "1", 0L),
+                                                  {"floor(x)", "5/4", "2", 1L},
+                                                  {"floor(-x)", "0", "1", -1L},
+                                                  {"floor(2*x-7)", "1/2", "1", -6L},
+                                                  {"ceil(x)", "0", "1", 1L},
+                                                  {"ceil(x)", "5/4", "2", 2L},
+                                                  {"ceil(-x)", "0", "1", 0L},
+                                                  {"ceil(2*x-7)", "1/2", "1", -5L}}) {
+        CAPTURE(std::string(formula));
+        const Integrand one(parse_expression(formula), Range{parse_limit(from), parse_limit(to), Map::finite});
+        const ComplexBall value =
+            one.in_plane(ComplexBall(hull(parse_limit(from).ball(), parse_limit(to).ball()))); // analytic across the whole range
+        CHECK(acb_equal_si(value.get(), step) != 0);
+    }
+    // of more bits than a step is counted in
+    const Integrand far_out(parse_expression("floor(x)-1e20"), Range{parse_limit("1e20"), parse_limit("1e20+1/2"), Map::finite});
+    const WorkingPrecision more(128);
+    CHECK(far_out.at_real(parse_limit("1e20+1/4").ball()).contains_zero());
+    const Integrand of_many(parse_expression("floor(x)"), Range{parse_limit("2^70"), parse_limit("2^70+1024"), Map::finite});
+    CHECK(of_many.at_real(parse_limit("2^70+7/2").ball()).contains(Rational(power(Rational(2), 70) + 3)));
 }
 
 TEST_CASE("on a half-line the distances to both ends are s and 1/(1 + s), or exp(-s)")

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <tuple>
 
 using namespace touchstone;
 using namespace touchstone::quadrature;
@@ -42,6 +44,19 @@ TEST_CASE("an odd difference is bounded on a disc without a singular point, what
         CHECK(near->radius == 0.0625);
     }
     CHECK_FALSE(zero_of_fold("exp(x)/x"));
+}
+
+TEST_CASE("an odd difference vanishes where its variable does, and at the beginning of no other range")
+{
+    for (const auto& [from, to] : {std::pair("1/4", "1"), {"zeta(3)", "2"}, {"-1", "1"}}) {
+        CAPTURE(std::string(from));
+        const WorkingPrecision precision(64);
+        const Range range{parse_limit(from), parse_limit(to), Map::finite};
+        const compiled::NodePtr node =
+            compiled::compile(make(Op::odd_difference, {parse_expression("exp(x)+x^2")}), compiled::Place{&range});
+        CHECK_FALSE(node->zero[0]);
+        CHECK_FALSE(node->zero[1]);
+    }
 }
 
 TEST_CASE("a zero that terms do not show is bounded on a disc without a singular point, by what it is and not by much more")
@@ -124,4 +139,29 @@ TEST_CASE("about a pole the fold reaches to the nearer end, and half way to the 
     CHECK(value("sqrt(1-x)/(x-1/3)", "-1", "1", {"1/3"}).status == Status::certified); // there is nothing beyond either end
     CHECK(value("sqrt(1+x)/(x+1/3)", "-1", "1", {"-1/3"}).status == Status::certified);
     CHECK(is(value("1/(x*(x-1))", "-1/8", "9/8", {"0", "1"}), "-4*log(3)"));
+    // what is left of another power than the first has no principal value, in whichever form it is folded
+    for (const auto& [formula, from, to] :
+         {std::tuple("1/x^2", "-1", "1"), {"exp(x)/x^2", "-1", "1"}, {"1/abs(x)", "-1", "2"}, {"1/x^2", "-inf", "inf"}}) {
+        CAPTURE(std::string(formula));
+        const Integral none = value(formula, from, to, {"0"});
+        CHECK_FALSE(none.value.is_finite());
+        CHECK_FALSE(none.reason.empty());
+        CHECK(none.reason.find("--principal-value") == std::string::npos);
+    }
+    for (const char* outside : {"3", "-1", "2", "inf", "-inf", "zeta(3)"}) {
+        CAPTURE(std::string(outside));
+        CHECK_THROWS_AS(value("1/x", "-1", "2", {outside}), DomainError);
+    }
+    CHECK_THROWS_AS(value("1/x", "-1", "2", {"0", "0"}), DomainError);
+    CHECK_THROWS_AS(value("exp(-x)/x", "1", "inf", {"0"}), DomainError);
+    CHECK_THROWS_AS(value("exp(x)/x", "-inf", "-1", {"0"}), DomainError);
+    CHECK_THROWS_AS(value("1/x", "-zeta(3)", "2", {"0"}), DomainError);
+    // half-lines and lines reach to 1 where nothing is nearer
+    CHECK(is(value("exp(-x)/(x-2)", "0", "inf", {"2"}), "-exp(-2)*ei(2)"));
+    CHECK(is(value("exp(x)/(x+2)", "-inf", "0", {"-2"}), "exp(-2)*ei(2)"));
+    CHECK(is(value("1/((x-1)*(1+x^2))", "-inf", "inf", {"1"}), "-pi/2"));
+    CHECK(is(value("x/((x-1)*(x-4)*(1+x^2))", "-inf", "inf", {"4", "1"}), "-5*pi/34"));
+    CHECK(is(value("1/(x*(x-1))", "-4", "9/8", {"0", "1"}), "-log(45/4)"));
+    CHECK(is(value("1/(x*(x-1))", "-1/8", "5", {"0", "1"}), "-log(45/4)"));
+    CHECK(is(value("1/(x*(x-1)*(x-2))", "-1", "4", {"2", "0", "1"}), "log(32/27)/2"));
 }

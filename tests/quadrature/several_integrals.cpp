@@ -6,6 +6,9 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+#include <tuple>
+
 using namespace touchstone;
 using namespace touchstone::quadrature;
 
@@ -93,6 +96,63 @@ TEST_CASE("several integrals over what is no ascending range, or with a pole tha
     CHECK_MESSAGE(poles[0].status == Status::certified, poles[0].reason);
     CHECK(poles[0].value.overlaps(parse_limit("log(2)").ball()));
     CHECK(poles[1].value.overlaps(parse_limit("ei(2)-ei(-1)").ball()));
+}
+
+TEST_CASE("several integrals over half-lines and lines in either direction are what each is by itself, and one alone is by its own rule")
+{
+    const auto is = [](const Integral& i, const char* value) {
+        CHECK_MESSAGE(i.status == Status::certified, i.reason);
+        CHECK(i.value.overlaps(parse_limit(value).ball()));
+    };
+    const auto shared = [](const Integral& i) { return i.parts.front().rule.find("for all formulas") != std::string::npos; };
+    const struct {
+        std::vector<const char*> formulas;
+        const char *from, *to, *first, *second;
+        bool together;
+    } cases[] = {{{"exp(x)/sqrt(1-x)", "exp(x)"}, "-inf", "0", "e*gamma(1/2)*erfc(1)", "1", true},
+                 {{"exp(x)", "exp(2*x)"}, "0", "-inf", "-1", "-1/2", false},
+                 {{"exp(-x^2)", "exp(-4*x^2)"}, "-inf", "inf", "sqrt(pi)", "sqrt(pi)/2", true},
+                 {{"exp(-x^2)", "exp(-4*x^2)"}, "inf", "-inf", "-sqrt(pi)", "-sqrt(pi)/2", false},
+                 {{"exp(-x)", "exp(-2*x)"}, "inf", "1", "-exp(-1)", "-exp(-2)/2", false},
+                 {{"1/sqrt(x)", "x^(-1/3)"}, "0", "1", "2", "3/2", true},
+                 {{"1/sqrt(x)", "integral(x*y,y,0,1)/sqrt(x)"}, "0", "1", "2", "1/3", false},
+                 {{"1/sqrt(x)", "re((1+i)/sqrt(x))"}, "0", "1", "2", "2", true},
+                 {{"x", "x^2"}, "0", "1", "1/2", "1/3", false}};
+    for (const auto& c : cases) {
+        CAPTURE(std::string(c.formulas.back()));
+        CAPTURE(c.from);
+        const auto both = several(c.formulas, c.from, c.to, 20);
+        REQUIRE(both.size() == 2);
+        is(both[0], c.first);
+        is(both[1], c.second);
+        CHECK(shared(both[0]) == c.together);
+        CHECK(both[0].parts.front().from == (c.together ? c.from : both[0].parts.front().from));
+    }
+    const auto alone = several({"x^(-1/3)*cos(x)"}, "0", "1", 20);
+    REQUIRE(alone.size() == 1);
+    CHECK(alone[0].status == Status::certified);
+    CHECK_FALSE(shared(alone[0]));
+    for (const char* end : {"inf", "-inf"}) CHECK_THROWS_AS(several({"exp(-x^2)", "exp(-4*x^2)"}, end, end), DomainError);
+    IntegralOptions cut;
+    cut.digits = 15;
+    for (const auto& [from, to, inside] : {std::tuple("0", "1", "1/3"), {"-inf", "0", "-3"}, {"0", "inf", "5"}, {"-inf", "inf", "1/2"}}) {
+        cut.at = {parse_limit(inside)};
+        const auto all =
+            integrate_several({parse_expression("1/(1+x^2)"), parse_expression("i/(1+x^2)")}, parse_limit(from), parse_limit(to), cut);
+        CHECK(all[0].parts.size() == 2);
+        CHECK(all[1].is_complex);
+        CHECK_FALSE(all[0].is_complex);
+        CHECK(all[1].imaginary.overlaps(all[0].value));
+        CHECK(all[0].status == Status::certified);
+    }
+    for (const auto& [from, to, outside] :
+         {std::tuple("-inf", "0", "1"), {"0", "inf", "-1"}, {"0", "inf", "0"}, {"-inf", "0", "0"}, {"-inf", "inf", "inf"}}) {
+        CAPTURE(outside);
+        cut.at = {parse_limit(outside)};
+        CHECK_THROWS_AS(
+            integrate_several({parse_expression("exp(-x^2)"), parse_expression("exp(-4*x^2)")}, parse_limit(from), parse_limit(to), cut),
+            DomainError);
+    }
 }
 
 TEST_CASE("the majorant of numbers u^p r^q c is at least each of them, and no more than the largest of their kind")

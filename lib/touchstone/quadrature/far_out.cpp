@@ -24,12 +24,17 @@ void add_summands(const ExpressionPtr& e, bool negated, std::vector<ExpressionPt
 }
 
 /// p - q, without the powers whose coefficients cancel.
-ExpressionPtr formula_of_difference(const Polynomial& p, const Polynomial& q)
+ExpressionPtr formula_of_difference(Polynomial p, Polynomial q)
 {
+    const std::size_t terms = std::max(p.size(), q.size());
+    p.resize(terms);
+    q.resize(terms);
     ExpressionPtr all = number(0);
-    for (std::size_t i = 0; i < std::max(p.size(), q.size()); ++i) {
-        const ExactSum c = (i < p.size() ? p[i] : ExactSum(0)) - (i < q.size() ? q[i] : ExactSum(0));
-        if (!c.is_zero()) all = sum(all, product(formula_of(c), make(Op::power, {make_variable(), number(static_cast<long>(i))})));
+    long exponent = 0;
+    for (const ExactSum& c : p) {
+        const ExactSum rest = c - q[static_cast<std::size_t>(exponent)];
+        if (!rest.is_zero()) all = sum(all, product(formula_of(rest), make(Op::power, {make_variable(), number(exponent)})));
+        ++exponent;
     }
     return all;
 }
