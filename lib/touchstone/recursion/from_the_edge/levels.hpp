@@ -63,10 +63,13 @@ enum class Kind { step, share, slope };
 struct RuleNode {
     Ball s, c, weight;
 };
+/// Proven for each d in [low, high], and in the disc of radius `around` about each.
 struct RowRule {
+    double low = infinity, high = 0, around = 0;
     std::vector<RuleNode> nodes;
     double error = 0;
     double reach = infinity; ///< delta from here on is left out
+    bool holds(double d) const { return low <= d && d <= high; }
 };
 /// What differs between the routes beside the law.
 struct Settings {
