@@ -1224,6 +1224,11 @@ TEST_CASE("a rule serves the distances that it was made for and no others, and w
         const auto row = [&](double d) { return levels.row(from, Kind::step, Ball::exactly(d), rule); };
         for (const double d : {0.5, 0.6, 0.75}) CHECK(row(d).rule_error == rule.error);
         for (const double d : {0.25, 0.499, 0.751, 2.}) CHECK(std::isinf(row(d).error));
+        for (const double share : {0.4, 0.6, 2.}) { // of the slack of bounds
+            Ball d = Ball::exactly(0.625);
+            widen(d, share * slack * 0.625);
+            CHECK(std::isfinite(levels.row(from, Kind::step, d, rule).error) == (share < 0.5));
+        }
         RowRule cut = rule; // where something is left out, too
         cut.reach = 3;
         CHECK(levels.row(from, Kind::step, Ball::exactly(0.6), cut).rule_error
@@ -1296,10 +1301,11 @@ TEST_CASE("a density of the exceedances' law has all that its rows say in its ra
     for (const long n : {2L, 3L}) {
         levels.extend_to(n);
         Level& from = *levels.levels[static_cast<std::size_t>(n)];
+        levels.epsilon = 1e3; // so that the rule's error is seen beside these
         for (const double d : {0.3, 1.5}) {
             const RowRule rule = levels.rule_at(from, Kind::slope, Ball::exactly(d), 0.04);
             CHECK(rule.around == doctest::Approx(0.04 * d).scale(0));
-            for (const auto& [interpolation, worst] : {std::pair(1.0, 1e-30), {1e-30, 1.0}}) { // one of the two counts
+            for (const auto& [interpolation, worst] : {std::pair(1.0, 0.5), {0.5, 1.0}}) {
                 for (const auto& panel : from.panels) {
                     panel->interpolation = panel->slope = interpolation;
                     panel->worst = worst;
@@ -1316,8 +1322,10 @@ TEST_CASE("a density of the exceedances' law has all that its rows say in its ra
                 CHECK(radius >= (of_value + of_slope) * (1 - 1e-6));
                 CHECK(radius <= (of_value + of_slope) * (1 + 1e-6));
                 CHECK(of_slope > 0.1 * of_value);
+                CHECK(rule.error / rule.around > 1e-4 * slope.carried);
             }
         }
+        levels.epsilon = std::exp(-20) / 64;
     }
     Levels densities(Law::density, Ball(3), Ball(Rational(1, 10)), 20);
     densities.extend_to(2);

@@ -265,7 +265,7 @@ void Levels::fill_panel(const Level& from, Level& to, Panel& panel, bool whole)
     RowRule rule;
     for (std::size_t j = 0; j < N; ++j) { // descending d
         const double d = at_d[j];
-        if (!rule.holds(d)) {
+        if (!rule.holds(at[j])) {
             const double low = panel.a == 0 && d < panel.b / 12 ? 0 : d / 1.09;
             const double relaxed = whole ? epsilon : std::min(epsilon * std::exp(std::min(beta * low, 600.0)), 1e-3);
             rule = make_rule(from, Kind::step, low, d, 0, relaxed * estimate_step(from, d));

@@ -69,7 +69,8 @@ struct RowRule {
     std::vector<RuleNode> nodes;
     double error = 0;
     double reach = infinity; ///< delta from here on is left out
-    bool holds(double d) const { return low <= d && d <= high; }
+    /// Whether a ball is one of these d, and so narrow that the rule's disc, wider by the slack of bounds, holds all of it.
+    bool holds(const Ball& d) const { return low <= about(d) && about(d) <= high && d.radius_bound() <= slack / 2 * about(d); }
 };
 /// What differs between the routes beside the law.
 struct Settings {

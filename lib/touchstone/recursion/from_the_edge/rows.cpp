@@ -220,7 +220,7 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
     }
     out.value = sum;
     out.slope = sum_d;
-    out.rule_error = rule.holds(d_d) ? rule.error + dropped(from, kind, d_d, rule.reach) : infinity;
+    out.rule_error = rule.holds(d) ? rule.error + dropped(from, kind, d_d, rule.reach) : infinity;
     out.interpolation = up(out.interpolation);
     out.error = up(std::max(out.rule_error + out.interpolation + out.carried, smallest_bound)); // more than what underflowed above
     return out;
