@@ -1382,6 +1382,11 @@ TEST_CASE("a panel's polynomial in fixed point: its ball holds the value at ever
             arb_get_mid_arb(middle.get(), middle.get());
             arb_poly_evaluate(exact.get(), panel.polynomial, Ball::exactly(x).get(), 53 * 50);
             off += !middle.contains(exact);
+            // its coefficients come to less than 2^14 in the format, and to half of that at least
+            double sum = 0;
+            for (long j = 0; j < n; ++j) sum += std::fabs(arf_get_d(arb_midref(panel.polynomial->coeffs + j), ARF_RND_NEAR));
+            CHECK(sum < std::ldexp(1.0, static_cast<int>(panel.scale + 14)));
+            CHECK(sum > std::ldexp(0.49, static_cast<int>(panel.scale + 14)));
             // units of the format times 2^scale: n coefficients, as many products, xi's own times its largest slope
             const double unit = std::ldexp(1.0, static_cast<int>(panel.scale - levels.format.fraction()));
             const double slope = static_cast<double>(n) * std::ldexp(1.0, static_cast<int>(panel.scale + 14));
@@ -1417,4 +1422,38 @@ TEST_CASE("an ellipse of log d has no bound where a disc may reach the negative 
         CHECK(levels.ellipse_bound(to, a, b, false, rho, false) == 1);
     }
     CHECK(ellipse_height(rho) == doctest::Approx(B).scale(0).epsilon(1e-12));
+}
+
+TEST_CASE("both laws give one density and one exceedance, near the edge, far from it and where p is small, at few digits")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    const Ball G(3), load(Rational(1, 10));
+    Levels densities(Law::density, G, load, 20), exceedances(Law::exceedance, G, load, 20);
+    exceedances.extend_to(4);
+    for (const long n : {1L, 2L, 3L})
+        for (const double distance : {0.01, 0.9, 2.5, 80.}) {
+            if (n == 1 && distance > 50) continue; // of which the exceedances' law has no form
+            const Ball d = Ball::exactly(distance), p = exceedances.highest(*exceedances.levels[static_cast<std::size_t>(n) + 1]) * exp(-d);
+            const Ball q = densities.density(n, p, d).value, by_slope = exceedances.density(n, p, d).value;
+            const Ball share = exceedances.exceedance(n, d).value, by_integral = densities.exceedance(n, d).value;
+            CAPTURE(n);
+            CAPTURE(distance);
+            CHECK(q.overlaps(by_slope));
+            CHECK(share.overlaps(by_integral));
+            for (const Ball& found : {q, share, by_integral}) CHECK(found.relative_bits() > 24);
+            CHECK(by_slope.relative_bits() > 12);
+        }
+}
+
+TEST_CASE("levels that need more points than a panel may have are refused, and so are those that no precision resolves")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.most_points = settings(law).least_points - 1;
+        CHECK_THROWS_AS(levels.extend_to(2), BeyondReach);
+        Levels unresolved(law, Ball(3), Ball(Rational(1, 10)), 20);
+        arb_indeterminate(unresolved.levels[1]->edge.get());
+        CHECK_THROWS_AS(unresolved.extend_to(2), BeyondReach);
+    }
 }

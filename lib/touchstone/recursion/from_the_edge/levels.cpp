@@ -17,7 +17,8 @@ const Settings& settings(Law law)
 double Levels::far_end(Law law, double accuracy, double G, double load)
 {
     const double smallness = accuracy + 12 + static_cast<double>(Forward::largest_n + 1) * std::log(G) - std::log(load);
-    return law == Law::density ? accuracy + 40 + 30 * std::max(0.0, -std::log10(1 - 4 / (G * G))) - 0.75 * std::log(load) : 2 * smallness;
+    const double of_density = accuracy + 40 + 30 * std::max(0.0, -std::log10(1 - 4 / (G * G))) - 0.75 * std::log(load);
+    return std::max(8.0, law == Law::density ? of_density : 2 * smallness);
 }
 
 Levels::Levels(Law l, const Ball& G_, const Ball& load_, double a)
@@ -277,10 +278,10 @@ void Levels::fill_panel(const Level& from, Level& to, Panel& panel, bool whole)
         widen(u, r.error);
         u *= decay;
         const double decay_d = above(decay);
-        panel.errors[j] = up(std::max(u.radius_bound(), smallest_bound));
+        panel.errors[j] = u.is_finite() ? up(std::max(u.radius_bound(), smallest_bound)) : infinity;
         panel.worst = std::max(panel.worst, panel.errors[j]);
         arb_get_mid_arb(values[j].get(), u.get());
-        if (!u.is_finite() || !std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");
+        if (!std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");
         to.log_d.push_back(std::log(d));
         to.log_v.push_back(std::log(std::fabs(about(r.value))));
         const double unit = std::fabs(about(whole ? values[0] : r.value));

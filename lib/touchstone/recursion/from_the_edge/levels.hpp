@@ -104,7 +104,8 @@ public:
     std::mutex mutex;
 
     static slong precision_for(double accuracy) { return static_cast<slong>(accuracy / std::numbers::ln2) + 34; }
-    /// Where the far end begins: what it holds is negligible even for a light load at the last scale.
+    /// Where the far end begins: what it holds is negligible even for a light load at the last scale. Twice as far as far_end.hpp needs, at least:
+    /// rows leave out what is beyond a little less.
     static double far_end(Law law, double accuracy, double G, double load);
 
     Levels(Law, const Ball& G, const Ball& load, double accuracy);
