@@ -85,8 +85,9 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
         }
         if (best > most_gauss) {
             if (depth == 0) throw BeyondReach("the distribution's integrand could not be bounded; the load is too near 1 or G too near 2");
-            pieces(mid, b, depth - 1);
-            pieces(a, mid, depth - 1);
+            --depth;
+            pieces(mid, b, depth);
+            pieces(a, mid, depth);
             return;
         }
         rule.error += best_error;
