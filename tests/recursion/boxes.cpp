@@ -1258,7 +1258,7 @@ TEST_CASE("what a row says of a level's interpolation, slope and roundings is th
                 const auto n = static_cast<double>(panel.points);
                 const double scale = about(panel.half) * (panel.logarithmic ? delta : 1); // delta over xi
                 values += k;
-                with_slope += k * std::max(1.0, of_log);
+                with_slope += k * of_log;
                 slopes += k * 2 * s / scale;
                 rounding += k * (at_panel_end + slack * n);
                 rounding_of_slopes += k * (at_panel_end + slack * n) * n * n * (1 + of_log + 2 / scale);

@@ -279,7 +279,7 @@ TEST_CASE("more digits of a distribution than the most that are offered are refu
 {
     const WorkingPrecision precision(128);
     for (const bool of_density : {false, true})
-        for (const char* share : {"0.5", "1e-9", "1e-40"}) {
+        for (const char* share : {"0.5", "1e-3", "1e-6", "1e-9", "1e-12", "1e-15", "1e-18", "1e-22", "1e-26", "1e-30", "1e-34", "1e-40"}) {
             const auto p_at = share_of_highest(2, share, "0.6", "3.3");
             const long most = most_digits_of_distribution(2, p_at, at("0.6", "3.3"), of_density);
             CAPTURE(share);

@@ -190,7 +190,7 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
             auto& [moment, weight] = moments[panel];
             moment.resize(static_cast<std::size_t>(panel->points));
             const double size = std::fabs(about(k)), x_d = std::clamp(about(xi), -1.0, 1.0);
-            out.interpolation += size * std::max(1.0, std::fabs(k_d_d)) * panel->interpolation;
+            out.interpolation += size * (with_slope ? std::fabs(k_d_d) : 1) * panel->interpolation;
             weight += size * (with_slope ? 1 + std::fabs(k_d_d) + 2 / panel->half_d / (panel->logarithmic ? at : 1) : 1);
             // the row as a functional of T_j: k T_j, or k (2s T_j' + (log k)' T_j)
             const double per = with_slope ? 2 * about(node.s) / panel->half_d / (panel->logarithmic ? at : 1) : 0;
