@@ -1431,8 +1431,10 @@ TEST_CASE("both laws give one density and one exceedance, near the edge, far fro
     Levels densities(Law::density, G, load, 20), exceedances(Law::exceedance, G, load, 20);
     exceedances.extend_to(4);
     for (const long n : {1L, 2L, 3L})
-        for (const double distance : {0.01, 0.9, 2.5, 80.}) {
+        for (double distance : {0.01, 0.9, 2.5, infinity, 80.}) {
             if (n == 1 && distance > 50) continue; // of which the exceedances' law has no form
+            if (std::isinf(distance)) distance = (cut_for_small(20, n, G, load) + 1.02) / 2; // where that of small p begins
+            CHECK(exceedances.is_small(n, Ball::exactly(distance)) == (distance > 3));
             const Ball d = Ball::exactly(distance), p = exceedances.highest(*exceedances.levels[static_cast<std::size_t>(n) + 1]) * exp(-d);
             const Ball q = densities.density(n, p, d).value, by_slope = exceedances.density(n, p, d).value;
             const Ball share = exceedances.exceedance(n, d).value, by_integral = densities.exceedance(n, d).value;
