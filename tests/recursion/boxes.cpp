@@ -996,7 +996,7 @@ TEST_CASE("what the form for small pressures leaves out is what the header prove
     }
 }
 
-TEST_CASE("a certificate tells what the row at p is off by, relative to its value, and of which form it is")
+TEST_CASE("a certificate tells what each level has, and what the row at p is off by, relative to its value, and of which form it is")
 {
     const WorkingPrecision precision(Levels::precision_for(20));
     for (const Law law : {Law::density, Law::exceedance}) {
@@ -1012,7 +1012,14 @@ TEST_CASE("a certificate tells what the row at p is off by, relative to its valu
                                            : fmt::format("  at p: {} points; of v: rule ", q.nodes);
             CAPTURE(d);
             CHECK((q.cut > 0) == small);
-            CHECK(forward.certificate(2, Ball(1), Ball::exactly(d)).ends_with(told + errors));
+            const Level& level = small ? *levels.whole[2] : *levels.levels[2];
+            std::string head = fmt::format("{} law: {} bits, far end from delta = {:.0f}\n", law == Law::density ? "density" : "exceedance",
+                                           levels.precision, levels.delta_max);
+            head += fmt::format("  scale {:2}: {:2} panels, {:4} nodes, {:4} points a row; of v: rows {:.1e}, ", 1, level.panels.size(),
+                                level.nodes, level.row_nodes / level.nodes, level.worst_row);
+            head += fmt::format("carried {:.1e}, all {:.1e}; interpolation {:.1e}\n", level.worst_carried, level.worst_total,
+                                level.worst_interpolation);
+            CHECK(forward.certificate(2, Ball(1), Ball::exactly(d)) == head + told + errors);
         }
     }
 }
@@ -1162,5 +1169,296 @@ TEST_CASE("what a row leaves out beyond its reach is what both laws allow there,
                     CHECK(found <= there / C * (1 + 3e-6));
                 }
         }
+    }
+}
+
+TEST_CASE("no ellipse of a rule holds t = i, and the rule's error is Gauss's bound on one that does not, as small as was asked")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(3);
+        for (const long k : {1L, 3L})
+            for (const double d : {1e-9, 0.01, 0.05}) {
+                const Level& from = *levels.levels[static_cast<std::size_t>(k)];
+                const double tolerance = 1e-9, l = 0.5; // one piece from 0 to 1
+                const RowRule rule = levels.make_rule(from, Kind::step, d, d, 0, tolerance);
+                const auto n = static_cast<double>(rule.nodes.size());
+                double nearest = infinity;
+                for (const double r : settings(law).piece_rhos) {
+                    const double A = (r + 1 / r) / 2, B = (r - 1 / r) / 2;
+                    if (1 / (A * l * A * l) * 0.25 + 1 / (B * l * B * l) <= 1) continue; // ((0 - mid)/(A l))^2 + (1/(B l))^2
+                    double most = 0;
+                    constexpr int arcs = 24;
+                    for (int i = 0; i < arcs; ++i) {
+                        const double phi = std::numbers::pi * (i + 0.5) / arcs;
+                        const double radius = up(l * A * std::numbers::pi / (2 * arcs));
+                        const Disc t = disc(l + l * A * std::cos(phi), l * B * std::sin(phi), radius);
+                        most = std::max(most, levels.integrand_bound(from, Kind::step, disc_over(down(d), up(d)), t));
+                    }
+                    // 2 (2 + 2/3) M sum_{k >= 2n} r^-k, half the length of the piece, over the norm
+                    const double error = 16.0 / 3 * most * std::pow(r, -2 * n) / (1 - 1 / r) * l / about(Levels::wallis(levels.power(k)));
+                    if (std::isfinite(error)) nearest = std::min(nearest, std::fabs(rule.error / error - 1));
+                }
+                CAPTURE(k);
+                CAPTURE(d);
+                CHECK(nearest < 1e-6);
+                CHECK(rule.error <= tolerance / 8 * (1 + 1e-6));
+                // of the kernel and the level 1: what is left of the mean of sin^m is 1
+                double sum = 0;
+                for (const RuleNode& node : rule.nodes) sum += about(node.weight);
+                CHECK(std::fabs(sum - 1) < 1e-8);
+            }
+    }
+}
+
+TEST_CASE("a rule serves the distances that it was made for and no others, and where no box is proven there is none")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.extend_to(3);
+        Level& from = *levels.levels[2];
+        const RowRule rule = levels.make_rule(from, Kind::step, 0.5, 0.75, 0.125, 1e-9);
+        CHECK(rule.around == 0.125);
+        const auto row = [&](double d) { return levels.row(from, Kind::step, Ball::exactly(d), rule); };
+        for (const double d : {0.5, 0.6, 0.75}) CHECK(row(d).rule_error == rule.error);
+        for (const double d : {0.25, 0.499, 0.751, 2.}) CHECK(std::isinf(row(d).error));
+        for (const double share : {0.4, 0.6, 2.}) { // of the slack of bounds
+            Ball d = Ball::exactly(0.625);
+            widen(d, share * slack * 0.625);
+            CHECK(std::isfinite(levels.row(from, Kind::step, d, rule).error) == (share < 0.5));
+        }
+        RowRule cut = rule; // where something is left out, too
+        cut.reach = 3;
+        CHECK(levels.row(from, Kind::step, Ball::exactly(0.6), cut).rule_error
+              == doctest::Approx(rule.error + levels.dropped(from, Kind::step, 0.6, 3)).scale(0).epsilon(1e-9));
+        std::fill(from.boxes.bound.begin(), from.boxes.bound.end(), infinity);
+        CHECK_THROWS_AS(levels.make_rule(from, Kind::step, 0.5, 0.75, 0, 1e-9), BeyondReach);
+    }
+}
+
+TEST_CASE("what a row says of a level's interpolation, slope and roundings is the sum over its points, each with its kernel and its slope")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(9, 10)), 20);
+        levels.extend_to(3);
+        const Direct direct{law, 3, 0.9, false};
+        const Level& from = *levels.levels[2];
+        for (const double d : {0.05, 0.7, 6.}) {
+            const RowRule rule = levels.make_rule(from, Kind::step, d, d, 0, 1e-9);
+            double values = 0, with_slope = 0, slopes = 0, rounding = 0, rounding_of_slopes = 0;
+            for (const RuleNode& node : rule.nodes) {
+                const double s = about(node.s), delta = 2 * d * s, h = 1e-4 * d;
+                const auto kernel = [&](double at) { return std::abs(direct.kernel(direct.edge(2), at, s)); };
+                const double k = about(node.weight) * kernel(d), of_log = std::fabs(std::log(kernel(d + h) / kernel(d - h)) / (2 * h));
+                const Panel& panel =
+                    **std::find_if(from.panels.begin(), from.panels.end(), [delta](const auto& p) { return delta <= p->b; });
+                const auto n = static_cast<double>(panel.points);
+                const double scale = about(panel.half) * (panel.logarithmic ? delta : 1); // delta over xi
+                values += k;
+                with_slope += k * of_log;
+                slopes += k * 2 * s / scale;
+                rounding += k * (at_panel_end + slack * n);
+                rounding_of_slopes += k * (at_panel_end + slack * n) * n * n * (1 + of_log + 2 / scale);
+            }
+            const auto rows = [&](double interpolation, double slope, double worst) {
+                for (const auto& panel : from.panels) {
+                    panel->interpolation = interpolation;
+                    panel->slope = slope;
+                    panel->worst = worst;
+                    std::fill(panel->errors.begin(), panel->errors.end(), 0);
+                }
+                return std::pair{levels.row(from, Kind::step, Ball::exactly(d), rule),
+                                 levels.row(from, Kind::slope, Ball::exactly(d), rule)};
+            };
+            const auto is = [](double found, double sum) { CHECK(found == doctest::Approx(sum).scale(0).epsilon(1e-5)); };
+            CAPTURE(d);
+            const auto [value, slope] = rows(1, 0, 0);
+            is(value.interpolation, values);
+            CHECK(value.carried == 0);
+            CHECK(value.error >= value.interpolation + value.rule_error);
+            const auto [value_of_slopes, slope_of_slopes] = rows(0, 1, 0);
+            CHECK(value_of_slopes.interpolation == 0);
+            const auto [rounded, rounded_slope] = rows(0, 0, 1);
+            is(rounded.carried, rounding);
+            CHECK(rounded.error >= rounded.carried + rounded.rule_error);
+            const auto [both, both_of_slope] = rows(1, 1, 0);
+            if (law == Law::density) continue; // of which no slope is asked
+            is(slope.interpolation, with_slope);
+            is(slope_of_slopes.interpolation, slopes);
+            is(both_of_slope.interpolation, with_slope + slopes);
+            is(rounded_slope.carried, rounding_of_slopes);
+        }
+    }
+}
+
+TEST_CASE("a density of the exceedances' law has all that its rows say in its radius, and the other law's exceedance the far end")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    Levels levels(Law::exceedance, Ball(3), Ball(Rational(1, 10)), 20);
+    for (const long n : {2L, 3L}) {
+        levels.extend_to(n);
+        Level& from = *levels.levels[static_cast<std::size_t>(n)];
+        levels.epsilon = 1e3; // so that the rule's error is seen beside these
+        for (const double d : {0.3, 1.5}) {
+            const RowRule rule = levels.rule_at(from, Kind::slope, Ball::exactly(d), 0.04);
+            CHECK(rule.around == doctest::Approx(0.04 * d).scale(0));
+            for (const auto& [interpolation, worst] : {std::pair(1.0, 0.5), {0.5, 1.0}}) {
+                for (const auto& panel : from.panels) {
+                    panel->interpolation = panel->slope = interpolation;
+                    panel->worst = worst;
+                    std::fill(panel->errors.begin(), panel->errors.end(), worst);
+                }
+                const Levels::Row value = levels.row(from, Kind::step, Ball::exactly(d), rule),
+                                  slope = levels.row(from, Kind::slope, Ball::exactly(d), rule);
+                const double front = std::pow(d, (static_cast<double>(n) - 1) / 2) * about(levels.constant_after(from));
+                const double of_value = front * value.error * static_cast<double>(n + 1) / 2,
+                             of_slope = front * d * (rule.error / (0.04 * d) + slope.interpolation + slope.carried);
+                const double radius = levels.density(n, Ball(1), Ball::exactly(d)).value.radius_bound();
+                CAPTURE(n);
+                CAPTURE(d);
+                CHECK(radius >= (of_value + of_slope) * (1 - 1e-6));
+                CHECK(radius <= (of_value + of_slope) * (1 + 1e-6));
+                CHECK(of_slope > 0.1 * of_value);
+                CHECK(rule.error / rule.around > 1e-4 * slope.carried);
+            }
+        }
+        levels.epsilon = std::exp(-20) / 64;
+    }
+    Levels densities(Law::density, Ball(3), Ball(Rational(1, 10)), 20);
+    densities.extend_to(2);
+    Level& from = *densities.levels[2];
+    const Ball d = Ball::exactly(densities.delta_max);
+    const double reach = densities.rule_at(from, Kind::share, d, 0).reach;
+    REQUIRE(std::isfinite(reach));
+    from.tail = 1e200; // so that the far end alone counts: load f/(G^n x), x = e_n e^-delta, f <= T e^(-5 delta/2)
+    const double beyond = 0.1 / (9 * about(from.edge)) * 1e200 * std::exp(-1.5 * reach) / 1.5,
+                 radius = densities.exceedance(2, d).value.radius_bound();
+    CHECK(radius >= beyond);
+    CHECK(radius <= beyond * (1 + 1e-6));
+}
+
+TEST_CASE("the form for small pressures is taken where its proof holds: 2 d more than 1 beyond where it is cut off")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    const Ball load(Rational(1, 10));
+    const Levels levels(Law::exceedance, Ball(3), load, 20), densities(Law::density, Ball(3), load, 20);
+    for (const long n : {1L, 2L, 3L}) {
+        const double cut = cut_for_small(20, n == 1 ? 2 : n, levels.G, levels.load);
+        CAPTURE(n);
+        CHECK(levels.is_small(n, Ball::exactly((cut + 1.02) / 2)) == (n > 1));
+        CHECK_FALSE(levels.is_small(n, Ball::exactly((cut + 1) / 2)));
+        CHECK_FALSE(densities.is_small(n, Ball::exactly((cut + 1.02) / 2)));
+    }
+}
+
+TEST_CASE("a panel's polynomial in fixed point: its ball holds the value at every point that xi may be, and the roundings that are counted")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    Levels levels(Law::density, Ball(3), Ball(Rational(1, 10)), 20);
+    Points points;
+    for (const long n : {8L, 12L, 40L}) {
+        Panel panel;
+        panel.points = n;
+        arb_poly_fit_length(panel.polynomial, n);
+        for (long j = 0; j < n; ++j)
+            arb_set(panel.polynomial->coeffs + j, Ball::exactly(points.between(-1, 1) * (j == n - 1 ? 1e3 : 1)).get());
+        _arb_poly_set_length(panel.polynomial, n);
+        levels.make_fixed(panel);
+        int off = 0;
+        for (int i = 0; i < 200; ++i) {
+            const double x = points.between(-1, 1), radius = i % 2 == 0 ? 0 : points.scale(1e-12, 1e-3) * (1 - std::fabs(x));
+            Ball xi = Ball::exactly(x), u;
+            widen(xi, radius);
+            levels.evaluate(panel, xi, u);
+            for (const double at : {x - xi.radius_bound() * (1 - 1e-9), x, x + xi.radius_bound() * (1 - 1e-9)}) {
+                Ball exact; // of numbers of 53 bits
+                arb_poly_evaluate(exact.get(), panel.polynomial, Ball::exactly(at).get(), 53 * 50);
+                CHECK(u.contains(exact));
+            }
+            Ball middle = u, exact;
+            arb_get_mid_arb(middle.get(), middle.get());
+            arb_poly_evaluate(exact.get(), panel.polynomial, Ball::exactly(x).get(), 53 * 50);
+            off += !middle.contains(exact);
+            // its coefficients come to less than 2^14 in the format, and to half of that at least
+            double sum = 0;
+            for (long j = 0; j < n; ++j) sum += std::fabs(arf_get_d(arb_midref(panel.polynomial->coeffs + j), ARF_RND_NEAR));
+            CHECK(sum < std::ldexp(1.0, static_cast<int>(panel.scale + 14)));
+            CHECK(sum > std::ldexp(0.49, static_cast<int>(panel.scale + 14)));
+            // units of the format times 2^scale: n coefficients, as many products, xi's own times its largest slope
+            const double unit = std::ldexp(1.0, static_cast<int>(panel.scale - levels.format.fraction()));
+            const double slope = static_cast<double>(n) * std::ldexp(1.0, static_cast<int>(panel.scale + 14));
+            if (radius == 0) CHECK(u.radius_bound() >= static_cast<double>(n) * (2 + 0x1p14) * unit);
+            CHECK(u.radius_bound() <= 1.001 * (static_cast<double>(n) * 0x1p14 * unit + slope * xi.radius_bound()));
+        }
+        CHECK(off > 0); // that the format rounds is seen
+    }
+}
+
+TEST_CASE("an ellipse of log d has no bound where a disc may reach the negative axis, one of d has the multiplier's at the far side")
+{
+    const WorkingPrecision precision(bits);
+    const Levels levels(Law::exceedance, Ball(3), Ball(Rational(1, 10)), 30);
+    Level to;
+    to.k = 3;
+    to.boxes.bound.assign(static_cast<std::size_t>(levels.shells.count() + 1) * n_directions, 1);
+    const double rho = 3, A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+    constexpr int arcs = 40;
+    for (const double top : {3.05, 3.15}) { // of the highest disc: half (B + pi A/(2 arcs)), but for the angle of its middle
+        const double half = top / (B + A * std::numbers::pi / (2 * arcs));
+        CAPTURE(top);
+        CHECK(std::isinf(levels.ellipse_bound(to, std::exp(-half), std::exp(half), true, rho, false)) == (top > 3.1));
+        CHECK(half * B < 3.1);
+    }
+    for (const auto& [a, b] : {std::pair(0.0, 0.5), {0.7, 1.9}, {2.0, 2.5}}) {
+        const double mid = (a + b) / 2, half = (b - a) / 2, radius = half * A * std::numbers::pi / (2 * arcs);
+        const double right = mid + half * A * std::cos(std::numbers::pi / (2 * arcs)) + radius, most = std::exp(right / 2); // of |e^(d/2)|
+        const double bound = levels.ellipse_bound(to, a, b, false, rho, true);
+        CAPTURE(a);
+        CHECK(bound >= most);
+        CHECK(bound <= most * (1 + 1e-6));
+        CHECK(levels.ellipse_bound(to, a, b, false, rho, false) == 1);
+    }
+    CHECK(ellipse_height(rho) == doctest::Approx(B).scale(0).epsilon(1e-12));
+}
+
+TEST_CASE("both laws give one density and one exceedance, near the edge, far from it and where p is small, at few digits")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    const auto compare = [](const Ball& G, const Ball& load, long last) {
+        Levels densities(Law::density, G, load, 20), exceedances(Law::exceedance, G, load, 20);
+        exceedances.extend_to(last + 1);
+        for (long n = 1; n <= last; ++n)
+            for (double distance : {0.01, 0.9, 2.5, infinity, 80.}) {
+                if (n == 1 && distance > 50) continue; // of which the exceedances' law has no form
+                if (std::isinf(distance)) distance = (cut_for_small(20, n, G, load) + 1.02) / 2; // where that of small p begins
+                CHECK(exceedances.is_small(n, Ball::exactly(distance)) == (distance > 3));
+                const Ball d = Ball::exactly(distance), p = exceedances.highest(*exceedances.levels[static_cast<std::size_t>(n) + 1]) * exp(-d);
+                const Ball q = densities.density(n, p, d).value, by_slope = exceedances.density(n, p, d).value;
+                const Ball share = exceedances.exceedance(n, d).value, by_integral = densities.exceedance(n, d).value;
+                CAPTURE(n);
+                CAPTURE(distance);
+                CHECK(q.overlaps(by_slope));
+                CHECK(share.overlaps(by_integral));
+                for (const Ball& found : {q, share, by_integral}) CHECK(found.relative_bits() > 24);
+                CHECK(by_slope.relative_bits() > 12);
+            }
+    };
+    compare(Ball(3), Ball(Rational(1, 10)), 3);
+    compare(Ball(3), Ball(1), 1);
+}
+
+TEST_CASE("levels that need more points than a panel may have are refused, and so are those that no precision resolves")
+{
+    const WorkingPrecision precision(Levels::precision_for(20));
+    for (const Law law : {Law::density, Law::exceedance}) {
+        Levels levels(law, Ball(3), Ball(Rational(1, 10)), 20);
+        levels.most_points = settings(law).least_points - 1;
+        CHECK_THROWS_AS(levels.extend_to(2), BeyondReach);
+        Levels unresolved(law, Ball(3), Ball(Rational(1, 10)), 20);
+        arb_indeterminate(unresolved.levels[1]->edge.get());
+        CHECK_THROWS_AS(unresolved.extend_to(2), BeyondReach);
     }
 }

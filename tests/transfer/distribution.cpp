@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/paper/peaks.hpp"
+#include "touchstone/recursion/from_the_edge/far_end.hpp"
 #include "touchstone/recursion/from_the_edge/forward.hpp"
 #include "touchstone/recursion/first_steps/scale_one.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
 
 using namespace touchstone;
 using namespace touchstone::transfer;
@@ -240,4 +245,47 @@ TEST_CASE("neighbouring pressures share levels: kept ones serve whatever needs n
     CHECK(value("0.5", 2, {30}).relative_bits() > 96);
     CHECK(value("1e-12", 2, {16}).overlaps(small));
     CHECK(value("1e-12", 2, {16}).relative_bits() > 50);
+}
+
+TEST_CASE("levels a little more accurate than a small p asks for do not serve it where it is not small for them, but serve other p")
+{
+    const WorkingPrecision precision(bits_for_digits(16) + 48);
+    const Arguments a = at("0.2", "8");
+    const auto accuracy_of_levels = [](long digits) {
+        return 4 * std::ceil(std::max(30.0, static_cast<double>(bits_for_digits(digits) - 4) * std::numbers::ln2) / 4);
+    };
+    const auto asked = [&](double d) { return from_the_edge::accuracy_for_small(accuracy_of_levels(16), 2, d, a.G(), a.load()); };
+    double d = 1;
+    while (asked(d) == 0) d *= 1.0001;
+    const double more = asked(d) + 4; // too much for the form for small p: it is cut off farther out
+    REQUIRE_FALSE(from_the_edge::small_for(more, 2, d, a.G(), a.load()));
+    long digits = 3;
+    while (accuracy_of_levels(digits) + 16 < more) ++digits;
+    REQUIRE(accuracy_of_levels(digits) + 16 == more);
+    REQUIRE(accuracy_of_levels(3) < accuracy_of_levels(digits));
+    const std::string share = fmt::format("{:.17g}", std::exp(-d));
+    const auto ordinary = share_of_highest(2, "0.5", "0.2", "8"), small = share_of_highest(2, share.c_str(), "0.2", "8");
+    const long before = levels_made();
+    CHECK(exceedance(Law::exceedance, 2, ordinary, a, {digits}).relative_bits() > 33);
+    CHECK(levels_made() == before + 1);
+    CHECK(exceedance(Law::exceedance, 2, ordinary, a, {3}).relative_bits() > 33);
+    CHECK(levels_made() == before + 1);
+    const Ball q = density(Law::exceedance, 2, small, a, {16});
+    CHECK(levels_made() == before + 2);
+    CHECK(q.relative_bits() > 33);
+}
+
+TEST_CASE("more digits of a distribution than the most that are offered are refused at once")
+{
+    const WorkingPrecision precision(128);
+    for (const bool of_density : {false, true})
+        for (const char* share : {"0.5", "1e-3", "1e-6", "1e-9", "1e-12", "1e-15", "1e-18", "1e-22", "1e-26", "1e-30", "1e-34", "1e-40"}) {
+            const auto p_at = share_of_highest(2, share, "0.6", "3.3");
+            const long most = most_digits_of_distribution(2, p_at, at("0.6", "3.3"), of_density);
+            CAPTURE(share);
+            CHECK(most > 100);
+            CHECK(most < 400);
+            const auto more = [&] { return (of_density ? density : exceedance)(Law::exceedance, 2, p_at, at("0.6", "3.3"), {most + 1}); };
+            CHECK_THROWS_AS(more(), BeyondReach);
+        }
 }

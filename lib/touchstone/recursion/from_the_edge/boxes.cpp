@@ -60,7 +60,7 @@ Disc disc_about(double inner, double outer, double from, double to)
 
 Arc arc_of_ellipse(double mid, double half, double rho, int i, int arcs)
 {
-    const double phi = std::numbers::pi * (i + 0.5) / arcs, A = (rho + 1 / rho) / 2, B = (rho - 1 / rho) / 2;
+    const double phi = std::numbers::pi * (i + 0.5) / arcs, A = (rho + 1 / rho) / 2, B = ellipse_height(rho);
     return {mid + half * A * std::cos(phi), half * B * std::sin(phi), up(half * A * std::numbers::pi / (2 * arcs))};
 }
 

@@ -58,6 +58,9 @@ Disc disc_over(double from, double to);
 /// points, since |rho e^(i phi) - r|^2 = (rho - r)^2 + 4 rho r sin^2(phi/2).
 Disc disc_about(double inner, double outer, double from, double to);
 
+/// Half the height of the ellipse rho, over half the distance of its foci.
+inline double ellipse_height(double rho) { return (rho - 1 / rho) / 2; }
+
 /// About the point of the ellipse with foci mid +- half whose angle is in the middle of the i-th of so many parts of (0, pi): together they
 /// cover the upper half of the ellipse, |dz| <= half (rho + 1/rho)/2 |d phi|.
 struct Arc {

@@ -27,10 +27,15 @@ double cut_for_small(double accuracy, long n, const Ball& G, const Ball& load)
     return (accuracy + std::log(3.5 * std::exp(2.0) * tail) + (n == 2 ? std::log(accuracy) - 1 : 0)) / 2;
 }
 
+bool small_for(double accuracy, long n, double d, const Ball& G, const Ball& load)
+{
+    return n >= 2 && 2 * d > cut_for_small(accuracy, n, G, load) + 1.02;
+}
+
 double accuracy_for_small(double accuracy, long n, double d, const Ball& G, const Ball& load)
 {
     const double cut = 4.0 / 3 * cut_for_small(accuracy, n, G, load), levels = 4 * std::ceil((accuracy + cut / 2) / 4);
-    return 2 * d > cut_for_small(levels, n, G, load) + 1.02 ? levels : 0;
+    return small_for(levels, n, d, G, load) ? levels : 0;
 }
 
 } // namespace touchstone::transfer::from_the_edge

@@ -20,6 +20,9 @@ double next_tail(long k, const Ball& edge_bound, double tail, double load);
 /// both come to about e^-a where levels have the accuracy a + cut/2.
 double cut_for_small(double accuracy, long n, const Ball& G, const Ball& load);
 
+/// Whether p is small for levels of this accuracy, and more: they are cut off more than 1 before 2 d.
+bool small_for(double accuracy, long n, double d, const Ball& G, const Ball& load);
+
 /// The accuracy of levels for q_n to e^-accuracy by the form for small p, or 0 where p is not small.
 double accuracy_for_small(double accuracy, long n, double d, const Ball& G, const Ball& load);
 

@@ -157,15 +157,20 @@ double accuracy_for(Accuracy wanted) { return 4 * std::ceil(std::max(30.0, stati
 /// Nats, asked for at all scales, so that exceedances and densities of all of them share their levels. Only what is tried first, as all of this.
 constexpr double carried_to_the_last_scale = 4;
 
-/// That of the levels, of a law, which a value at distance d = log(p_n^max/p) needs: it loses some of it.
-double accuracy_at(Law law, long n, double d, const Arguments& a, Accuracy wanted, bool for_density)
+struct Needed {
+    double accuracy; ///< of levels
+    bool small;      ///< whether the value is to be had by the form for small p
+};
+
+/// What a value of a law at distance d = log(p_n^max/p) needs of the levels: it loses some of their accuracy.
+Needed needed_at(Law law, long n, double d, const Arguments& a, Accuracy wanted, bool for_density)
 {
     const double accuracy = accuracy_for(wanted);
-    if (law == Law::density) return accuracy;
+    if (law == Law::density) return {accuracy, false};
+    if (!for_density) return {accuracy + 12 + carried_to_the_last_scale, false};
+    if (const double small = accuracy_for_small(accuracy, n, d, a.G(), a.load()); small > 0) return {small, true};
     // q_n ~ p, the slope of an exceedance ~ 1: 2d nats cancel
-    const double cancelling = 12 * (for_density ? std::max(1.0, std::ceil(d / 6)) : 1) + carried_to_the_last_scale;
-    const double small = for_density && n >= 2 ? accuracy_for_small(accuracy, n, d, a.G(), a.load()) : 0;
-    return small > 0 ? small : accuracy + cancelling;
+    return {accuracy + 12 * std::max(1.0, std::ceil(d / 6)) + carried_to_the_last_scale, false};
 }
 
 struct Asked {
@@ -197,12 +202,12 @@ double positive_distance(long n, const std::function<Ball()>& p_at, const Argume
 Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Arguments& a, Accuracy wanted, bool for_density)
 {
     require_binary64_arithmetic();
-    const double d = positive_distance(n, p_at, a), accuracy = accuracy_at(law, n, d, a, wanted, for_density);
+    const double d = positive_distance(n, p_at, a);
+    const auto [accuracy, small] = needed_at(law, n, d, a, wanted, for_density);
     if (accuracy > most_accuracy && accuracy_for(wanted) < most_accuracy - 100) throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
     if (accuracy > most_accuracy) throw BeyondReach("so many digits of a distribution would cost too much");
     // the form for small p needs a p that is small for the levels, too
-    const bool small = law == Law::exceedance && for_density && n >= 2 && accuracy_for_small(accuracy_for(wanted), n, d, a.G(), a.load()) > 0;
-    const auto serves = [&](double levels) { return !small || 2 * d > cut_for_small(levels, n, a.G(), a.load()) + 1.02; };
+    const auto serves = [&, by_parts = small](double levels) { return !by_parts || small_for(levels, n, d, a.G(), a.load()); };
     Asked asked{levels_for(law, accuracy, a, serves), {}, {}};
     const slong bits = asked.levels->bits();
     asked.d = distance_from_edge(n, p_at, a, bits + 40 + static_cast<slong>(std::max(0.0, -std::log2(d))));
@@ -234,7 +239,7 @@ long most_digits_of_distribution(long n, const std::function<Ball()>& p, const A
     long least = 0, most = 400; // serves(least), not serves(most)
     while (most - least > 1) {
         const long middle = (least + most) / 2;
-        (accuracy_at(Law::exceedance, n, d, a, {middle}, for_density) <= most_accuracy ? least : most) = middle;
+        (needed_at(Law::exceedance, n, d, a, {middle}, for_density).accuracy <= most_accuracy ? least : most) = middle;
     }
     return least;
 }

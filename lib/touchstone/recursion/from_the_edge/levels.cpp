@@ -17,7 +17,8 @@ const Settings& settings(Law law)
 double Levels::far_end(Law law, double accuracy, double G, double load)
 {
     const double smallness = accuracy + 12 + static_cast<double>(Forward::largest_n + 1) * std::log(G) - std::log(load);
-    return law == Law::density ? accuracy + 40 + 30 * std::max(0.0, -std::log10(1 - 4 / (G * G))) - 0.75 * std::log(load) : 2 * smallness;
+    const double of_density = accuracy + 40 + 30 * std::max(0.0, -std::log10(1 - 4 / (G * G))) - 0.75 * std::log(load);
+    return std::max(8.0, law == Law::density ? of_density : 2 * smallness);
 }
 
 Levels::Levels(Law l, const Ball& G_, const Ball& load_, double a)
@@ -177,9 +178,14 @@ std::unique_ptr<Level> Levels::next(const Level& from, double whole_until)
         to->panels.push_back(std::move(panel));
     }
     std::vector<std::pair<double, double>> known;
-    for (std::size_t i = 0; i < to->log_d.size(); ++i) known.emplace_back(to->log_d[i], to->log_v[i]);
+    for (const double d : to->log_d) known.emplace_back(d, to->log_v[known.size()]);
     std::sort(known.begin(), known.end());
-    for (std::size_t i = 0; i < known.size(); ++i) std::tie(to->log_d[i], to->log_v[i]) = known[i];
+    to->log_d.clear();
+    to->log_v.clear();
+    for (const auto& [d, v] : known) {
+        to->log_d.push_back(d);
+        to->log_v.push_back(v);
+    }
     return to;
 }
 
@@ -258,27 +264,27 @@ void Levels::fill_panel(const Level& from, Level& to, Panel& panel, bool whole)
         at_d[j] = about(at[j]);
     }
     RowRule rule;
-    double rule_from = infinity;
     for (std::size_t j = 0; j < N; ++j) { // descending d
         const double d = at_d[j];
-        if (d * (1 + 1e-12) < rule_from || j == 0) {
+        if (!rule.holds(at[j])) {
             const double low = panel.a == 0 && d < panel.b / 12 ? 0 : d / 1.09;
             const double relaxed = whole ? epsilon : std::min(epsilon * std::exp(std::min(beta * low, 600.0)), 1e-3);
-            rule = make_rule(from, Kind::step, low, d * (1 + 1e-12), 0, relaxed * estimate_step(from, d));
-            rule_from = low;
+            rule = make_rule(from, Kind::step, low, d, 0, relaxed * estimate_step(from, d));
         }
         const Row r = row(from, Kind::step, at[j], rule);
         to.row_nodes += rule.nodes.size();
         const Ball decay = whole ? panel.logarithmic ? half_power(at[j], to.k) : Ball(1) : exp(-at[j] * Traits::quotient(law == Law::density ? 3 : 1, 2));
-        const Ball u = r.value * decay;
-        const double decay_d = above(decay), scale = epsilon * std::fabs(about(r.value));
-        panel.errors[j] = up(product_of_bounds({r.error, decay_d}) + mag_get_d(arb_radref(u.get())) + smallest_bound);
+        Ball u = r.value;
+        widen(u, r.error);
+        u *= decay;
+        const double decay_d = above(decay);
+        panel.errors[j] = u.is_finite() ? up(std::max(u.radius_bound(), smallest_bound)) : infinity;
         panel.worst = std::max(panel.worst, panel.errors[j]);
         arb_get_mid_arb(values[j].get(), u.get());
-        if (!u.is_finite() || !std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");
+        if (!std::isfinite(panel.errors[j])) throw BeyondReach("the distribution is not resolved at this precision");
         to.log_d.push_back(std::log(d));
         to.log_v.push_back(std::log(std::fabs(about(r.value))));
-        const double unit = whole ? std::fabs(about(values[0])) : scale / epsilon;
+        const double unit = std::fabs(about(whole ? values[0] : r.value));
         to.worst_row = std::max(to.worst_row, r.rule_error * decay_d / unit);
         to.worst_carried = std::max(to.worst_carried, (r.interpolation + r.carried) * decay_d / unit);
         to.worst_total = std::max(to.worst_total, panel.errors[j] / unit);

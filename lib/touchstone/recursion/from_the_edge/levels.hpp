@@ -63,10 +63,14 @@ enum class Kind { step, share, slope };
 struct RuleNode {
     Ball s, c, weight;
 };
+/// Proven for each d in [low, high], and in the disc of radius `around` about each.
 struct RowRule {
+    double low = infinity, high = 0, around = 0;
     std::vector<RuleNode> nodes;
     double error = 0;
     double reach = infinity; ///< delta from here on is left out
+    /// Whether a ball is one of these d, and so narrow that the rule's disc, wider by the slack of bounds, holds all of it.
+    bool holds(const Ball& d) const { return low <= about(d) && about(d) <= high && d.radius_bound() <= slack / 2 * about(d); }
 };
 /// What differs between the routes beside the law.
 struct Settings {
@@ -100,7 +104,8 @@ public:
     std::mutex mutex;
 
     static slong precision_for(double accuracy) { return static_cast<slong>(accuracy / std::numbers::ln2) + 34; }
-    /// Where the far end begins: what it holds is negligible even for a light load at the last scale.
+    /// Where the far end begins: what it holds is negligible even for a light load at the last scale. Twice as far as far_end.hpp needs, at least:
+    /// rows leave out what is beyond a little less.
     static double far_end(Law law, double accuracy, double G, double load);
 
     Levels(Law, const Ball& G, const Ball& load, double accuracy);

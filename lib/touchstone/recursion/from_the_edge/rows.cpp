@@ -33,10 +33,10 @@ double Levels::integrand_bound(const Level& from, Kind kind, const Disc& d, cons
 
 RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high, double around, double tolerance)
 {
-    RowRule rule;
+    RowRule rule{low, high, around, {}};
     double t_end = 1;
     if (from.k >= 2 && 2 * high > delta_max) {
-        const double s = delta_max / (2 * high) * (1 - 1e-6);
+        const double s = delta_max / (2 * high);
         int exponent = 0; // to 20 bits: then 30 bisections leave ends, middles and half-lengths exact, and no gap
         t_end = std::frexp(std::tan(std::asin(std::sqrt(s)) / 2), &exponent);
         t_end = std::ldexp(std::floor(std::ldexp(t_end, 20)), exponent - 20);
@@ -67,7 +67,7 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
         double best_error = infinity;
         int finite = 0;
         for (const double r : set.piece_rhos) {
-            if ((r - 1 / r) / 2 * l >= 1) continue; // it meets t = i, where the bound is infinite
+            if (ellipse_height(r) * l >= 1) continue; // it may hold t = i: a pole inside, of which the bound on the boundary knows nothing
             constexpr int arcs = 24;
             double most = 0;
             for (int i = 0; i < arcs && std::isfinite(most); ++i) {
@@ -85,8 +85,9 @@ RowRule Levels::make_rule(const Level& from, Kind kind, double low, double high,
         }
         if (best > most_gauss) {
             if (depth == 0) throw BeyondReach("the distribution's integrand could not be bounded; the load is too near 1 or G too near 2");
-            pieces(mid, b, depth - 1);
-            pieces(a, mid, depth - 1);
+            --depth;
+            pieces(mid, b, depth);
+            pieces(a, mid, depth);
             return;
         }
         rule.error += best_error;
@@ -142,7 +143,6 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
     Row out;
     const Ball &e = from.edge, w4 = 4 * e * exp(-2 * d), two_d = 2 * d, one(1);
     const double d_d = about(d);
-    double interpolation = 0;
     const Panel* panel = nullptr;
     std::map<const Panel*, std::pair<std::vector<double>, double>> moments;
     Ball u, u_d, a, b, k_d, sum(0), sum_d(0);
@@ -190,7 +190,7 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
             auto& [moment, weight] = moments[panel];
             moment.resize(static_cast<std::size_t>(panel->points));
             const double size = std::fabs(about(k)), x_d = std::clamp(about(xi), -1.0, 1.0);
-            interpolation += size * std::max(1.0, std::fabs(k_d_d)) * panel->interpolation;
+            out.interpolation += size * (with_slope ? std::fabs(k_d_d) : 1) * panel->interpolation;
             weight += size * (with_slope ? 1 + std::fabs(k_d_d) + 2 / panel->half_d / (panel->logarithmic ? at : 1) : 1);
             // the row as a functional of T_j: k T_j, or k (2s T_j' + (log k)' T_j)
             const double per = with_slope ? 2 * about(node.s) / panel->half_d / (panel->logarithmic ? at : 1) : 0;
@@ -221,9 +221,9 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
     }
     out.value = sum;
     out.slope = sum_d;
-    out.rule_error = rule.error + dropped(from, kind, d_d, rule.reach);
-    out.interpolation = up(out.interpolation + interpolation);
-    out.error = up(out.rule_error + out.interpolation + out.carried + smallest_bound); // what underflowed in the sums above is less
+    out.rule_error = rule.holds(d) ? rule.error + dropped(from, kind, d_d, rule.reach) : infinity;
+    out.interpolation = up(out.interpolation);
+    out.error = up(std::max(out.rule_error + out.interpolation + out.carried, smallest_bound)); // more than what underflowed above
     return out;
 }
 

@@ -98,7 +98,7 @@ Levels::Value Levels::small_density(long n, const Ball& d)
         carried += weight * (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst * (1 + 1e-6);
     }
     mag_clear(tolerance);
-    error = up_at_end(interpolation + carried + smallest_bound);
+    error = up_at_end(std::max(interpolation + carried, smallest_bound));
     Row r;
     r.value = sum * level.C;
     const double C_d = above(level.C);

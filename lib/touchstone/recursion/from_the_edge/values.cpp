@@ -35,12 +35,11 @@ Levels::Value Levels::density(long n, const Ball& p, const Ball& d)
         return {load * half_power(d, n - 1) * exp(-3 * d) * constant * r.value / (p * p), r, rule.nodes.size()};
     }
     if (2 * about(d) > delta_max) throw BeyondReach("p is too small against the highest pressure");
-    const double around = 0.04;
-    const RowRule rule = rule_at(from, Kind::slope, d, around);
+    const RowRule rule = rule_at(from, Kind::slope, d, 0.04);
     Row r = row(from, Kind::slope, d, rule);
     // the rule's error is analytic in d: Cauchy's bound of its derivative
     Ball v_d = r.slope;
-    widen(v_d, up(rule.error / (around * about(d))) + r.interpolation + r.carried);
+    widen(v_d, up(rule.error / rule.around) + r.interpolation + r.carried);
     const Row plain = row(from, Kind::step, d, rule);
     Ball v = plain.value;
     widen(v, plain.error);
