@@ -211,6 +211,7 @@ TEST_CASE("inner integrals that are not analytic in x, or not proved, have no va
     }
     CHECK_THROWS_AS(parse_expression("integral(x,x,0,1)"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("integral(y,y,0)"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(y,y,0,1,2)"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("integral(integral(y*z,z,0,1),y,0,1)"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("y"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("1+inf"), ExpressionError);
