@@ -141,6 +141,34 @@ TEST_CASE("a parameter may have a name that is a word of its own")
     for (const char* taken : {"", "1a", "_a", "a-b", "a b", "x", "pi", "e", "i", "inf", "sin", "besselj"}) CHECK_FALSE(is_free_name(taken));
 }
 
+TEST_CASE("formulas are asked whether they are real, depend on x, or have a point off the real line in them")
+{
+    const ExpressionPtr complex = parse_expression("i*x+1"), real = parse_expression("sin(x)+1");
+    CHECK(is_real(*real));
+    CHECK_FALSE(is_real(*complex));
+    for (const Op part : {Op::real_part, Op::imaginary_part, Op::real_value, Op::imaginary_value, Op::abs}) CHECK(is_real(*make(part, {complex})));
+    CHECK_FALSE(is_real(*make(Op::conjugate, {complex})));
+    CHECK_FALSE(is_real(*make(Op::add, {make(Op::real_part, {complex}), complex})));
+    CHECK_FALSE(is_real(*parse_expression("integral(exp(i*t),t,0,1)")));
+    CHECK_FALSE(is_real(*parse_expression("integral(t,t,0,i)")));
+    CHECK(is_real(*parse_expression("integral(exp(t*x),t,0,x)")));
+    CHECK(depends_on_x(*parse_expression("integral(exp(t*x),t,0,1)")));
+    CHECK(depends_on_x(*parse_expression("integral(exp(t),t,0,x)")));
+    CHECK_FALSE(depends_on_x(*parse_expression("integral(exp(t),t,0,1)")));
+    const ExpressionPtr off = make_ball(ComplexBall(Ball(1), Ball(2))), on = make_ball(ComplexBall(Ball(1), Ball(0)));
+    const ExpressionPtr about = parse_expression("a*x", {{"a", Parameter{Rational(1, 2), Rational(1, 8)}}});
+    CHECK(has_complex_point(*make(Op::add, {real, off})));
+    CHECK_FALSE(has_complex_point(*make(Op::add, {complex, on})));
+    CHECK_FALSE(has_complex_point(*about));
+    for (const Op op : {Op::bessel_j, Op::bessel_y, Op::bessel_i, Op::bessel_k, Op::bessel_i_scaled, Op::bessel_k_scaled, Op::polylog}) CHECK(has_order(op));
+    CHECK_FALSE(has_order(Op::max));
+    CHECK_THROWS_AS(parse_expression("integral(t*s,t,0,1)"), ExpressionError); // a name that is neither its variable nor known
+    CHECK_THROWS_AS(parse_expression("integral(2,3,0,1)"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(a,a,0,1)", {{"a", Parameter{1, 0}}}), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(t,t,0,1-inf)"), ExpressionError);
+    CHECK(parse_expression("integral(exp(-t^2),t,-inf,inf)"));
+}
+
 TEST_CASE("what stands where an operator is expected is shown, one sign of it")
 {
     const auto message = [](const char* text) -> std::string {
@@ -433,6 +461,35 @@ TEST_CASE("a callable with half-integer powers at both ends, others by tanh-sinh
     CHECK(half.value.overlaps(pi<Ball>() / Ball(8)));
     CHECK(third.certificate.panels.size() == 1);
     CHECK(third.value.overlaps(Ball(3) / Ball(4)));
+}
+
+TEST_CASE("sums of powers at an end, half-integer ones by the angle, others not, have their integral")
+{
+    const auto check = [](auto f, const Interval& interval, const Ball& truth, bool by_angle) {
+        for (const long digits : {12L, 40L}) {
+            Options options;
+            options.digits = digits;
+            const Enclosure e = proven_integral(f, interval, options);
+            CHECK(e.status == Status::certified);
+            CHECK(e.digits == digits);
+            CHECK(e.value.overlaps(truth));
+            CHECK(e.value.relative_bits() > digits * 33 / 10);
+            CHECK(e.certificate.panels.empty() == by_angle);
+        }
+    };
+    const WorkingPrecision precision(250);
+    const Interval unit = Interval::finite(0, 1);
+    check([](auto, auto l, auto r) { return to_power(l, Rational(1, 2)) * to_power(r, Rational(3, 2)); }, unit, pi<Ball>() / Ball(16), true);
+    check([](auto, auto l, auto r) { return 1 / sqrt(l * r); }, unit, pi<Ball>(), true);
+    check([](auto, auto l, auto) { return (sqrt(l) + l) * (sqrt(l) + l); }, unit, Ball(Rational(1, 2)) + Ball(Rational(4, 5)) + Ball(Rational(1, 3)), true);
+    check([](auto, auto l, auto r) { return sqrt(l) + to_power(r, Rational(5, 2)) + l; }, Interval::finite(0, 4),
+          Ball(Rational(16, 3)) + Ball(Rational(256, 7)) + Ball(8), true);
+    // u^(2/3) beside 1 is no power series in the square root of u, nor is u^(65/3)
+    check([](auto, auto l, auto) { const auto c = to_power(l, Rational(1, 3)); return (c + l) * (c + l) * (c + l); }, unit, Ball(Rational(111, 40)), false);
+    check([](auto, auto l, auto) { return sqrt(l) * (1 + to_power(l, Rational(65, 3))); }, unit, Ball(Rational(2, 3)) + Ball(Rational(6, 139)), false);
+    // and what is one, with a high power: of a distance up to the 64th
+    check([](auto, auto l, auto) { return sqrt(l) * (2 - to_power(l, Rational(65))); }, unit, Ball(Rational(4, 3)) - Ball(Rational(2, 133)), false);
+    check([](auto, auto l, auto) { return sqrt(l) * (2 - to_power(l, Rational(31, 2))); }, unit, Ball(Rational(4, 3)) - Ball(Rational(1, 17)), true);
 }
 
 TEST_CASE(
