@@ -503,6 +503,11 @@ TEST_CASE("sine, arctangent and arcsine keep a zero at an end, and take nothing 
         CHECK(holds(acos(x).value(), ComplexBall(pi<Ball>() / Ball(2)) - analytic::asin(a)));
         CHECK(holds(atan2(x, Number(3)).value(), analytic::atan(a / ComplexBall(3))));
     }
+    // from a little below 0 on the imaginary axis to where the function has grown most
+    const Ball side = hull(Ball(Rational(-1, 1000)), Ball(Rational(49, 100)));
+    const ComplexBall upwards = analytic::odd_over_argument(ComplexBall(Ball(0), side), [](const ComplexBall& z) { return analytic::atan(z); });
+    const ComplexBall top(Ball(0), Ball(Rational(49, 100)));
+    CHECK(holds(upwards, analytic::atan(top) / top));
     CHECK_FALSE(analytic::atan(ComplexBall(Ball(0), Ball(Rational(6, 5)))).is_finite());
     CHECK_FALSE(analytic::asin(ComplexBall(Rational(6, 5))).is_finite());
     CHECK(analytic::atan(ComplexBall(Ball(0), Ball(Rational(4, 5)))).is_finite());

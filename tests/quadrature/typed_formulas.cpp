@@ -484,6 +484,16 @@ TEST_CASE("sums of powers at an end, half-integer ones by the angle, others not,
     check([](auto, auto l, auto) { return (sqrt(l) + l) * (sqrt(l) + l); }, unit, Ball(Rational(1, 2)) + Ball(Rational(4, 5)) + Ball(Rational(1, 3)), true);
     check([](auto, auto l, auto r) { return sqrt(l) + to_power(r, Rational(5, 2)) + l; }, Interval::finite(0, 4),
           Ball(Rational(16, 3)) + Ball(Rational(256, 7)) + Ball(8), true);
+    // digits of the integral of |f| are not told as digits of the integral, where that is small: |error| <= 10^-digits |integral|
+    Options of_absolute;
+    of_absolute.digits = 12;
+    of_absolute.of_absolute = true;
+    const Rational small(1, 10'000'000);
+    const Enclosure e = proven_integral([&](auto x, auto l, auto) { return sqrt(l) * (x - Rational(3, 5) + small); }, unit, of_absolute);
+    CHECK(e.value.overlaps(Ball(Rational(2, 3)) * Ball(small)));
+    CHECK(e.status == Status::undecided);
+    CHECK(e.digits > 2);
+    CHECK(arb_le(Ball::exactly(e.value.radius_bound()).get(), (pow(Ball(10), Ball(-e.digits)) * Ball(small)).get()));
     // u^(2/3) beside 1 is no power series in the square root of u, nor is u^(65/3)
     check([](auto, auto l, auto) { const auto c = to_power(l, Rational(1, 3)); return (c + l) * (c + l) * (c + l); }, unit, Ball(Rational(111, 40)), false);
     check([](auto, auto l, auto) { return sqrt(l) * (1 + to_power(l, Rational(65, 3))); }, unit, Ball(Rational(2, 3)) + Ball(Rational(6, 139)), false);
