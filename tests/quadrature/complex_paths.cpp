@@ -169,6 +169,7 @@ TEST_CASE("parameters that are balls: the integral for every number of the ball,
     }
     CHECK(along("x^b", {"0", "1"}, 20, parameters).status == Status::certified);
     CHECK(parse_parameter("1/3+/-1e-20").radius == *parse_rational("1e-20"));
+    CHECK(parse_parameter("1/3+/-0").radius == 0);
     CHECK_THROWS_AS(parse_parameter("1+/-"), ExpressionError);
     CHECK_THROWS_AS(parse_parameter("1+/--1"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("c*x", parameters), ExpressionError);
@@ -211,6 +212,7 @@ TEST_CASE("inner integrals that are not analytic in x, or not proved, have no va
     }
     CHECK_THROWS_AS(parse_expression("integral(x,x,0,1)"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("integral(y,y,0)"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(y,y,0,1,2)"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("integral(integral(y*z,z,0,1),y,0,1)"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("y"), ExpressionError);
     CHECK_THROWS_AS(parse_expression("1+inf"), ExpressionError);

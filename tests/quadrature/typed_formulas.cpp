@@ -93,6 +93,82 @@ TEST_CASE("a text that is no formula is refused at its column")
     CHECK(column_of_error(std::string(5000, '(').c_str()) > 0);
 }
 
+TEST_CASE("what is said of a text that is no formula: the column, and what would be right")
+{
+    const Parameters parameters{{"a", Parameter{Rational(1, 2), 0}}};
+    for (const auto& [text, said] : {
+             std::pair("x*(1+", "column 6: a number, x, a function or '(' is expected"),
+             {"", "column 1: a number, x, a function or '(' is expected"},
+             {"*x", "column 1: a number, x, a function or '(' is expected"},
+             {"(x+2", "column 5: ')' is expected"},
+             {"x^2 sin(x)", "column 5: an operator is expected before 's' (a product needs its *)"},
+             {"1+ sin x", "column 4: the function 'sin' needs its argument in brackets: sin(...)"},
+             {"x*foo(x)", "column 3: no function 'foo' (a product needs its *: x*(1+x))"},
+             {"1+besselj(x)", "column 3: besselj takes 2 arguments, not 1"},
+             {"exp(x,x)", "column 1: exp takes 1 argument, not 2"},
+             {"asin(x,x)", "column 1: asin takes 1 argument, not 2"}, // the name it was given
+             {"arcsin(x,x)", "column 1: arcsin takes 1 argument, not 2"},
+             {"x+max(x)", "column 3: max takes 2 or more arguments, not 1"},
+             {"x+1e9999999", "column 3: '1e9999999' is no number such as 12, 0.1 or 1e-4"},
+             {"x+b", "column 3: 'b' is not known: the variable is x, the constants are pi, e and i, the parameters those that were set"},
+         })
+        CHECK_THROWS_WITH_AS(parse_expression(text, parameters), said, ExpressionError);
+    CHECK_THROWS_WITH_AS(parse_expression("x+b"), "column 3: 'b' is not known: the variable is x, the constants are pi, e and i", ExpressionError);
+    std::string ones = "1";
+    for (int k = 0; k < 2000; ++k) ones += "+x";
+    CHECK(parse_expression(ones.substr(0, 3999)));
+    CHECK(parse_expression(ones.substr(0, 3999) + " "));
+    CHECK_THROWS_WITH_AS(parse_expression(ones), "column 4000: the formula is longer than 4000 characters", ExpressionError);
+}
+
+TEST_CASE("functions nest as deep as 32, sums and products as deep as the text is long")
+{
+    const auto nested = [](const std::string& before, const std::string& after, int depth) {
+        std::string text = "x";
+        for (int k = 0; k < depth; ++k) text = before + text + after;
+        return text;
+    };
+    CHECK(parse_expression(nested("sin(", ")", 32)));
+    CHECK_THROWS_WITH_AS(parse_expression(nested("sin(", ")", 33)), doctest::Contains("functions and powers nest deeper than 32"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression(nested("(", ")^2", 33)), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(" + nested("sin(", ")", 33) + "*t,t,0,1)"), ExpressionError);
+    for (const char* before : {"(1+", "(2*", "(3/", "(-"}) CHECK(parse_expression(nested(before, ")", 100)));
+}
+
+TEST_CASE("a parameter may have a name that is a word of its own")
+{
+    for (const char* free : {"a", "a1", "a_b", "X", "sine", "pi2"}) CHECK(is_free_name(free));
+    for (const char* taken : {"", "1a", "_a", "a-b", "a b", "x", "pi", "e", "i", "inf", "sin", "besselj"}) CHECK_FALSE(is_free_name(taken));
+}
+
+TEST_CASE("formulas are asked whether they are real, depend on x, or have a point off the real line in them")
+{
+    const ExpressionPtr complex = parse_expression("i*x+1"), real = parse_expression("sin(x)+1");
+    CHECK(is_real(*real));
+    CHECK_FALSE(is_real(*complex));
+    for (const Op part : {Op::real_part, Op::imaginary_part, Op::real_value, Op::imaginary_value, Op::abs}) CHECK(is_real(*make(part, {complex})));
+    CHECK_FALSE(is_real(*make(Op::conjugate, {complex})));
+    CHECK_FALSE(is_real(*make(Op::add, {make(Op::real_part, {complex}), complex})));
+    CHECK_FALSE(is_real(*parse_expression("integral(exp(i*t),t,0,1)")));
+    CHECK_FALSE(is_real(*parse_expression("integral(t,t,0,i)")));
+    CHECK(is_real(*parse_expression("integral(exp(t*x),t,0,x)")));
+    CHECK(depends_on_x(*parse_expression("integral(exp(t*x),t,0,1)")));
+    CHECK(depends_on_x(*parse_expression("integral(exp(t),t,0,x)")));
+    CHECK_FALSE(depends_on_x(*parse_expression("integral(exp(t),t,0,1)")));
+    const ExpressionPtr off = make_ball(ComplexBall(Ball(1), Ball(2))), on = make_ball(ComplexBall(Ball(1), Ball(0)));
+    const ExpressionPtr about = parse_expression("a*x", {{"a", Parameter{Rational(1, 2), Rational(1, 8)}}});
+    CHECK(has_complex_point(*make(Op::add, {real, off})));
+    CHECK_FALSE(has_complex_point(*make(Op::add, {complex, on})));
+    CHECK_FALSE(has_complex_point(*about));
+    for (const Op op : {Op::bessel_j, Op::bessel_y, Op::bessel_i, Op::bessel_k, Op::bessel_i_scaled, Op::bessel_k_scaled, Op::polylog}) CHECK(has_order(op));
+    CHECK_FALSE(has_order(Op::max));
+    CHECK_THROWS_AS(parse_expression("integral(t*s,t,0,1)"), ExpressionError); // a name that is neither its variable nor known
+    CHECK_THROWS_AS(parse_expression("integral(2,3,0,1)"), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(a,a,0,1)", {{"a", Parameter{1, 0}}}), ExpressionError);
+    CHECK_THROWS_AS(parse_expression("integral(t,t,0,1-inf)"), ExpressionError);
+    CHECK(parse_expression("integral(exp(-t^2),t,-inf,inf)"));
+}
+
 TEST_CASE("what stands where an operator is expected is shown, one sign of it")
 {
     const auto message = [](const char* text) -> std::string {
@@ -389,6 +465,45 @@ TEST_CASE("a callable with half-integer powers at both ends, others by tanh-sinh
     CHECK(half.value.overlaps(pi<Ball>() / Ball(8)));
     CHECK(third.certificate.panels.size() == 1);
     CHECK(third.value.overlaps(Ball(3) / Ball(4)));
+}
+
+TEST_CASE("sums of powers at an end, half-integer ones by the angle, others not, have their integral")
+{
+    const auto check = [](auto f, const Interval& interval, const Ball& truth, bool by_angle) {
+        for (const long digits : {12L, 40L}) {
+            Options options;
+            options.digits = digits;
+            const Enclosure e = proven_integral(f, interval, options);
+            CHECK(e.status == Status::certified);
+            CHECK(e.digits == digits);
+            CHECK(e.value.overlaps(truth));
+            CHECK(e.value.relative_bits() > digits * 33 / 10);
+            CHECK(e.certificate.panels.empty() == by_angle);
+        }
+    };
+    const WorkingPrecision precision(250);
+    const Interval unit = Interval::finite(0, 1);
+    check([](auto, auto l, auto r) { return to_power(l, Rational(1, 2)) * to_power(r, Rational(3, 2)); }, unit, pi<Ball>() / Ball(16), true);
+    check([](auto, auto l, auto r) { return 1 / sqrt(l * r); }, unit, pi<Ball>(), true);
+    check([](auto, auto l, auto) { return (sqrt(l) + l) * (sqrt(l) + l); }, unit, Ball(Rational(1, 2)) + Ball(Rational(4, 5)) + Ball(Rational(1, 3)), true);
+    check([](auto, auto l, auto r) { return sqrt(l) + to_power(r, Rational(5, 2)) + l; }, Interval::finite(0, 4),
+          Ball(Rational(16, 3)) + Ball(Rational(256, 7)) + Ball(8), true);
+    // digits of the integral of |f| are not told as digits of the integral, where that is small: |error| <= 10^-digits |integral|
+    Options of_absolute;
+    of_absolute.digits = 12;
+    of_absolute.of_absolute = true;
+    const Rational small(1, 10'000'000);
+    const Enclosure e = proven_integral([&](auto x, auto l, auto) { return sqrt(l) * (x - Rational(3, 5) + small); }, unit, of_absolute);
+    CHECK(e.value.overlaps(Ball(Rational(2, 3)) * Ball(small)));
+    CHECK(e.status == Status::undecided);
+    CHECK(e.digits > 2);
+    CHECK(arb_le(Ball::exactly(e.value.radius_bound()).get(), (pow(Ball(10), Ball(-e.digits)) * Ball(small)).get()));
+    // u^(2/3) beside 1 is no power series in the square root of u, nor is u^(65/3)
+    check([](auto, auto l, auto) { const auto c = to_power(l, Rational(1, 3)); return (c + l) * (c + l) * (c + l); }, unit, Ball(Rational(111, 40)), false);
+    check([](auto, auto l, auto) { return sqrt(l) * (1 + to_power(l, Rational(65, 3))); }, unit, Ball(Rational(2, 3)) + Ball(Rational(6, 139)), false);
+    // and what is one, with a high power: of a distance up to the 64th
+    check([](auto, auto l, auto) { return sqrt(l) * (2 - to_power(l, Rational(65))); }, unit, Ball(Rational(4, 3)) - Ball(Rational(2, 133)), false);
+    check([](auto, auto l, auto) { return sqrt(l) * (2 - to_power(l, Rational(31, 2))); }, unit, Ball(Rational(4, 3)) - Ball(Rational(1, 17)), true);
 }
 
 TEST_CASE(
@@ -755,6 +870,15 @@ TEST_CASE("polynomials are recognised, and nothing else is")
     is("2*x-(x-1)^2", {-1, 4, -1});
     is("(6*x+4)/2", {2, 3});
     is("-x*x^2", {0, 0, 0, -1});
+    is("1+x^3", {1, 0, 0, 1});
+    is("x^3+1", {1, 0, 0, 1});
+    is("(x^2-2*x+3)*(x+5)", {15, -7, 3, 1});
+    is("0*x", {});
+    CHECK(of("x^16*x^16")->size() == 33);
+    CHECK(of("x^32"));
+    CHECK(!of("x^16*x^17"));
+    CHECK(!of("x^32*x"));
+    for (const char* formula : {"x+sin(x)", "sin(x)+x", "sin(x)*x", "-sin(x)", "sin(x)/2", "sin(x)^2"}) CHECK(!of(formula));
     for (const char* formula : {"1+x^(3/2)", "1+x^pi", "1+x^(-2)", "1+x^0.5", "x^1000", "1/x", "x/(sqrt(2)+sqrt(3))",
                                 "sin(x)", "x^x", "x^(1-1)"}) {
         CAPTURE(formula);
@@ -763,6 +887,11 @@ TEST_CASE("polynomials are recognised, and nothing else is")
     const ExactSum two = *ExactSum(2).sqrt();
     CHECK(value(*of("x^2+x*sqrt(2)-4"), two).is_zero());
     CHECK(without_root(*of("x^3-x^2-2*x+2"), two).size() == 3);
+    CHECK(without_root(*of("(x-2)*(3*x^2-x+7)"), ExactSum(2)) == *of("3*x^2-x+7"));
+    CHECK(without_root(*of("3*x-6"), ExactSum(2)) == *of("3+0*x"));
+    CHECK(without_root(*of("(x-2)*(x+1)"), ExactSum(2)) == *of("x+1"));
+    CHECK(without_root(*of("0*x"), ExactSum(2)).empty());
+    CHECK(value(*of("2-x+x^2*3"), ExactSum(5)) == ExactSum(72));
     CHECK(value(without_root(*of("x^3-x^2-2*x+2"), two), ExactSum(1)).is_zero());
 }
 

@@ -67,8 +67,7 @@ Elliptic<V> by_means(const V& v)
         if (now < -bits - 4 || now >= before) break; // no smaller than the balls are wide
     }
     const Ball delta = least_real_part(a, b);
-    if (!arb_is_positive(delta.get()) || !arb_le(size.get(), (Ball(4) * delta * delta).get()))
-        return {V::indeterminate(), V::indeterminate()};
+    if (!arb_is_positive(delta.get())) return {V::indeterminate(), V::indeterminate()};
     widen(a, lemma::limit_of_means(size, delta));
     widen(sum, lemma::rest_of_means(size, delta, n));
     shift(a, 1);

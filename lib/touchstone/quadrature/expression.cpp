@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <utility>
 
 namespace touchstone::quadrature {
 
@@ -159,6 +160,7 @@ const auto call_name = [](auto& c) {
     if (found == functions().end()) throw ExpressionError(column(c), "no function '" + n + "' (a product needs its *: x*(1+x))");
     Expression e;
     e.op = found->second.op;
+    e.name = n; // until its arguments are counted
     e.column = column(c);
     x3::_val(c) = std::make_shared<const Expression>(std::move(e));
 };
@@ -168,13 +170,13 @@ const auto argument = [](auto& c) {
     x3::_val(c) = std::make_shared<const Expression>(std::move(e));
 };
 const auto finish_call = [](auto& c) {
-    const ExpressionPtr e = x3::_attr(c);
-    for (const auto& [n, f] : functions()) {
-        if (f.op != e->op || (e->args.size() >= f.least && e->args.size() <= f.most)) continue;
-        throw ExpressionError(e->column, n + " takes " + std::to_string(f.least) + (f.least == f.most ? "" : " or more") + " argument" +
-                                             (f.least == 1 ? "" : "s") + ", not " + std::to_string(e->args.size()));
-    }
-    x3::_val(c) = e->op == Op::power ? at(make(Op::power, e->args), e->column) : e;
+    Expression e = *x3::_attr(c);
+    const std::string n = std::exchange(e.name, {});
+    const Function& f = functions().find(n)->second;
+    if (e.args.size() < f.least || e.args.size() > f.most)
+        throw ExpressionError(e.column, n + " takes " + std::to_string(f.least) + (f.least == f.most ? "" : " or more") + " argument" +
+                                            (f.least == 1 ? "" : "s") + ", not " + std::to_string(e.args.size()));
+    x3::_val(c) = e.op == Op::power ? at(make(Op::power, e.args), e.column) : std::make_shared<const Expression>(std::move(e));
 };
 
 const x3::rule<struct sum_rule, ExpressionPtr> sum("a formula");

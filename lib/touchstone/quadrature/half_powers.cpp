@@ -21,15 +21,14 @@ public:
     {
     }
     V distance(Side s) const override { return analytic::integer_power(root(s), 2); }
-    V logarithm(Side s) const override { return V(2) * analytic::log(root(s)); }
+    /// Of the angle about the end it is no analytic function.
+    V logarithm(Side) const override { return V::indeterminate(); }
     const V& root(Side s) const { return root_[s == Side::left ? 0 : 1]; }
 
 private:
     V power_by_log(Side s, const Exponent& e) const override
     {
-        constexpr long most = 128;
-        if (e.den() == 2 && std::labs(e.num()) <= most) return analytic::integer_power(root(s), e.num());
-        return analytic::exp(V(e.ball()) * logarithm(s));
+        return e.den() == 2 ? analytic::integer_power(root(s), e.num()) : logarithm(s);
     }
     std::array<V, 2> root_;
 };

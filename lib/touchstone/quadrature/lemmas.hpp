@@ -61,7 +61,7 @@ inline Ball elliptic_remainder(const Ball& q, long n)
 }
 
 /// Means: c_n = (a_(n-1) - b_(n-1))/2 of the arithmetic-geometric mean, c_(n+1) = c_n^2/(4 a_(n+1)), real parts of the means at least delta
-/// from n on, square at least |c_n|^2. Once |c_n| <= 2 delta the limit is within this of a_n,
+/// from n on, delta > 0, square at least |c_n|^2. From n + 1 on each c_k is at most half the one before: the limit is within this of a_n,
 inline Ball limit_of_means(const Ball& square, const Ball& delta) { return square / (Ball(2) * delta); }
 /// and what the sum of 2^(k-1) c_k^2 lacks after k = n is at most 2^(n+1) |c_n|^4/(16 delta^2).
 inline Ball rest_of_means(const Ball& square, const Ball& delta, long n)

@@ -65,9 +65,14 @@ Maybe polynomial(const Expression& e)
         const auto q = n ? n->rational() : std::nullopt;
         if (!q || q.value().get_den() != 1 || *q < 1 || *q >= static_cast<long>(most_terms)) return std::nullopt;
         const auto a = polynomial(*e.args[0]);
-        Maybe r = Polynomial{ExactSum(1)};
-        for (long k = 0; a && r && k < q->get_num().get_si(); ++k) r = product(*r, *a);
-        return a ? r : std::nullopt;
+        if (!a) return std::nullopt;
+        Polynomial r{ExactSum(1)};
+        for (long k = 0; k < q->get_num().get_si(); ++k) {
+            auto next = product(r, *a);
+            if (!next) return std::nullopt;
+            r = std::move(*next);
+        }
+        return r;
     }
     default: return std::nullopt;
     }
