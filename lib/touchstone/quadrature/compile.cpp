@@ -109,9 +109,8 @@ bool Compiler::reaches_one(const ExpressionPtr& e) const
     for (const Side s : {Side::left, Side::right}) {
         if (!has_range() || !end(s)) continue;
         const auto series = expanded(e, s);
-        const bool has_limit = series ? series->valuation == 0 : false; // or a zero, of which nothing is asked
-        const ExactSum limit = !has_limit ? ExactSum(0) : series->c.empty() ? ExactSum(0) : series->c[0];
-        if (limit == ExactSum(1) || limit == ExactSum(-1)) return true;
+        if (!series || series->c.empty() || series->valuation != 0) continue;
+        if (series->c[0] == ExactSum(1) || series->c[0] == ExactSum(-1)) return true;
     }
     return false;
 }

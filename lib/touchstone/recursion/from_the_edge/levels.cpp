@@ -178,14 +178,9 @@ std::unique_ptr<Level> Levels::next(const Level& from, double whole_until)
         to->panels.push_back(std::move(panel));
     }
     std::vector<std::pair<double, double>> known;
-    for (const double d : to->log_d) known.emplace_back(d, to->log_v[known.size()]);
+    for (std::size_t i = 0; i < to->log_d.size(); ++i) known.emplace_back(to->log_d[i], to->log_v[i]);
     std::sort(known.begin(), known.end());
-    to->log_d.clear();
-    to->log_v.clear();
-    for (const auto& [d, v] : known) {
-        to->log_d.push_back(d);
-        to->log_v.push_back(v);
-    }
+    for (std::size_t i = 0; i < known.size(); ++i) std::tie(to->log_d[i], to->log_v[i]) = known[i];
     return to;
 }
 
