@@ -185,7 +185,7 @@ std::pair<std::vector<Range>, std::vector<Range>> halves(std::vector<Range> piec
 
 } // namespace
 
-Check positive_over(const BallFunction& f, const std::vector<Range>& box, Bound bound, int most_pieces)
+Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces, Bound bound)
 {
     for (const Range& r : box)
         if (r.high <= r.low) throw std::invalid_argument("an empty range: " + in_words(box));
@@ -217,14 +217,14 @@ Check positive_over(const BallFunction& f, const std::vector<Range>& box, Bound 
             "enclosed for " + in_words(box) + " in " + std::to_string(pieces) + " pieces, at 2/5 of it " + value_inside(f, box)};
 }
 
-Check positive_on(const ex& e, const std::vector<Range>& box, Bound bound, int most_pieces)
+Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces, Bound bound)
 {
     const auto at = [&](const std::vector<Ball>& v) {
         std::map<std::string, Ball> values;
         for (std::size_t i = 0; i < box.size(); ++i) values.emplace(box[i].symbol, v[i]);
         return evaluate(e, values);
     };
-    return positive_over(at, box, bound, most_pieces);
+    return positive_over(at, box, most_pieces, bound);
 }
 
 Check less_than(const Ball& a, const Ball& b, const std::string& what)

@@ -53,10 +53,10 @@ struct Range {
 /// decides it.
 enum class Bound { strict, may_be_reached };
 /// e > 0 (or e >= 0) on the whole box, by subdivision until every piece is decided.
-Check positive_on(const ex& e, const std::vector<Range>& box, Bound = Bound::strict, int most_pieces = 20000);
+Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces = 20000, Bound = Bound::strict);
 /// The same of a function of as many balls as there are ranges.
 using BallFunction = std::function<Ball(const std::vector<Ball>&)>;
-Check positive_over(const BallFunction& f, const std::vector<Range>& box, Bound = Bound::strict, int most_pieces = 20000);
+Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces = 20000, Bound = Bound::strict);
 
 /// a < b, decided in balls.
 Check less_than(const Ball& a, const Ball& b, const std::string& what);

@@ -186,8 +186,10 @@ ex log_symbol(const ex& e)
 
 ex log_of_integer(numeric n)
 {
+    // divisors that are tried: what has none of them keeps a logarithm of its own, which proves less and nothing false
+    const numeric largest = 1 << 16;
     ex sum = 0;
-    for (numeric p = 2; p * p <= n; p = p + 1)
+    for (numeric p = 2; p * p <= n && p < largest; p = p + 1)
         while (GiNaC::irem(n, p).is_zero()) {
             sum += log_symbol(p);
             n = GiNaC::iquo(n, p);

@@ -129,6 +129,20 @@ class Changed(unittest.TestCase):
             self.entry(ledger, "S5")["says"] = "shear < 0.300"
         self.assertEqual(self.judge(change, "S5").returncode, 1)
 
+    def test_a_bound_that_is_reached_is_not_refuted_where_it_may_be(self):
+        for says, refuted in (("shear*(1-shear) <= 1/4", False), ("(shear-1/2)^2 >= 0", False), ("(shear-1/2)^2 > 0", True),
+                              ("shear*(1-shear) <= 1/5", True)):
+            def change(ledger):
+                self.entry(ledger, "S5").update(says=says, over={"shear": ["0", "1"]})
+            self.assertEqual(self.judge(change, "S5").stdout.split()[0] in ("refuted", "FAILED"), refuted, says)
+
+    def test_what_is_off_by_a_number_is_refuted_however_small(self):
+        for factor in ("(1+1/10^30)", "(1+1/10^60)"):
+            def change(ledger):
+                self.entry(ledger, "H3")["says"] += "*" + factor
+            r = self.judge(change, "H3")
+            self.assertEqual((r.returncode, "refuted" in r.stdout), (1, True), factor)
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]

@@ -128,15 +128,15 @@ TEST_CASE("positivity: by coefficients and by subdivision")
     const ex x = sym("x");
     CHECK(positive_on(x * x - x + ex(1) / 2, {{"x", 0, 1}}).verdict == Verdict::proved);
     CHECK(positive_on(x * x - x + ex(1) / 5, {{"x", 0, 1}}).verdict == Verdict::refuted);
-    CHECK(positive_on(x, {{"x", 0, 1}}, Bound::strict, 100).verdict == Verdict::undecided); // zero at the end
+    CHECK(positive_on(x, {{"x", 0, 1}}, 100).verdict == Verdict::undecided); // zero at the end
     const ex square = x * x;
     for (const auto& [low, high] : {std::pair(-1, 1), std::pair(-1, 2)}) { // 0 in the middle of the first
-        CHECK(positive_on(square, {{"x", low, high}}, Bound::may_be_reached, 100).verdict != Verdict::refuted);
-        CHECK(positive_on(square, {{"x", low, high}}, Bound::strict, 100).verdict != Verdict::proved);
+        CHECK(positive_on(square, {{"x", low, high}}, 100, Bound::may_be_reached).verdict != Verdict::refuted);
+        CHECK(positive_on(square, {{"x", low, high}}, 100).verdict != Verdict::proved);
     }
-    CHECK(positive_on(square, {{"x", -1, 1}}, Bound::strict, 100).verdict == Verdict::refuted);
-    CHECK(positive_on(x, {{"x", -1, 2}}, Bound::may_be_reached, 100).verdict == Verdict::refuted);
-    CHECK(positive_on(square, {{"x", 1, 2}}, Bound::may_be_reached, 100).verdict == Verdict::proved);
+    CHECK(positive_on(square, {{"x", -1, 1}}, 100).verdict == Verdict::refuted);
+    CHECK(positive_on(x, {{"x", -1, 2}}, 100, Bound::may_be_reached).verdict == Verdict::refuted);
+    CHECK(positive_on(square, {{"x", 1, 2}}, 100, Bound::may_be_reached).verdict == Verdict::proved);
     CHECK(positive(1 + sym("u"), {}).verdict == Verdict::proved);
     CHECK(positive(1 - sym("u"), {"u=2"}).verdict == Verdict::refuted);
 }
