@@ -29,8 +29,10 @@ private:
 
 inline touchstone::ComplexBall turns(long n) { return {touchstone::Ball(0), touchstone::pi<touchstone::Ball>() * touchstone::Ball(2 * n)}; }
 
-inline bool holds(const touchstone::Ball& found, const touchstone::ComplexBall& truth) { return found.is_finite() && found.overlaps(truth.real()); }
-inline bool holds(const touchstone::ComplexBall& found, const touchstone::ComplexBall& truth) { return found.is_finite() && found.overlaps(truth); }
+inline bool holds(const touchstone::Ball& found, const touchstone::ComplexBall& truth) { return found.is_finite()
+    && found.overlaps(truth.real()); }
+inline bool holds(const touchstone::ComplexBall& found, const touchstone::ComplexBall& truth) { return found.is_finite()
+    && found.overlaps(truth); }
 
 inline slong accuracy(const touchstone::Ball& x) { return x.relative_bits(); }
 inline slong accuracy(const touchstone::ComplexBall& z) { return acb_rel_accuracy_bits(z.get()); }

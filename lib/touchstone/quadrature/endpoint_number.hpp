@@ -437,7 +437,7 @@ EndpointNumber<V> pow(const EndpointNumber<V>& x, const Ball& s)
 {
     const auto split = [&](const Exponent& p) {
         const Ball ps = p.ball() * s;
-        if (!ps.is_finite() || arf_cmpabs_2exp_si(arb_midref(ps.get()), 30) > 0) return std::pair(Exponent(0), Ball::indeterminate());
+        if (!arb_lt(touchstone::abs(ps).get(), Ball(1L << 30).get())) return std::pair(Exponent(0), Ball::indeterminate());
         const double at = std::floor((arf_get_d(arb_midref(ps.get()), ARF_RND_DOWN) - mag_get_d(arb_radref(ps.get()))) * 1024);
         const Exponent low(static_cast<long>(at), 1024);
         Ball rest = ps - low.ball();
