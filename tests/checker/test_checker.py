@@ -155,7 +155,8 @@ class Checker(unittest.TestCase):
         cases = {
             "brackets without end": (65, {"x": None}, "0 1.5 0 0"), "inputs of another type": (65, {"inputs": 5}, "0 1.5 0 0"),
             "a quantity of another type": (65, {"quantity": ["a"]}, "0 1.5 0 0"), "a name of another type": (65, {"name": 5}, "0 1.5 0 0"),
-            "inputs of another quantity": (1, {"inputs": ["n"]}, "0 1.5 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
+            "inputs of another quantity": (65, {"inputs": ["n"]}, "0 1.5 0"),
+            "inputs that changed places": (65, {**iterate, "inputs": ["load", "n", "G"]}, "2 1 3 0.5 1"), "an input by another name": (65, {**half, "inputs": ["gamma"]}, "1 1 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
             "a number of a billion digits": (1, {}, "0 1.5 1e999999999 0"), "a bound of as many": (1, {}, "0 1.5 1 1e-999999999"), "out of the domain": (1, half, "-1 1 0"),
             "a control character": (1, half, "1\x1b[2J 1 0"),
         }
@@ -171,6 +172,11 @@ class Checker(unittest.TestCase):
             path.unlink()
             path.symlink_to("/dev/zero")
             self.assertEqual(run(path, timeout=60).returncode, 65)
+
+    def test_digits_are_those_that_the_error_leaves(self):
+        for cell, error, digits in (("0.4199", "1e-4", 4), ("0.4199", "1e-2", 2), ("0.4199", "0.5", 0), ("4.1655E-1", "1e-30", 5), ("+4.1655e-1", "0", 5),
+                                    ("-0.0041", "5e-5", 2), ("120", "0.5", 3), ("120", "10", 2), ("0", "0", 0)):
+            self.assertEqual(check.digits_of(cell, check.Fraction(error)), digits, (cell, error))
 
     def test_a_row_that_takes_too_long_stays_open(self):
         """The alarm ends the one row and no later one; those after it are judged as ever."""

@@ -2,6 +2,7 @@
 /// The judge's arithmetic: ulps, what rounded inputs force, baselines, and that re-certifying finds a lie.
 #include "touchstone/oracle/judge.hpp"
 #include "touchstone/oracle/subject.hpp"
+#include "touchstone/table/forced.hpp"
 
 #include <doctest/doctest.h>
 
@@ -116,6 +117,22 @@ TEST_CASE("re-certifying finds a wrong digit")
     t.rows.push_back({{0.3}, e.value, e.error_bound});
     CHECK_NOTHROW(recheck(q, t, {0}, "t"));
     t.rows[0].value.back() = t.rows[0].value.back() == '0' ? '1' : '0';
+    CHECK_THROWS_AS(recheck(q, t, {0}, "t"), CorruptTable);
+}
+
+TEST_CASE("re-certifying finds what rounded inputs are wrongly said to force, for the recursion too")
+{
+    StoredTable t;
+    t.digits = 20;
+    t.has_forced = true;
+    const auto& q = named("contact.area");
+    const std::vector<double> inputs{1, 0.1, 4};
+    const Evaluation e = evaluate(q, exact_inputs(q, inputs), {.digits = 20});
+    const auto forced = forced_ulps(q, inputs, *parse_rational(e.value));
+    REQUIRE(forced);
+    t.rows.push_back({inputs, e.value, e.error_bound, forced->ulps});
+    CHECK_NOTHROW(recheck(q, t, {0}, "t"));
+    t.rows[0].forced = 1e35;
     CHECK_THROWS_AS(recheck(q, t, {0}, "t"), CorruptTable);
 }
 

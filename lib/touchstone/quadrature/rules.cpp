@@ -52,7 +52,8 @@ Attempt attempt_of(const Enclosure& e, const Range& range)
         !panels.empty() && panels.front().transformation == Transformation::logistic ? "trapezoidal in the logarithm" : "tanh-sinh";
     a.part.certificate = e.certificate;
     a.part.evaluations = e.certificate.points();
-    if (e.fraction) a.at = place_of(range, *e.fraction);
+    if (e.fraction)
+        if (const double x = place_of(range, *e.fraction); std::isfinite(x)) a.at = x; // the range may end beyond all doubles
     return a;
 }
 

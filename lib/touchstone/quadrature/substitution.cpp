@@ -30,10 +30,10 @@ ExpressionPtr quotient(const ExpressionPtr& a, const ExpressionPtr& b)
     return make(Op::divide, {a, b});
 }
 
-/// (1/b)^e = 1/b^e for b > 0.
+/// (1/b)^e = 1/b^e off the negative axis, where neither has a value that is proved; but (1/b)^0 has none at b = 0, where 1/b^0 has.
 ExpressionPtr power(const ExpressionPtr& base, const ExpressionPtr& exponent)
 {
-    if (base->op != Op::divide || !is_number(*base->args[0], 1)) return make(Op::power, {base, exponent});
+    if (base->op != Op::divide || !is_number(*base->args[0], 1) || is_number(*exponent, 0)) return make(Op::power, {base, exponent});
     return quotient(number(1), make(Op::power, {base->args[1], exponent}));
 }
 
