@@ -221,7 +221,8 @@ class Program:
         copy = tree / file.relative_to(self.o.source)
         source = source or (copy if copy.exists() else file)
         words = [*self.cache, words[0], f"-I{tree}/lib", *kept, *OPTIONS, "-include", str(self.here / "switch.hpp"), "-c", str(source), "-o", str(to)]
-        done = subprocess.run(words, cwd=self.o.build, capture_output=True, text=True)
+        # a header that is new, and found before the one that was, is not seen by a cache that looks at the old one alone
+        done = subprocess.run(words, cwd=self.o.build, capture_output=True, text=True, env={**os.environ, "CCACHE_NODIRECT": "1"})
         return done.returncode, done.stderr
 
     def libraries(self):

@@ -38,6 +38,13 @@ TEST_CASE("a printed decimal is right as rounded, cut off, a unit off or wrong")
     CHECK(K_3("0.41655037183281348772272025673273").right.substr(0, 32) == "0.416550371832813487722720256733");
 }
 
+TEST_CASE("what has more places than are looked at is said to have them")
+{
+    const PrintedEntry e = K_3(("0.4165503718328134877" + std::string(2100, '0')).c_str());
+    CHECK(e.verdict == PrintedVerdict::undecided);
+    CHECK(e.note == "more places are printed than the 2000 that are looked at");
+}
+
 TEST_CASE("a tie is right either way; an exact value too")
 {
     const NamedTexts half{{"load", "1"}}; // half-width 1/2

@@ -87,6 +87,7 @@ PrintedEntry check_printed(const Quantity& q, const Inputs& in, std::string_view
     const Printed p = read(text);
     const Rational unit = power(Rational(10), p.place);
     PrintedEntry entry;
+    bool is_looked_at = false; // the last place printed, at all
     for (long digits = first_digits, spare = spare_digits; digits <= most_digits; spare *= 4) {
         const Evaluation e = evaluate(q, in, {.digits = digits});
         const auto value = parse_rational(e.value), error = parse_rational(e.error_bound);
@@ -104,9 +105,11 @@ PrintedEntry check_printed(const Quantity& q, const Inputs& in, std::string_view
         }
         // as many digits as lead to the last place printed, and some more each time
         const long magnitude = static_cast<long>(mpz_sizeinbase(value->get_num_mpz_t(), 10)) - static_cast<long>(mpz_sizeinbase(value->get_den_mpz_t(), 10));
+        is_looked_at = is_looked_at || digits > magnitude - p.place + 1;
         digits = std::max(digits + 1, magnitude - p.place + 1 + spare);
     }
-    entry.note = fmt::format("not decided with {} digits: the true value is next to a place where roundings change", most_digits);
+    entry.note = is_looked_at ? fmt::format("not decided with {} digits: the true value is next to a place where roundings change", most_digits)
+                              : fmt::format("more places are printed than the {} that are looked at", most_digits);
     return entry;
 }
 
