@@ -35,7 +35,7 @@ bool changes_branch(const Expression& e, const ExactSum& at)
 {
     const auto vanishes = [&](const Expression& a) {
         const auto s = expand(a, at, 1);
-        return (s ? s->valuation : Rational(0)) > 0;
+        return s && s->valuation > 0;
     };
     const bool is_root = e.op == Op::sqrt || e.op == Op::cbrt || (e.op == Op::power && !depends_on_x(*e.args[1]));
     if ((e.op == Op::abs || e.op == Op::sign || e.op == Op::log || is_root) && vanishes(*e.args[0])) return true;
@@ -196,8 +196,7 @@ std::optional<ExactSum> Integration::named_point(double x, const Limit& from, co
             if (!inside(p)) continue;
             const auto right = expand(*e_, p, 1);
             const auto plain = evaluate_at(*e_, p.ball());
-            const Rational order = right ? right->valuation : Rational(0);
-            if (!plain.is_finite() || order < 0) return p; // the formula itself is singular there
+            if (!plain.is_finite() || (right && right->valuation < 0)) return p; // the formula itself is singular there
             if (changes_branch(*e_, p)) return p;
         }
     return std::nullopt;
@@ -349,8 +348,8 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
         return false;
     }
     constexpr int deepest = 4;
-    if (const std::optional<double> stop = depth < deepest ? a.at : std::nullopt)
-        if (const auto cut = named_point(*stop, from, to)) return add_cut(from, to, *cut, digits, depth, out);
+    if (depth < deepest && a.at)
+        if (const auto cut = named_point(*a.at, from, to)) return add_cut(from, to, *cut, digits, depth, out);
     if (complex_) return add_parts_by_themselves(from, to, digits, depth, out);
     if (add_oscillating_tail(from, to, digits, depth, out) || add_in_a_power(from, to, digits, out)) return true;
     for (const bool left : {true, false})
@@ -360,9 +359,9 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
     if (depth < deepest) {
         if (from.infinite && to.infinite) return add_cut(from, to, ExactSum(0), digits, depth, out);
         // the two ends may ask for different maps
-        if (const std::optional<ExactSum> start = !to.infinite ? std::nullopt : depth < 2 ? from.exact : std::nullopt) {
+        if (to.infinite && from.exact && depth < 2) {
             Integral other = out;
-            if (add_cut(from, to, *start + ExactSum(1), digits, deepest - 1, other)) {
+            if (add_cut(from, to, *from.exact + ExactSum(1), digits, deepest - 1, other)) {
                 out = std::move(other);
                 return true;
             }
