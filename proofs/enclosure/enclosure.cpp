@@ -201,9 +201,10 @@ Check positive_over(const BallFunction& f, const std::vector<Range>& box, int mo
             values.push_back(hull(Ball(r.low), Ball(r.high)));
             middle.push_back(middle_of(r));
         }
-        const Ball over_piece = f(values), at_middle = f(middle);
         const bool strict = bound == Bound::strict;
+        const Ball over_piece = f(values);
         if (strict ? certainly(less(zero, over_piece)) : over_piece.is_finite() && !possibly(less(over_piece, zero))) continue;
+        const Ball at_middle = f(middle);
         if (at_middle.is_finite() && (strict ? !possibly(less(zero, at_middle)) : certainly(less(at_middle, zero)))) {
             std::string where;
             for (const Range& r : piece) where += " " + r.symbol + " = " + Rational((r.low + r.high) / 2).get_str();

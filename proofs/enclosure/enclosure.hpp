@@ -52,11 +52,12 @@ struct Range {
 /// Whether 0 itself is let in. A bound that is reached inside the box is then not refuted; nor, as a rule, proved: no piece about the place
 /// decides it.
 enum class Bound { strict, may_be_reached };
+inline constexpr int usual_pieces = 20'000; ///< beyond as many a sign is left undecided
 /// e > 0 (or e >= 0) on the whole box, by subdivision until every piece is decided.
-Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces = 20000, Bound = Bound::strict);
+Check positive_on(const ex& e, const std::vector<Range>& box, int most_pieces = usual_pieces, Bound = Bound::strict);
 /// The same of a function of as many balls as there are ranges.
 using BallFunction = std::function<Ball(const std::vector<Ball>&)>;
-Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces = 20000, Bound = Bound::strict);
+Check positive_over(const BallFunction& f, const std::vector<Range>& box, int most_pieces = usual_pieces, Bound = Bound::strict);
 
 /// a < b, decided in balls.
 Check less_than(const Ball& a, const Ball& b, const std::string& what);

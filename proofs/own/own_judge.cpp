@@ -147,8 +147,7 @@ Check bounds(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
         if (relation != "<" && relation != ">" && relation != "<=" && relation != ">=")
             return {Verdict::refuted, "no bound: printed " + relation};
         const ex gap = written_out(ledger, e, (p(part + "rhs") - p(part + "lhs")) * (relation[0] == '<' ? 1 : -1));
-        constexpr int most_pieces = 20000;
-        const Check c = positive_on(gap, e.over, most_pieces, relation.size() == 2 ? Bound::may_be_reached : Bound::strict);
+        const Check c = positive_on(gap, e.over, usual_pieces, relation.size() == 2 ? Bound::may_be_reached : Bound::strict);
         if (c.verdict != Verdict::proved) return c;
     }
     return {Verdict::proved, "over the whole range, by subdivision in balls"};

@@ -228,8 +228,7 @@ void recheck(const Quantity& q, const StoredTable& table, const std::vector<std:
         if (fewer ? !both_hold() : e.value != row.value || e.error_bound != row.error)
             throw CorruptTable(fmt::format("{}: row {} ({}) holds {} +- {}, certified is {} +- {}", file, i + 1, row_key(row.inputs),
                                            row.value, row.error, e.value, e.error_bound));
-        // where it is no estimate, another load or G is another solution of the recursion: one row of them is looked at
-        if (!table.has_forced || (of_the_recursion(q) && !table.forced_estimated && i != rows.front())) continue;
+        if (!table.has_forced) continue;
         const auto forced = forced_ulps(q, row.inputs, *parse_rational(row.value));
         const std::string right = forced ? forced_text(forced->ulps) : "-1", found = row.forced ? forced_text(*row.forced) : "-1";
         if (right != found) throw CorruptTable(fmt::format("{}: row {} ({}) says that rounded inputs force {} ulps; it is {}", file, i + 1, row_key(row.inputs), found, right));

@@ -28,7 +28,7 @@ public:
 private:
     V power_by_log(Side s, const Exponent& e) const override
     {
-        return e.den() == 2 ? analytic::integer_power(root(s), e.num()) : logarithm(s);
+        return e.den() == 2 ? analytic::integer_power(root(s), e.num()) : V::indeterminate();
     }
     std::array<V, 2> root_;
 };
