@@ -29,7 +29,8 @@ TEST_CASE("a range may be smaller than any double: the discs about its ends are 
         REQUIRE(i.value.is_finite());
         CHECK(i.value.overlaps(truth));
     }
-    const Integral small = over("(1-cos(x))/x^2", "0", "1e-400", 30); // what cancels is more than the digits asked for: few are proven, or none
+    const Integral small =
+        over("(1-cos(x))/x^2", "0", "1e-400", 30); // what cancels is more than the digits asked for: few are proven, or none
     CHECK((!small.value.is_finite() || small.value.overlaps(pow(Ball(10), Ball(-400)) / 2)));
     const Integral plain = over("exp(x)*sqrt(x)", "0", "1e-400", 30);
     CHECK(plain.status == Status::certified);

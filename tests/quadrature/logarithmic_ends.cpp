@@ -22,8 +22,18 @@ namespace {
 
 constexpr slong true_bits = 320;
 
-ComplexBall elliptic_k(const ComplexBall& m) { ComplexBall w; acb_elliptic_k(w.get(), m.get(), true_bits); return w; }
-ComplexBall elliptic_e(const ComplexBall& m) { ComplexBall w; acb_elliptic_e(w.get(), m.get(), true_bits); return w; }
+ComplexBall elliptic_k(const ComplexBall& m)
+{
+    ComplexBall w;
+    acb_elliptic_k(w.get(), m.get(), true_bits);
+    return w;
+}
+ComplexBall elliptic_e(const ComplexBall& m)
+{
+    ComplexBall w;
+    acb_elliptic_e(w.get(), m.get(), true_bits);
+    return w;
+}
 
 ComplexBall bessel(Op op, const Rational& order, const ComplexBall& z)
 {
@@ -52,10 +62,12 @@ void check_parts(const EndpointNumber<V>& found, const ComplexBall& free, const 
     CHECK(accuracy(term.c) >= least);
 }
 
-const std::pair<Rational, Rational> places_about_zero[] = {
-    {Rational(1, 1000), Rational(1, 3000)}, {Rational(-1, 7), Rational(1, 9)}, {Rational(3, 10), Rational(-1, 5)}, {Rational(-9, 20),
-        Rational(1, 50)},
-    {Rational(9, 20), 0}, {Rational(1, 100), Rational(49, 100)}};
+const std::pair<Rational, Rational> places_about_zero[] = {{Rational(1, 1000), Rational(1, 3000)},
+                                                           {Rational(-1, 7), Rational(1, 9)},
+                                                           {Rational(3, 10), Rational(-1, 5)},
+                                                           {Rational(-9, 20), Rational(1, 50)},
+                                                           {Rational(9, 20), 0},
+                                                           {Rational(1, 100), Rational(49, 100)}};
 
 } // namespace
 
@@ -85,8 +97,10 @@ TEST_CASE("K(1 - u) and E(1 - u) about u = 0 are continued with the logarithm, s
 
 TEST_CASE("K(1 - u) and E(1 - u) away from u = 0 are the principal ones, and nothing on another sheet")
 {
-    for (const auto& [re, im] : {std::pair(Rational(1, 10), Rational(1, 2)), {Rational(-2), Rational(1, 3)}, {Rational(7, 3),
-        Rational(-1)}, {Rational(3, 4), Rational(0)}}) {
+    for (const auto& [re, im] : {std::pair(Rational(1, 10), Rational(1, 2)),
+                                 {Rational(-2), Rational(1, 3)},
+                                 {Rational(7, 3), Rational(-1)},
+                                 {Rational(3, 4), Rational(0)}}) {
         CAPTURE(re.get_str());
         for (const long sheet : {0L, 1L}) {
             const WorkingPrecision precise(true_bits);
@@ -135,8 +149,8 @@ TEST_CASE("K(1 - u) and E(1 - u) where logarithms are kept are a function and an
     };
     const WorkingPrecision precise(true_bits);
     for (const auto& [re, im] : places_about_zero) check(number(re, im), number(re, im));
-    for (const auto& [re, im] : {std::pair(Rational(1, 10), Rational(1, 2)), {Rational(-2), Rational(1, 3)}, {Rational(7, 3),
-        Rational(-1)}})
+    for (const auto& [re, im] :
+         {std::pair(Rational(1, 10), Rational(1, 2)), {Rational(-2), Rational(1, 3)}, {Rational(7, 3), Rational(-1)}})
         check(number(re, im), number(re, im));
     for (const Rational& re : {Rational(1, 1000), Rational(2, 5), Rational(3, 4)}) check(Ball(re), number(re, 0));
 }
@@ -153,8 +167,8 @@ TEST_CASE("K(1 - u) on a box about 0 holds what it is at the points of the box")
         const auto found = elliptic_of_complement(Op::elliptic_k_of_complement, place.left());
         REQUIRE(found.logarithms().size() == 1);
         CHECK(found.factor_without_logarithm().is_finite());
-        for (const auto& [re, im] : {std::pair(half, half), {-half, half}, {half, Rational(0)}, {-half, -half}, {Rational(half / 3),
-            -half}}) {
+        for (const auto& [re, im] :
+             {std::pair(half, half), {-half, half}, {half, Rational(0)}, {-half, -half}, {Rational(half / 3), -half}}) {
             const ComplexBall u = number(re, im), over = elliptic_k(u) / ComplexBall(-pi<Ball>());
             CHECK(holds(found.logarithms().front().c, over));
             CHECK(holds(found.factor_without_logarithm(), elliptic_k(ComplexBall(1) - u) - over * log(u)));
@@ -169,8 +183,8 @@ TEST_CASE("K(1 - u) and E(1 - u) at a node are those of the real number")
         const Place<Ball> place(Ball(u), log(Ball(u)));
         const WorkingPrecision working(128);
         for (const bool is_k : {true, false}) {
-            const Ball found = elliptic_of_complement(is_k ? Op::elliptic_k_of_complement : Op::elliptic_e_of_complement,
-                place.left()).value();
+            const Ball found =
+                elliptic_of_complement(is_k ? Op::elliptic_k_of_complement : Op::elliptic_e_of_complement, place.left()).value();
             const WorkingPrecision again(true_bits);
             CHECK(holds(found, is_k ? elliptic_k(ComplexBall(1) - ComplexBall(u)) : elliptic_e(ComplexBall(1) - ComplexBall(u))));
             CHECK(found.relative_bits() > 110);
@@ -182,9 +196,11 @@ TEST_CASE("K_n and Y_n about 0 are continued with the logarithm, sheet by sheet"
 {
     for (const Op op : {Op::bessel_k, Op::bessel_y})
         for (long n = 0; n <= 8; ++n)
-            for (const auto& [re, im] : {std::pair(Rational(1, 1000), Rational(1, 3000)), {Rational(-3, 4), Rational(1, 5)}, {Rational(11,
-                10), Rational(-1, 2)},
-                                         {Rational(3), Rational(5)}, {Rational(-4), Rational(-27, 4)}})
+            for (const auto& [re, im] : {std::pair(Rational(1, 1000), Rational(1, 3000)),
+                                         {Rational(-3, 4), Rational(1, 5)},
+                                         {Rational(11, 10), Rational(-1, 2)},
+                                         {Rational(3), Rational(5)},
+                                         {Rational(-4), Rational(-27, 4)}})
                 for (const long sheet : {0L, 1L}) {
                     CAPTURE(n);
                     CAPTURE(re.get_str());
@@ -215,8 +231,8 @@ TEST_CASE("K_n and Y_n where logarithms are kept, at few bits and however large,
     for (const Op op : {Op::bessel_k, Op::bessel_y})
         for (const long n : {0L, 1L, 3L, 8L})
             for (const slong bits : {8, 12, 16, 40})
-                for (const Rational& re : {Rational(1, 3), Rational(5, 4), Rational(3), Rational(6), Rational(9), Rational(25, 2),
-                    Rational(16), Rational(63)})
+                for (const Rational& re :
+                     {Rational(1, 3), Rational(5, 4), Rational(3), Rational(6), Rational(9), Rational(25, 2), Rational(16), Rational(63)})
                     for (const Rational& im : {Rational(0), Rational(re / 2)}) {
                         if (im != 0 && re > 50) continue;
                         CAPTURE(n);
@@ -258,8 +274,10 @@ TEST_CASE("J and I of half odd order about 0 are continued with the square root"
 {
     for (const Op op : {Op::bessel_j, Op::bessel_i})
         for (const Rational& nu : {Rational(1, 2), Rational(-1, 2), Rational(3, 2), Rational(-5, 2), Rational(15, 2)})
-            for (const auto& [re, im] : {std::pair(Rational(1, 1000), Rational(1, 3000)), {Rational(-3, 4), Rational(1, 5)}, {Rational(2),
-                Rational(-1)}, {Rational(-4), Rational(-6)}})
+            for (const auto& [re, im] : {std::pair(Rational(1, 1000), Rational(1, 3000)),
+                                         {Rational(-3, 4), Rational(1, 5)},
+                                         {Rational(2), Rational(-1)},
+                                         {Rational(-4), Rational(-6)}})
                 for (const long sheet : {0L, 1L}) {
                     CAPTURE(nu.get_str());
                     CAPTURE(re.get_str());

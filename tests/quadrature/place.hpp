@@ -12,8 +12,19 @@ class Place : public touchstone::quadrature::Frame<V> {
     using Exponent = touchstone::quadrature::Exponent;
 
 public:
-    Place(V u, V log_u, V log_r = V::indeterminate()) : u_(std::move(u)), log_u_(std::move(log_u)), log_r_(std::move(log_r)) {}
-    explicit Place(V u) : u_(std::move(u)), log_u_(V::indeterminate()), log_r_(V::indeterminate()), keeps_(true) {}
+    Place(V u, V log_u, V log_r = V::indeterminate())
+        : u_(std::move(u))
+        , log_u_(std::move(log_u))
+        , log_r_(std::move(log_r))
+    {
+    }
+    explicit Place(V u)
+        : u_(std::move(u))
+        , log_u_(V::indeterminate())
+        , log_r_(V::indeterminate())
+        , keeps_(true)
+    {
+    }
 
     V distance(Side s) const override { return s == Side::left ? u_ : V(1) - u_; }
     V logarithm(Side s) const override { return s == Side::left ? log_u_ : log_r_; }
@@ -29,10 +40,14 @@ private:
 
 inline touchstone::ComplexBall turns(long n) { return {touchstone::Ball(0), touchstone::pi<touchstone::Ball>() * touchstone::Ball(2 * n)}; }
 
-inline bool holds(const touchstone::Ball& found, const touchstone::ComplexBall& truth) { return found.is_finite()
-    && found.overlaps(truth.real()); }
-inline bool holds(const touchstone::ComplexBall& found, const touchstone::ComplexBall& truth) { return found.is_finite()
-    && found.overlaps(truth); }
+inline bool holds(const touchstone::Ball& found, const touchstone::ComplexBall& truth)
+{
+    return found.is_finite() && found.overlaps(truth.real());
+}
+inline bool holds(const touchstone::ComplexBall& found, const touchstone::ComplexBall& truth)
+{
+    return found.is_finite() && found.overlaps(truth);
+}
 
 inline slong accuracy(const touchstone::Ball& x) { return x.relative_bits(); }
 inline slong accuracy(const touchstone::ComplexBall& z) { return acb_rel_accuracy_bits(z.get()); }
