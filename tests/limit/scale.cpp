@@ -6,6 +6,7 @@
 #include "touchstone/limit/far_exceedance.hpp"
 #include "touchstone/limit/poisson.hpp"
 #include "touchstone/limit/scale.hpp"
+#include "touchstone/transfer/series.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,6 +40,20 @@ TEST_CASE("the least scale is the least")
     CHECK(n < limit::scale(Ball(tolerance), 1000, G_4(), load_of_a_tenth()).value()); // sharper than the bound
     for (long m = n; m < n + 6; ++m) CHECK(certainly(less(off_limit(m), Ball(tolerance))));
     CHECK(certainly(less(Ball(tolerance), off_limit(n - 1))));
+}
+
+TEST_CASE("the least scale at a very light load: the areas next to it, by their power series, are not and are within the tolerance")
+{
+    const WorkingPrecision precision(128);
+    const auto G = [] { return Ball(3); };
+    const auto load = [] { return Ball(power(Rational(10), -130)); };
+    const Rational tolerance(1, 2);
+    const Ball C = limit::area_constant(Scheme::area, G, {15});
+    const auto off = [&](long n) { return abs(transfer::area_series(n, load(), G()) * pow(G(), Ball(n)) / load() / C - 1); };
+    const long n = limit::least_scale(Scheme::force_weighted, G, load, tolerance);
+    CHECK(n == 9);
+    CHECK(certainly(less(off(n), Ball(tolerance))));
+    CHECK(certainly(less(Ball(tolerance), off(n - 1))));
 }
 
 /// (1/pi) int |1 - sin^2 theta/(x (x + cos theta))| dtheta: theorem 1, step 1.

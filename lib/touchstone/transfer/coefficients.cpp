@@ -56,31 +56,61 @@ void Coefficients::of(const mp_limb_t* values, mp_limb_t* coefficients) const
 
 namespace {
 
-/// A fixed-point number to its two leading words: off by less than 2^-111 and 2^-100 of itself.
-Real leading_words(const mp_limb_t* number, std::size_t limbs)
+constexpr std::size_t words_taken = 3; ///< two and what the highest of them lacks
+constexpr long lowest_exponent = -800; ///< of what is taken: far above where binary64 numbers lose bits
+
+bool negative(const mp_limb_t* number, std::size_t limbs) { return number[limbs - 1] >> 63; }
+
+/// One more than the highest word that any of the numbers has beyond its sign: |numbers| < 2^(64 top) units, and one of them is, or misses by
+/// less than a unit, at least 2^(64 (top - 1)), unless the words below would be too small for binary64.
+std::size_t words_of(const mp_limb_t* numbers, std::size_t count, std::size_t limbs)
 {
-    const bool negative = number[limbs - 1] >> 63;
+    const std::size_t fits = static_cast<std::size_t>(std::max(0L, 64 * static_cast<long>(limbs) - FixedFormat::headroom + lowest_exponent) + 63) / 64;
+    std::size_t top = std::min(limbs, fits + words_taken);
+    for (std::size_t k = 0; k < count; ++k) {
+        const mp_limb_t* const number = numbers + k * limbs;
+        const mp_limb_t sign = negative(number, limbs) ? ~mp_limb_t{0} : 0;
+        for (std::size_t word = limbs; word > top; --word)
+            if (number[word - 1] != sign) top = word;
+    }
+    return top;
+}
+
+/// A fixed-point number by the three words below `top`: off by less than 2^(64 (top - 3)) units and 2^-100 of itself.
+Real leading_words(const mp_limb_t* number, std::size_t limbs, std::size_t top)
+{
+    const bool below_zero = negative(number, limbs);
     Real sum;
-    for (std::size_t word = 0; word < std::min(limbs, std::size_t{2}); ++word) {
-        const mp_limb_t digits = negative ? ~number[limbs - 1 - word] : number[limbs - 1 - word]; // the last unit does not count
-        const int unit = FixedFormat::headroom - 64 * (static_cast<int>(word) + 1);
+    for (std::size_t word = top; word > 0 && word + words_taken > top; --word) {
+        const mp_limb_t digits = below_zero ? ~number[word - 1] : number[word - 1]; // the last unit does not count
+        const int unit = FixedFormat::headroom - 64 * static_cast<int>(limbs - (word - 1));
         sum += std::ldexp(static_cast<double>(digits >> 32), unit + 32);
         sum += std::ldexp(static_cast<double>(digits & 0xffffffff), unit);
     }
-    return negative ? -sum : sum;
+    return below_zero ? -sum : sum;
 }
 
 } // namespace
 
-void Coefficients::row(const mp_limb_t* moments, double* near) const
+double Coefficients::row(const mp_limb_t* moments, double* near) const
 {
     const auto limbs = static_cast<std::size_t>(format_.limbs());
+    const std::size_t top = words_of(moments, terms_, limbs);
     Wide leading(terms_), sums(columns_);
-    for (std::size_t k = 0; k < terms_; ++k) leading.set(k, leading_words(moments + k * limbs, limbs));
+    double most = 0;
+    for (std::size_t k = 0; k < terms_; ++k) {
+        const Real moment = leading_words(moments + k * limbs, limbs, top);
+        leading.set(k, moment);
+        most = std::max(most, std::fabs(moment.high));
+    }
     add_products(near_, 0, leading, columns_, sums);
     std::copy_n(sums.high.data(), terms_, near);
+    return row_error(most);
 }
 
-double Coefficients::row_error(double most) { return std::ldexp(most, -80); }
+double Coefficients::row_error(double most) const
+{
+    return std::ldexp(most, -80) + std::ldexp(1.0, static_cast<int>(2 - std::min(format_.fraction(), -lowest_exponent - 64)));
+}
 
 } // namespace touchstone::transfer

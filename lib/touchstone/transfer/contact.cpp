@@ -32,7 +32,7 @@ std::shared_ptr<Discretisation> discretisation(Scheme scheme, double accuracy, d
 {
     std::string G;
     {
-        const WorkingPrecision precision(Discretisation::bits_for(accuracy));
+        const WorkingPrecision precision(Discretisation::bits_for(accuracy, deepest));
         G = G_at().dump();
     }
     std::shared_ptr<Kept> mine;

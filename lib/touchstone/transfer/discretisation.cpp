@@ -38,7 +38,11 @@ Ball larger(const Ball& a, const Ball& b) { return certainly(less(a, b)) ? b : a
 } // namespace
 
 FixedFormat Discretisation::format_for(double accuracy) { return FixedFormat(static_cast<long>(accuracy / std::numbers::ln2 + 40 + 3 * std::log2(std::max(accuracy / 136, 1.0)))); }
-slong Discretisation::bits_for(double accuracy) { return format_for(accuracy).fraction() + 24; }
+/// Moments are off by units of the format, whatever the load, and F is about x^(1/2): at x = e^-deepest half of deepest is needed on top of what
+/// F is wanted to relative to 1. A quarter is in the accuracy already, since what earlier levels are off by weighs x^(1/4) in a row.
+double Discretisation::accuracy_of_entries(double accuracy, double deepest) { return accuracy + deepest / 4; }
+
+slong Discretisation::bits_for(double accuracy, double deepest) { return format_for(accuracy_of_entries(accuracy, deepest)).fraction() + 24; }
 
 double Discretisation::rule_end(Scheme scheme, const Ball& G, double accuracy)
 {
@@ -95,7 +99,7 @@ std::size_t Discretisation::size_for(Scheme scheme, const Ball& G, double accura
 
 Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at, double accuracy, double grid_accuracy, double deepest)
     : scheme_(scheme), accuracy_(accuracy),
-      format_(format_for(accuracy)), bits_(bits_for(accuracy))
+      format_(format_for(accuracy_of_entries(accuracy, deepest))), bits_(bits_for(accuracy, deepest))
 {
     require_binary64_arithmetic();
     const WorkingPrecision precision(bits_);
@@ -150,7 +154,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     for (const Node& n : nodes_) {
         Row r = row(n.x, n.s, rule_);
         double *const near = &near_power_[rows.size() * N], *const majorant = &majorant_[rows.size() * N];
-        const double off = nodal(r.moments.data(), r.total, near) / near_error_; // so that near_error_ covers it, too
+        const double off = nodal(r.moments.data(), near) / near_error_; // so that near_error_ covers it, too
         for (std::size_t j = 0; j < N; ++j) majorant[j] = std::fabs(near[j]) * up + off;
         matrix_.insert(matrix_.end(), r.moments.begin(), r.moments.end());
         r.moments = {};
@@ -311,11 +315,13 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
     return r;
 }
 
-/// A row of moments of weights that add up to `total` as one of nodal values. \returns what those are off by beyond a relative 2^-52
-double Discretisation::nodal(const mp_limb_t* moments, const Ball& total, double* near) const
+/// A row of moments as one of nodal values. \returns what those are off by beyond a relative 2^-52
+double Discretisation::nodal(const mp_limb_t* moments, double* near) const
 {
-    for (const Block& b : blocks_) to_coefficients_.row(moments + b.first * static_cast<std::size_t>(format_.limbs()), near + b.first);
-    return Coefficients::row_error(1 + upper_double(total)); // a moment's own error is less than 1
+    double off = 0;
+    for (const Block& b : blocks_)
+        off = std::max(off, to_coefficients_.row(moments + b.first * static_cast<std::size_t>(format_.limbs()), near + b.first));
+    return off;
 }
 
 /// Coefficients of the interpolant of what is at most 1 on the ellipses are below this times rho^-k, aliases and all.
@@ -460,7 +466,7 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
     }
     f.budget = upper(f.budget + static_cast<long>(N) * rounding * coefficient_bound());
     f.modulus.resize(N);
-    const double off = nodal(moments.data(), total, f.modulus.data());
+    const double off = nodal(moments.data(), f.modulus.data());
     for (double& w : f.modulus) w = (std::fabs(w) + off) * up;
     f.moments = std::move(moments);
     return f;

@@ -66,7 +66,7 @@ public:
 
     /// The precision in bits that G and loads should be given with.
     slong bits() const { return bits_; }
-    static slong bits_for(double accuracy);
+    static slong bits_for(double accuracy, double deepest);
 
     /// F_n(x) = x^(1/2) h_n(x) for 0 < x <= 1, n >= 0. Thread-safe; levels are computed once.
     /// \throws BeyondReach where x is below the reach of the grid
@@ -111,6 +111,7 @@ private:
     };
 
     static FixedFormat format_for(double accuracy);
+    static double accuracy_of_entries(double accuracy, double deepest);
     static std::vector<Block> grid(Scheme, const Ball& G, double accuracy, double grid_accuracy, double V, double deepest);
     static double rule_end(Scheme, const Ball& G, double accuracy);
     struct Step {
@@ -123,7 +124,7 @@ private:
     /// The row's error bound, divided by c_m, apart from what the level's values carry.
     Budget budget(const Row&, const Ball& x, const Rule&) const;
     Ball coefficient_bound() const;
-    double nodal(const mp_limb_t* moments, const Ball& total, double* near) const;
+    double nodal(const mp_limb_t* moments, double* near) const;
     void extend_to(long n);
     void square_power();
     std::vector<double> errors_of(std::size_t level);
