@@ -16,6 +16,7 @@ namespace touchstone::proofs {
 namespace {
 
 constexpr int sample_sets = 4;
+constexpr slong bits_of_a_closer_look = 4096; ///< sides that differ by less than 10^-1200 are taken for equal
 
 /// The number of a symbol in a set of samples, inside its range and exact.
 Rational sample(const OwnSymbol& s, std::size_t index, int set)
@@ -42,13 +43,32 @@ std::string as_text(const Point& p)
 }
 
 /// The samples as independent numbers: for identities between formulas.
-const Points& free_points(const OwnLedger& ledger)
+Points free_points(const OwnLedger& ledger)
 {
-    static std::map<const OwnLedger*, Points> kept;
-    const auto found = kept.find(&ledger);
-    if (found != kept.end()) return found->second;
     const std::string a = as_text(samples(ledger, 0)), b = as_text(samples(ledger, 1));
-    return kept.emplace(&ledger, Points{a.c_str(), b.c_str()}).first->second;
+    return {a.c_str(), b.c_str()};
+}
+
+/// Further points all over the ranges, and next to their ends: for formulas that no normal form compares and that may differ on a part only.
+/// Where ranges do not fit together, as x below a, a formula has no value at some of them; those say nothing.
+std::vector<std::string> points_all_over(const OwnLedger& ledger)
+{
+    constexpr long parts = 31; // prime: each symbol visits every part, no two in the same order
+    std::vector<std::string> all;
+    const auto add = [&](const auto& share_of) {
+        Point p;
+        long index = 0;
+        for (const auto& [name, s] : ledger.symbols) p[name] = s.low + (s.high - s.low) * share_of(++index);
+        all.push_back(as_text(p));
+    };
+    for (long k = 1; k < parts; ++k) add([&](long index) { return Rational((2 * (k * (index % (parts - 1) + 1) % parts) + 1), 2 * parts); });
+    for (const long power : {7L, 20L})
+        for (long pattern = 0; pattern < 4; ++pattern) // all low, all high, and by turns
+            add([&](long index) {
+                const Rational near(1, 1L << power);
+                return (pattern == 1 || (pattern == 2 && index % 2) || (pattern == 3 && index % 2 == 0)) ? Rational(1 - near) : near;
+            });
+    return all;
 }
 
 void take_value(const OwnLedger& ledger, const std::string& name, Situation& s);
@@ -74,6 +94,7 @@ void take_value(const OwnLedger& ledger, const std::string& name, Situation& s)
 Situation situation(const OwnLedger& ledger, int set)
 {
     Situation s;
+    s.agreeing_is_equal = false;
     for (const auto& [name, value] : samples(ledger, set))
         if (ledger.symbols.at(name).is.empty()) s[name] = Ball(value);
     for (const auto& [name, symbol] : ledger.symbols) take_value(ledger, name, s);
@@ -113,11 +134,14 @@ std::string differ_by_a_number(const ex& print, const ex& wanted)
 }
 
 /// Equal as formulas: by normal form, as products of powers, or as squares that agree in value where they are looked at.
-Check same(const ex& print, const ex& wanted, const Points& at)
+Check same(const OwnLedger& ledger, const ex& print, const ex& wanted)
 {
     if (const std::string how = differ_by_a_number(print, wanted); !how.empty()) return {Verdict::refuted, how};
+    const Points at = free_points(ledger);
     const Check direct = identity(print, wanted, at);
     if (direct.verdict != Verdict::undecided) return direct;
+    for (const std::string& point : points_all_over(ledger))
+        if (const Check there = compare_at(print, wanted, {point.c_str()}); there.verdict == Verdict::refuted) return there;
     try {
         const Check powers = power_identity(print, wanted, at);
         if (powers.verdict == Verdict::proved) return powers;
@@ -222,11 +246,15 @@ Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
         a.add("dimensions", units(p));
         if (e.follows)
             a.add("the right side follows from (" + e.follows->equation + ")",
-                  same(p("rhs"), derived(ledger, *e.follows), free_points(ledger)));
+                  same(ledger, p("rhs"), derived(ledger, *e.follows)));
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
         if (readable(ledger, e)) {
-            const Check whole = read_whole_as(p, meaning_of(ledger, e));
+            Check whole = read_whole_as(p, meaning_of(ledger, e));
+            if (whole.verdict == Verdict::refuted) { // sides that agree to many bits are taken for equal, which < does not allow
+                const WorkingPrecision closer(bits_of_a_closer_look);
+                whole = read_whole_as(p, meaning_of(ledger, e));
+            }
             // where a proof stands already, the reading only refutes
             if (whole.verdict == Verdict::refuted || (!e.follows && e.over.empty())) a.add("the whole print, each field", whole);
         } else if (!e.definition) {

@@ -27,7 +27,8 @@ constexpr long limit_bits = 25;     ///< what "tends to" must reach where n is l
 constexpr long equality_bits = 60;  ///< two enclosures that agree this far are taken for equal when < is asked
 constexpr long quadrature_bits = 6; ///< the integrals over xi are enclosed this far at least
 
-Holds relation_holds(const std::string& relation, const Ball& l, const Ball& r)
+/// \param agreeing_is_equal see Situation
+Holds relation_holds(const std::string& relation, const Ball& l, const Ball& r, bool agreeing_is_equal)
 {
     if (!l.is_finite() || !r.is_finite()) return Holds::no_value;
     if (relation == "=" || relation == "==") {
@@ -37,8 +38,8 @@ Holds relation_holds(const std::string& relation, const Ball& l, const Ball& r)
     if (relation == "~" || relation == "->") return agree(l, r, limit_bits) ? Holds::yes : Holds::no;
     const bool less_is_asked = relation == "<" || relation == "<=";
     if (!less_is_asked && relation != ">" && relation != ">=") throw Unreadable("the relation " + relation);
-    if (agree(l, r, equality_bits)) return relation.size() == 2 ? Holds::yes : Holds::no;
     const Truth t = less_is_asked ? less(l, r) : less(r, l);
+    if (agree(l, r, equality_bits) && (agreeing_is_equal || !certainly(t))) return relation.size() == 2 ? Holds::yes : Holds::no;
     return certainly(t) ? Holds::yes : possibly(t) ? Holds::undecided : Holds::no;
 }
 
@@ -105,7 +106,7 @@ public:
         for (const auto& chain : c.alternatives) {
             Holds all = chain.property.empty() || has_property(chain.property, value(chain.sides[0])) ? Holds::yes : Holds::no;
             for (std::size_t i = 0; i < chain.relations.size(); ++i) {
-                const Holds one = relation_holds(chain.relations[i], value(chain.sides[i]), value(chain.sides[i + 1]));
+                const Holds one = relation_holds(chain.relations[i], value(chain.sides[i]), value(chain.sides[i + 1]), situation_.agreeing_is_equal);
                 if (one != Holds::yes && all == Holds::yes) all = one;
             }
             if (all == Holds::yes) return Holds::yes;
@@ -315,7 +316,7 @@ std::optional<std::string> objection(const Print& print, const std::vector<Part>
         if (condition == Holds::undecided) continue;
         if (s.at_equality && (!part.condition || condition != Holds::yes)) continue;
         const Ball l = reader.value(part.left), r = reader.value(part.right);
-        const Holds holds = relation_holds(part.relation, l, r);
+        const Holds holds = relation_holds(part.relation, l, r, s.agreeing_is_equal);
         if (l.is_finite() && r.is_finite() && agree(l, r, equality_bits)) reached[i] = true;
         if (stated) {
             if (holds == Holds::undecided) return std::nullopt;

@@ -43,6 +43,8 @@ struct Situation {
     long last_term = 3;
     /// The relations ~ and -> (for large n) are looked at here only.
     bool large_n = true;
+    /// Sides that agree to 60 bits are equal although one is surely a little less, as what a limit is approached by at large n.
+    bool agreeing_is_equal = true;
     /// Situations of one group differ in the pointwise variable alone: outside its condition the print must fail in one of them.
     std::optional<std::size_t> group;
     /// A point of equality of the condition. A print may leave it to another case; one that takes it in must hold there.

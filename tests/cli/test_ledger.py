@@ -143,6 +143,27 @@ class Changed(unittest.TestCase):
             r = self.judge(change, "H3")
             self.assertEqual((r.returncode, "refuted" in r.stdout), (1, True), factor)
 
+    def test_what_is_less_by_little_is_less_and_what_is_equal_is_not(self):
+        def verdict(says, symbol):
+            ledger = {"symbols": {"w": {"dimension": "1"}, "u": {"dimension": "1", "is": symbol}}, "entries": [{"id": "A", "says": says}]}
+            return self.judge_text(json.dumps(ledger)).stdout.split()[0]
+        for says, symbol, expected in (("u > w", "w+1/10^18", "verified"), ("u > w", "w+1/10^200", "verified"), ("u < w", "w+1/10^200", "refuted"),
+                                       ("u > w", "w", "refuted"), ("u >= w", "w", "verified"), ("u > sqrt(w)", "w^(1/2)", "refuted")):
+            self.assertEqual(verdict(says, symbol), expected, (says, symbol))
+
+    def test_formulas_that_differ_on_a_small_part_of_their_range_are_not_the_same(self):
+        def verdict(says, other, **more):
+            ledger = {"symbols": {"v": {"dimension": "1", "sign": "real"}, "a": {"dimension": "1", "range": ["1", "2"]}, **more},
+                      "entries": [{"id": "A", "says": f"v = {says}", "follows": {"equation": "B"}},
+                                  {"id": "B", "says": f"v = {other}", "is": "definition"}]}
+            return self.judge_text(json.dumps(ledger)).stdout.split()[0]
+        self.assertEqual(verdict("abs(19/10-a)", "19/10-a"), "refuted")
+        self.assertEqual(verdict("abs(a-1001/1000)", "a-1001/1000"), "refuted")
+        self.assertEqual(verdict("abs(a-3/2)+abs(a-39/25)", "abs(2*a-153/50)"), "refuted")
+        self.assertEqual(verdict("abs(a-1)", "a-1"), "verified")
+        # where the ranges do not fit together a side has no value, and that says nothing
+        self.assertEqual(verdict("abs(sqrt(a^2-b^2))", "sqrt(a^2-b^2)", b={"dimension": "1", "range": ["1/2", "9/8"]}), "verified")
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
