@@ -226,18 +226,24 @@ private:
     std::size_t rechecked_, held_out_, rows_;
 };
 
-/// Nothing fails by a stored row that has not been certified again, but for rows that take minutes: those are left to --recheck.
+/// Nothing fails by a stored row that has not been certified again, but for rows that take minutes: those are left to --recheck. And nothing
+/// passes by what a stored row alone says that rounded inputs force.
 void recheck_what_decides(const Case& c, const Reference& reference, const std::vector<std::size_t>& rows)
 {
+    const auto row_of = [&](std::size_t i) { // questions held out stand between those of the table
+        return rows[static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
+                                                           [](const auto& q) { return !q.held_out; }))];
+    };
+    for (std::size_t i = 0; i < c.questions.size(); ++i)
+        if (c.judgement.rows[i].verdict == oracle::Verdict::pass && c.judgement.rows[i].forced && c.questions[i].forced && !c.questions[i].held_out)
+            oracle::recheck_forced(*c.quantity, reference.table, row_of(i), reference.file);
     std::vector<std::size_t> decisive;
     const bool dear = oracle::of_the_recursion(*c.quantity); // the worst row is what a verdict needs
     for (const std::size_t i : c.judgement.worst) {
         if (decisive.size() == (dear ? 1 : oracle::shown_rows)) break;
         const bool spared = dear && (c.judgement.rows[i].verdict == oracle::Verdict::pass ||
                                      !oracle::quickly_certified(*c.quantity, c.questions[i].inputs));
-        if (!c.questions[i].held_out && !spared)
-            decisive.push_back(rows[static_cast<std::size_t>(std::count_if(c.questions.begin(), c.questions.begin() + static_cast<long>(i),
-                                                                           [](const auto& q) { return !q.held_out; }))]);
+        if (!c.questions[i].held_out && !spared) decisive.push_back(row_of(i));
     }
     oracle::recheck(*c.quantity, reference.table, decisive, reference.file, oracle::Recheck::what_decides);
 }

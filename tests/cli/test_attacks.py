@@ -8,6 +8,7 @@ import argparse
 import hashlib
 import json
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -136,6 +137,22 @@ class Attacks(unittest.TestCase):
         r = run(table, "--recheck", "0", "--", LIBRARY_FORMS, "westergaard.pressure")  # nothing sampled: the deciding row is certified anew
         self.assertEqual(r.returncode, 65, r.stdout)
         self.assertIn("certified is", r.stderr)
+
+    def test_no_code_passes_by_what_one_row_says_that_inputs_force(self):
+        # of the recursion, whose rows are not all certified again; of closed forms the worst rows are in any case
+        with open(pathlib.Path(__file__).resolve().parents[2] / "data" / "reference" / "contact_area.txt") as f:
+            head, rows = split(f.read())
+        wrong = next(i for i, r in enumerate(rows) if r.split()[0] == "3" and float(r.split()[1]) < 1)
+        answers = [float(r.split()[3]) for r in rows]
+        answers[wrong] *= 1 + 1e-12
+        file = self.written("".join(f"{a!r}\n" for a in answers), "answers")
+        honest = run(self.written("".join(head + rows)), "--recheck", "0", "--answers", file)
+        self.assertEqual(honest.returncode, 1, honest.stderr)
+        rows[wrong] = edit(rows[wrong], 5, lambda f: "1e9")
+        r = run(self.written(resealed(head, rows)), "--recheck", "0", "--answers", file)
+        self.assertEqual((r.returncode, r.stdout), (65, ""), r.stderr)
+        self.assertIn(f"row {wrong + 1} ", r.stderr)
+        self.assertIn("ulps; it is", r.stderr)
 
     def test_a_subject_that_looks_its_answers_up(self):
         r = run(self.table, "--json", "--", BROKEN, "look-up", self.table)

@@ -228,11 +228,18 @@ void recheck(const Quantity& q, const StoredTable& table, const std::vector<std:
         if (fewer ? !both_hold() : e.value != row.value || e.error_bound != row.error)
             throw CorruptTable(fmt::format("{}: row {} ({}) holds {} +- {}, certified is {} +- {}", file, i + 1, row_key(row.inputs),
                                            row.value, row.error, e.value, e.error_bound));
-        if (!table.has_forced) continue;
-        const auto forced = forced_ulps(q, row.inputs, *parse_rational(row.value));
-        const std::string right = forced ? forced_text(forced->ulps) : "-1", found = row.forced ? forced_text(*row.forced) : "-1";
-        if (right != found) throw CorruptTable(fmt::format("{}: row {} ({}) says that rounded inputs force {} ulps; it is {}", file, i + 1, row_key(row.inputs), found, right));
+        recheck_forced(q, table, i, file);
     }
+}
+
+void recheck_forced(const Quantity& q, const StoredTable& table, std::size_t i, std::string_view file)
+{
+    if (!table.has_forced) return;
+    const auto& row = table.rows[i];
+    const auto forced = forced_ulps(q, row.inputs, *parse_rational(row.value));
+    const std::string right = forced ? forced_text(forced->ulps) : "-1", found = row.forced ? forced_text(*row.forced) : "-1";
+    if (right != found)
+        throw CorruptTable(fmt::format("{}: row {} ({}) says that rounded inputs force {} ulps; it is {}", file, i + 1, row_key(row.inputs), found, right));
 }
 
 Judgement judge(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Bound& bound,
