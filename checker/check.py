@@ -26,6 +26,7 @@ import closed_forms
 import intervals as iv
 import memory
 import scale_one
+import units
 from intervals import Interval
 
 MOST_BITS = 16384
@@ -238,6 +239,9 @@ def main():
                 raise Unreadable(f"{path}: no closed form is known for '{header['quantity']}'")
             if header["inputs"] != (names := names_of(header["quantity"])):
                 raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(names)}, not {' '.join(header['inputs'])}")
+            for what, said in zip(("equation", "unit"), units.SAID[header["quantity"]]):
+                if header.get(what, said) != said:
+                    raise Unreadable(f"{path}: the {what} of {header['quantity']} is {said}, not {header[what]}")
         except (Unreadable, MemoryError) as reason:
             print(f"check.py: {printable(reason) or f'{path}: needs too much memory'}", file=sys.stderr)
             worst = max(worst, 65)

@@ -23,6 +23,7 @@ known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import check  # noqa: E402
 import scale_one  # noqa: E402
+import units  # noqa: E402
 
 CLOSED = ["archard_K", "archard_alpha", "archard_area", "archard_delta", "archard_segments", "archard_segments_limit", "hertz_gap",
           "hertz_half_width", "hertz_pressure", "peaks_f", "peaks_fixed_point", "peaks_iterate", "segments_max_half_width",
@@ -148,6 +149,13 @@ class Checker(unittest.TestCase):
                     self.assertNotIn("Traceback", result.stderr)
             self.assertEqual(run(pathlib.Path(folder) / "none").returncode, 65)
 
+    def test_units_are_those_of_every_table(self):
+        """Of the program's own tables, and none is missing: a quantity without one would be a KeyError."""
+        self.assertEqual(set(units.SAID), set(check.with_certificates(scale_one.FORMS, [])))
+        for path in known.tables.glob("*.txt"):
+            header, _ = check.read(path)
+            self.assertEqual(units.SAID.get(header["quantity"], (header["equation"], header["unit"])), (header["equation"], header["unit"]), path)
+
     def test_hostile_tables(self):
         """Well sealed, and written to crash the checker or to keep it for ever: one line a table or row, and soon."""
         header = {"name": "t", "quantity": "archard.alpha", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3}
@@ -155,6 +163,7 @@ class Checker(unittest.TestCase):
         cases = {
             "brackets without end": (65, {"x": None}, "0 1.5 0 0"), "inputs of another type": (65, {"inputs": 5}, "0 1.5 0 0"),
             "a quantity of another type": (65, {"quantity": ["a"]}, "0 1.5 0 0"), "a name of another type": (65, {"name": 5}, "0 1.5 0 0"),
+            "a unit that it does not have": (65, {**half, "unit": "p*"}, "1 0.5 0"), "an equation of another": (65, {**half, "equation": ["2.7"]}, "1 0.5 0"),
             "inputs of another quantity": (65, {"inputs": ["n"]}, "0 1.5 0"),
             "inputs that changed places": (65, {**iterate, "inputs": ["load", "n", "G"]}, "2 1 3 0.5 1"), "an input by another name": (65, {**half, "inputs": ["gamma"]}, "1 1 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
             "a number of a billion digits": (1, {}, "0 1.5 1e999999999 0"), "a bound of as many": (1, {}, "0 1.5 1 1e-999999999"), "out of the domain": (1, half, "-1 1 0"),
