@@ -26,6 +26,7 @@ struct Shown {
     std::string value, error;
     long digits = 0;
     std::string imaginary; ///< of a complex value, to the same decimal place
+    bool is_within_tolerance = false;
 };
 
 Shown shown(const Ball& value, long digits)
@@ -39,12 +40,12 @@ Shown shown(const Ball& value, long digits)
 Shown shown_within(const Ball& value, const Rational& tolerance, const std::string& text)
 {
     const Ball size = abs(value);
-    if (value.contains_zero()) return arb_le(size.get(), Ball(tolerance).get()) ? Shown{"0", text, 0, ""} : Shown{};
+    if (value.contains_zero()) return arb_le(size.get(), Ball(tolerance).get()) ? Shown{"0", text, 0, "", true} : Shown{};
     const long most =
         static_cast<long>(static_cast<double>(std::max<slong>(0, std::min<slong>(value.relative_bits(), 40000))) * 0.30103) + 1;
     for (long d = 1; d <= most; ++d)
         if (const auto decimal = round_to_digits(value, d); decimal && *parse_rational(decimal->half_unit()) <= tolerance)
-            return {decimal->text(), decimal->half_unit(), d, ""};
+            return {decimal->text(), decimal->half_unit(), d, "", true};
     return {};
 }
 
@@ -205,14 +206,19 @@ struct Answer {
     Shown shown;
 };
 
+/// By the tolerance, if there is one and it is reached; else the digits.
 Shown shown(const quadrature::Integral& i, const IntegrateOptions& o, const std::optional<Rational>& asked)
 {
-    if (!i.is_complex) return asked ? shown_within(i.value, *asked, o.tolerance) : shown(i.value, o.digits);
-    if (!asked) return shown(i.value, i.imaginary, o.digits);
-    const Rational of_each = *asked * Rational(7, 10); // sqrt 2 times as much for both
-    const Shown real = shown_within(i.value, of_each, o.tolerance), imaginary = shown_within(i.imaginary, of_each, o.tolerance);
-    if (real.value.empty() || imaginary.value.empty()) return {};
-    return {real.value, o.tolerance, std::max(real.digits, imaginary.digits), imaginary.value};
+    if (asked && !i.is_complex) {
+        if (const Shown real = shown_within(i.value, *asked, o.tolerance); real.is_within_tolerance) return real;
+    }
+    else if (asked) {
+        const Rational of_each = *asked * Rational(7, 10); // sqrt 2 times as much for both
+        const Shown real = shown_within(i.value, of_each, o.tolerance), imaginary = shown_within(i.imaginary, of_each, o.tolerance);
+        if (real.is_within_tolerance && imaginary.is_within_tolerance)
+            return {real.value, o.tolerance, std::max(real.digits, imaginary.digits), imaginary.value, true};
+    }
+    return i.is_complex ? shown(i.value, i.imaginary, o.digits) : shown(i.value, o.digits);
 }
 
 std::vector<quadrature::Integral> integrals(const Problem& problem, const quadrature::IntegralOptions& options)
@@ -243,7 +249,7 @@ std::vector<Answer> computed(const IntegrateOptions& o, const Problem& problem, 
         for (Answer& a : answers) {
             if (!a.integral.value.is_finite()) continue;
             a.shown = shown(a.integral, o, asked);
-            const bool enough = a.shown.digits == o.digits || (asked && !a.shown.value.empty());
+            const bool enough = a.shown.digits == o.digits || a.shown.is_within_tolerance;
             if (!enough && a.integral.status == quadrature::Status::certified) close_to_a_tie = true;
         }
         if (!close_to_a_tie) break;
@@ -344,11 +350,12 @@ int report(const IntegrateOptions& o, const std::string& formula, const Answer& 
 {
     const quadrature::Integral& result = a.integral;
     if (result.divergent && !o.json && alone) throw Failure(bad_input, result.reason);
-    const bool certified =
-        result.status == quadrature::Status::certified && (!o.tolerance.empty() ? !a.shown.value.empty() : a.shown.digits == o.digits);
-    const std::string reason = certified               ? ""
-                               : result.reason.empty() ? fmt::format("only {} of {} digits proven", a.shown.digits, o.digits)
-                                                       : result.reason;
+    const bool certified = result.status == quadrature::Status::certified && (a.shown.is_within_tolerance || a.shown.digits == o.digits);
+    const std::string reason = certified ? ""
+                               : result.reason.empty()
+                                   ? fmt::format("only {} of {} digits proven: it is too close to the middle between two numbers of so many digits",
+                                                 a.shown.digits, o.digits)
+                                   : result.reason;
     const char* status = result.divergent ? "divergent" : certified ? "certified" : "undecided";
     if (o.json)
         all.push_back(as_json(o, formula, a, status, reason));

@@ -67,6 +67,25 @@ class Integrate(unittest.TestCase):
         self.assertIn("--tolerance", j["reason"])
         self.assertEqual(as_json("sin(x)", "-1", "1", "--tolerance", "1e-20")[1]["status"], "certified")
 
+    def test_digits_are_enough_where_a_tolerance_is_not_reached(self):
+        for formula, digits in (("exp(100*x)", 15), ("exp((100+i)*x)", 15)):
+            code, j = as_json(formula, "0", "1", "--digits", str(digits), "--tolerance", "1e-3")
+            self.assertEqual((code, j["status"], j["digits"]), (0, "certified", digits), j)
+            self.assertEqual(j["value"], as_json(formula, "0", "1", "--digits", str(digits))[1]["value"])
+
+    def test_parts_of_a_reversed_range_add_up_to_its_value(self):
+        for words in (("x^3", "1", "0", "--at", "1/2,1/4"), ("x^3", "1", "0", "--path", "i"), ("x+i", "2", "0", "--at", "1")):
+            j = as_json(*words, "--digits", "12")[1]
+            for whole, of_part in (("value", "enclosure"), ("imaginary", "imaginary")):
+                middles = [float(p.get(of_part, "[0 ").lstrip("[").split()[0].replace("+/-", "0")) for p in j["parts"]]
+                self.assertAlmostEqual(sum(middles), float(j.get(whole, 0)), places=8, msg=(words, j))
+        self.assertEqual([(p["from"], p["to"]) for p in as_json("x^3", "1", "0", "--at", "1/2")[1]["parts"]], [("1", "1/2"), ("1/2", "0")])
+
+    def test_a_tie_is_said_to_be_one(self):
+        code, j = as_json("x/2", "0", "1", "--digits", "1")
+        self.assertEqual((code, j["status"]), (2, "undecided"))
+        self.assertIn("middle between two numbers", j["reason"])
+
     def test_what_is_no_formula_is_refused_with_its_column(self):
         for text, where in (("x*(1+", "column 6"), ("2x", "column 2"), ("foo(x)", "column 1"), ("x+y", "column 3"), ("sin x", "column 1"), ("", "column 1"), ("max(x)", "column 1"), ("besselj(x,1)", "column 1"),
                             ("1+" + "sin(" * 700 + "x" + ")" * 700, "nest deeper"), ("x^" * 1900 + "x", "nest deeper"), ("x+" * 2500 + "x", "longer than")):
@@ -95,7 +114,7 @@ class Integrate(unittest.TestCase):
         self.assertAlmostEqual(float(j["value"]), 2.1145017507514571, 14)
         self.assertEqual(as_json("1/x", "-1", "2", "--principal-value", "0")[1]["value"][:20], "0.693147180559945309")
         self.assertIn("--principal-value 0", self.refused(65, "1/x", "-1", "1"))
-        self.assertIn("not inside", self.refused(65, "1/x", "-1", "1", "--principal-value", "2"))
+        self.assertIn("not between", self.refused(65, "1/x", "-1", "1", "--principal-value", "2"))
         self.assertIn("diverges", self.refused(65, "1/x^2", "-1", "2", "--principal-value", "0"))
         # folded to zero, which no expansion of finite length shows
         self.assertEqual(as_json("cot(x)", "-1", "2", "--principal-value", "0", "--digits", "20")[1]["value"], "0.077520710173931047270")

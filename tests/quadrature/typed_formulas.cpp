@@ -1026,12 +1026,34 @@ TEST_CASE("what takes numbers on its branch cut is named, with its column, what 
                              {"log(x)/(1+x^4)", "-inf", "inf", "log at column 1 takes -0.5714"},
                              {"1+x/0", "1", "2", "what stands at column 3 is divided by 0"},
                              {"0^x", "0", "1", "the power at column 1 takes 0 at x = 0.1429, where it is no analytic function"},
-                             {"exp(-1/x^2+1/x^3)", "0", "1", "is not proved to be"}}) {
+                             {"exp(-1/x^2+1/x^3)", "0", "1", "is not proved to be"},
+                             {"exp(10^10^100)", "0", "1", "is not proved to be"}, // no value, for its size
+                             {"sqrt(1-cos(x))", "0", "1e-400", "is not proved to be"}, // positive, however small
+                             {"log(-x)", "1e-400", "2e-400", "log at column 1 takes -1.143e-400 at x = 1.143e-400"}}) {
         const Integral refused = integral(r.formula, r.from, r.to, 10);
         INFO(r.formula, ": ", refused.reason);
         CHECK(refused.status != Status::certified);
         CHECK(refused.reason.find(r.why) != std::string::npos);
     }
+}
+
+TEST_CASE("steps and kinks far from 0 are where they are, and too many are refused")
+{
+    const struct {
+        const char *formula, *from, *to, *value;
+    } cases[] = {{"floor(x+10^18)", "0", "2", "2*10^18+1"},      {"floor(x+10^300)", "1/2", "2", "3/2*10^300+1"},
+                 {"ceil(x-10^16)+10^16", "-1/4", "3/4", "3/4"}, {"abs(sin(pi*(x+10^20)))", "1/2", "3/2", "2/pi"}};
+    for (const auto& c : cases) {
+        CAPTURE(c.formula);
+        const Integral i = integral(c.formula, c.from, c.to, 20);
+        CHECK_MESSAGE(i.status == Status::certified, i.reason);
+        const WorkingPrecision precision(256);
+        CHECK(i.value.overlaps(parse_limit(c.value).ball()));
+    }
+    CHECK(integral("floor(x)", "0", "390", 10).status == Status::certified);
+    CHECK_THROWS_AS(integral("floor(x)", "0", "500", 10), DomainError);
+    CHECK_THROWS_AS(integral("floor(x+10^18)", "0", "500", 10), DomainError);
+    CHECK_THROWS_AS(integral("floor(10^18*x)", "0", "1", 10), DomainError);
 }
 
 TEST_CASE("a range from infinity to the same infinity is refused as such, and a sign of several bytes is named whole")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/branch_cut.hpp"
 
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <vector>
@@ -49,19 +50,46 @@ const char* name_with_cut(const Expression& e)
     }
 }
 
+std::string few_digits(const Ball& x)
+{
+    constexpr slong digits = 4;
+    const double near = arf_get_d(arb_midref(x.get()), ARF_RND_NEAR);
+    if (arf_is_zero(arb_midref(x.get())) || (near != 0 && std::isfinite(near))) {
+        std::ostringstream out;
+        out.precision(digits);
+        out << near;
+        return out.str();
+    }
+    char* const text = arb_get_str(x.get(), digits, ARB_STR_NO_RADIUS); // beyond what doubles hold
+    std::string few = text;
+    flint_free(text);
+    return few;
+}
+
 std::string few_digits(const ComplexBall& z)
 {
-    std::ostringstream out;
-    out.precision(4);
-    out << arf_get_d(arb_midref(acb_realref(z.get())), ARF_RND_NEAR);
-    if (const double imaginary = arf_get_d(arb_midref(acb_imagref(z.get())), ARF_RND_NEAR); imaginary != 0) out << " + i " << imaginary;
-    return out.str();
+    return few_digits(z.real()) + (arf_is_zero(arb_midref(acb_imagref(z.get()))) ? "" : " + i " + few_digits(z.imag()));
 }
 
 /// What is divided by, if that is 0 wherever it is looked at: 1/0, x/(x-x).
 bool divides_by_zero(const Expression& n, const std::function<ComplexBall(const ExpressionPtr&)>& value)
 {
     return n.op == Op::divide && acb_is_zero(value(n.args[1]).get()) != 0;
+}
+
+/// The argument of a node that has a cut.
+std::size_t cut_argument(const Expression& n) { return n.op == Op::power ? 0 : n.args.size() - 1; } // besselk(n, x)
+
+/// Whether the node has no value at this argument because of its cut: there it is not analytic, and a little above it is. A value may lack because
+/// it is too large, too; and a ball may meet the cut though no number of it is meant.
+bool is_on_cut(const Expression& n, const ComplexBall& argument)
+{
+    if (acb_is_zero(argument.get())) return true;
+    if (acb_contains_zero(argument.get())) return false;
+    std::vector<ExpressionPtr> args = n.args;
+    args[cut_argument(n)] = make_variable();
+    const ComplexBall above = argument + ComplexBall(Ball(0), abs(argument) / Ball(1000));
+    return PlainFormula(make(n.op, args)).at(above).is_finite();
 }
 
 } // namespace
@@ -79,11 +107,10 @@ std::optional<std::string> argument_on_cut(const ExpressionPtr& e, const Limit& 
             }
             const char* name = name_with_cut(n);
             if (!name) return false;
-            const ExpressionPtr& of = n.op == Op::power ? n.args.front() : n.args.back(); // besselk(n, x)
-            const ComplexBall argument = value(of);
-            if (!argument.is_finite() || value(std::make_shared<const Expression>(n)).is_finite()) return false;
+            const ComplexBall argument = value(n.args[cut_argument(n)]);
+            if (!argument.is_finite() || value(std::make_shared<const Expression>(n)).is_finite() || !is_on_cut(n, argument)) return false;
             found = std::string(name) + " at column " + std::to_string(n.column) + " takes " + few_digits(argument) + " at x = " +
-                    few_digits(ComplexBall(x));
+                    few_digits(x);
             *found += acb_is_zero(argument.get()) ? ", where it is no analytic function"
                                                   : ", on its cut (write the branch that is meant, as i*sqrt(-x) for sqrt(x) of x < 0)";
             return true;

@@ -51,7 +51,7 @@ public:
     Exponent(long n, long d) : n_(n), d_(d) { reduce(); }
     explicit Exponent(const Rational& r)
     {
-        if (!r.get_num().fits_slong_p() || !r.get_den().fits_slong_p()) throw DomainError("an exponent of the integrand needs a numerator and denominator below 2^63");
+        if (!r.get_num().fits_slong_p() || !r.get_den().fits_slong_p()) throw DomainError("exponents of the integrand, and what is made of them, need numerators and denominators below 2^63");
         n_ = r.get_num().get_si();
         d_ = r.get_den().get_si();
     }
@@ -91,7 +91,7 @@ private:
     static constexpr Exponent raw(long n, long d) { Exponent e; e.n_ = n; e.d_ = d; return e; }
     static long checked(Wide v)
     {
-        if (v > std::numeric_limits<long>::max() || v < -std::numeric_limits<long>::max()) throw DomainError("an exponent of the integrand needs a numerator and denominator below 2^63");
+        if (v > std::numeric_limits<long>::max() || v < -std::numeric_limits<long>::max()) throw DomainError("exponents of the integrand, and what is made of them, need numerators and denominators below 2^63");
         return static_cast<long>(v);
     }
     static Exponent make(Wide n, Wide d)

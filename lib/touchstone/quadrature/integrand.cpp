@@ -207,6 +207,18 @@ namespace {
 
 constexpr std::size_t most_branches = 400;
 
+/// The largest integer up to the middle of a ball.
+Rational floor_of_middle(const Ball& x)
+{
+    fmpz_t whole;
+    fmpz_init(whole);
+    arf_get_fmpz(whole, arb_midref(x.get()), ARF_RND_FLOOR);
+    Integer r;
+    fmpz_get_mpz(r.get_mpz_t(), whole);
+    fmpz_clear(whole);
+    return r;
+}
+
 class Branches {
 public:
     Branches(const Limit& from, const Limit& to)
@@ -246,16 +258,23 @@ private:
         if (!p || p->size() != 2 || !(*p)[0].is_real() || !(*p)[1].is_real() || from_.infinite || to_.infinite) return;
         const auto slope = (*p)[1].inverse(), over = step.inverse();
         if (!slope || !over) return;
-        const auto index = [&](const Limit& end) {
-            const Ball v = ((*p)[1].ball() * end.ball() + (*p)[0].ball() - base.ball()) / step.ball();
-            return arf_get_d(arb_midref(v.get()), ARF_RND_NEAR);
+        const auto index = [&](const Limit& end) { // within 1 of it, however far out
+            constexpr slong most_bits = 1 << 16;
+            Ball v = Ball::indeterminate();
+            for (slong bits = WorkingPrecision::bits(); bits <= most_bits && !(v.is_finite() && certainly(less(2 * Ball::exactly(v.radius_bound()), Ball(1)))); bits *= 2) {
+                const WorkingPrecision precision(bits);
+                v = ((*p)[1].ball() * end.ball() + (*p)[0].ball() - base.ball()) / step.ball();
+            }
+            return v;
         };
-        const double a = index(from_), b = index(to_);
-        const double first = std::floor(std::min(a, b)), last = std::ceil(std::max(a, b));
-        if (!(last - first <= static_cast<double>(most_branches)) || std::fabs(first) > 1e15)
+        const Ball a = index(from_), b = index(to_);
+        const WorkingPrecision precision(std::max<slong>(WorkingPrecision::bits(), arb_bits(a.get()) + arb_bits(b.get())));
+        if (!certainly(less(abs(b - a), Ball(static_cast<long>(most_branches)))))
             throw DomainError("the formula has more than " + std::to_string(most_branches) +
                               " branches on the interval: integrate it in parts");
-        for (long k = static_cast<long>(first); k <= static_cast<long>(last); ++k) add((base + ExactSum(k) * step - (*p)[0]) * *slope);
+        const bool rises = arf_cmp(arb_midref(a.get()), arb_midref(b.get())) <= 0;
+        const Rational last = floor_of_middle(rises ? b : a) + 2;
+        for (Rational k = floor_of_middle(rises ? a : b) - 1; k <= last; k += 1) add((base + ExactSum(k) * step - (*p)[0]) * *slope);
     }
     void steps(const Expression& argument)
     {

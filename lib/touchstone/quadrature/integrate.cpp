@@ -52,13 +52,6 @@ bool is_reversed(const Limit& from, const Limit& to)
     return arb_gt(from.ball().get(), to.ball().get()) != 0;
 }
 
-Integral negated(Integral i)
-{
-    i.value = -i.value;
-    i.imaginary = -i.imaginary;
-    return i;
-}
-
 class Integration {
 public:
     Integration(const ExpressionPtr& e, const IntegralOptions& o, bool substituted = false)
@@ -418,7 +411,7 @@ Integral Integration::over(const Limit& from, const Limit& to, bool reversed)
         cuts = options_.at;
         for (const Limit& c : cuts)
             if (c.infinite || !ordered(from, c) || !ordered(c, to))
-                throw DomainError("the break point " + c.text + " is not inside the range from " + from.text + " to " + to.text);
+                throw DomainError("the break point " + c.text + " is not between " + from.text + " and " + to.text);
         for (const ExactSum& x : branch_points(*e_, from, to)) cuts.push_back(limit_at(x, text_of(x)));
         std::sort(cuts.begin(), cuts.end(), [](const Limit& a, const Limit& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
         const auto same = [&](const Limit& a, const Limit& b) { return !ordered(a, b); };
@@ -460,6 +453,19 @@ slong bits_of(const Integral& i)
 }
 
 } // namespace
+
+Integral negated(Integral i)
+{
+    i.value = -i.value;
+    i.imaginary = -i.imaginary;
+    for (Part& p : i.parts) {
+        p.value = -p.value;
+        p.imaginary = -p.imaginary;
+        std::swap(p.from, p.to);
+    }
+    std::reverse(i.parts.begin(), i.parts.end());
+    return i;
+}
 
 Integral with_enough_digits(const IntegralOptions& options, const std::function<bool(long, Integral&)>& attempt, bool reversed)
 {

@@ -130,9 +130,10 @@ Integral integrate_along(const ExpressionPtr& e, const std::vector<Vertex>& path
                 whole.reason = part.reason + (s.in.empty() ? "" : " (x" + s.in + ")");
                 return false;
             }
+            if (s.reversed) part = negated(std::move(part));
             const WorkingPrecision precision(bits_for_digits(digits) + 64);
-            whole.value += s.reversed ? -part.value : part.value;
-            whole.imaginary += s.reversed ? -part.imaginary : part.imaginary;
+            whole.value += part.value;
+            whole.imaginary += part.imaginary;
             for (Part& p : part.parts) {
                 p.rule += s.in;
                 whole.parts.push_back(std::move(p));

@@ -69,7 +69,7 @@ std::vector<Piece> folded(const ExpressionPtr& e, const Limit& from, const Limit
     };
     for (const Limit& c : poles)
         if (c.infinite || !inside(exact_end(c)))
-            throw DomainError("the pole " + c.text + " is not inside the range from " + from.text + " to " + to.text);
+            throw DomainError("the pole " + c.text + " is not between " + from.text + " and " + to.text);
     std::sort(poles.begin(), poles.end(), [](const Limit& a, const Limit& b) { return less(*a.exact, *b.exact); });
     std::vector<Piece> pieces;
     Limit cursor = from;

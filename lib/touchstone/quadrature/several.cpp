@@ -95,7 +95,7 @@ std::vector<Integral> integrate_several(const Formulas& all, const Limit& from, 
     for (const Limit& c : options.at)
         if (c.infinite || !(from.infinite || arb_lt(from.ball().get(), c.ball().get())) ||
             !(to.infinite || arb_lt(c.ball().get(), to.ball().get())))
-            throw DomainError("the break point " + c.text + " is not inside the range from " + from.text + " to " + to.text);
+            throw DomainError("the break point " + c.text + " is not between " + from.text + " and " + to.text);
     const std::vector<Limit> cuts = cuts_for(all, from, to, options.at);
     // all are repeated together while one lacks digits: each keeps the digits it was certified with
     std::vector<Integral> latest;
