@@ -260,12 +260,13 @@ private:
         if (!slope || !over) return;
         const auto index = [&](const Limit& end) { // within 1 of it, however far out
             constexpr slong most_bits = 1 << 16;
-            Ball v = Ball::indeterminate();
-            for (slong bits = WorkingPrecision::bits(); bits <= most_bits && !(v.is_finite() && certainly(less(2 * Ball::exactly(v.radius_bound()), Ball(1)))); bits *= 2) {
+            Ball v;
+            for (slong bits = WorkingPrecision::bits(); bits <= most_bits; bits *= 2) {
                 const WorkingPrecision precision(bits);
                 v = ((*p)[1].ball() * end.ball() + (*p)[0].ball() - base.ball()) / step.ball();
+                if (v.is_finite() && v.radius_bound() < 0.5) return v;
             }
-            return v;
+            return Ball::indeterminate();
         };
         const Ball a = index(from_), b = index(to_);
         const WorkingPrecision precision(std::max<slong>(WorkingPrecision::bits(), arb_bits(a.get()) + arb_bits(b.get())));
