@@ -128,6 +128,29 @@ TEST_CASE("sums may be long where powers may not be deep; steps may be many, but
     for (int k = 0; k < 60; ++k) sum += "+x", deep = "sqrt(1+" + deep + ")";
     CHECK(is(integral(sum, "0", "1"), Ball(61) / Ball(2)));
     CHECK_THROWS_AS(integral(deep, "0", "1"), ExpressionError);
+    // what the parser goes deeper by is counted before it begins; what only follows one another is not
+    const auto repeated = [](const std::string& part, int times) {
+        std::string all;
+        for (int k = 0; k < times; ++k) all += part;
+        return all;
+    };
+    const auto parses = [](const std::string& text) {
+        try {
+            parse_expression(text);
+            return std::string();
+        }
+        catch (const ExpressionError& e) {
+            return std::string(e.what());
+        }
+    };
+    for (const auto& [part, rest, what] : {std::tuple{"(", "x", "brackets"}, {"- ", "x", "signs"}, {"x^-", "x", "powers"}, {"(x)^", "x", "powers"}}) {
+        CAPTURE(part);
+        CHECK(parses(repeated(part, 257) + rest).find(std::string(what) + " nest deeper than 256") != std::string::npos);
+        CHECK(parses(repeated(part, 256) + rest).find("256") == std::string::npos);
+    }
+    CHECK(parses(repeated("x^2-", 300) + "(x)^2").empty());
+    CHECK(parses(repeated("(x)^2*", 300) + "x").empty());
+    CHECK(parses(repeated("-x+(-x)", 300) + "-x").empty());
     CHECK_THROWS_AS(integral("floor(1000000*x)", "0", "1"), DomainError);
     CHECK(is(integral("floor(x)", "10000000000000000", "10000000000000002"), Ball(20000000000000001L)));
     CHECK(is(integral("floor(3*x)", "0", "1"), Ball(1)));

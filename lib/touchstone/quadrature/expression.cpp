@@ -226,12 +226,35 @@ void require_shallow(const Expression& e, std::size_t depth)
     if (e.integrand) require_shallow(*e.integrand, depth);
 }
 
+/// The same of the text, before it is parsed: with each bracket, each sign before a sign and each power of a power the parser goes deeper, and a
+/// thread's stack has an end.
+void require_shallow(std::string_view text)
+{
+    constexpr std::size_t most = 256;
+    std::size_t brackets = 0, signs = 0, powers = 0;
+    char before = '(';
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (std::isspace(static_cast<unsigned char>(c))) continue;
+        const bool sign = c == '+' || c == '-', of_operand = sign && std::string_view("(,+-*/^").find(before) != std::string_view::npos;
+        signs = of_operand ? signs + 1 : 0;
+        if (c == '(') ++brackets;
+        if (c == ')' && brackets > 0) --brackets;
+        if (c == '^') ++powers;
+        if (c == '*' || c == '/' || c == ',' || (sign && !of_operand)) powers = 0;
+        const char* const what = brackets > most ? "brackets" : signs > most ? "signs" : powers > most ? "powers" : nullptr;
+        if (what) throw ExpressionError(i + 1, std::string(what) + " nest deeper than " + std::to_string(most));
+        before = c;
+    }
+}
+
 } // namespace
 
 ExpressionPtr parse_expression(std::string_view text, const Parameters& parameters)
 {
-    constexpr std::size_t longest = 4000; // also bounds how deep brackets nest
+    constexpr std::size_t longest = 4000;
     if (text.size() > longest) throw ExpressionError(longest, "the formula is longer than " + std::to_string(longest) + " characters");
+    require_shallow(text);
     Where here = text.begin();
     const Where start = text.begin();
     ExpressionPtr result;
