@@ -91,6 +91,12 @@ std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Bal
     return all;
 }
 
+bool Discretisation::ellipse_is_inside(Scheme scheme, double mid, double half, double rho)
+{
+    const Ball length = Ball::exactly(half), sum = Ball::exactly(rho);
+    return scheme == Scheme::force_weighted ? certainly(less(length * (sum - 1 / sum), Traits::pi())) : certainly(less(length * (sum + 1 / sum), 2 * Ball::exactly(mid)));
+}
+
 std::size_t Discretisation::size_for(Scheme scheme, const Ball& G, double accuracy, double deepest)
 {
     const std::vector<Block> blocks = grid(scheme, G, accuracy, accuracy, rule_end(scheme, G, accuracy), deepest);
@@ -125,11 +131,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     if (N > most_nodes) throw BeyondReach("so many digits this near G = 2 would need more than 4000 nodes");
     for (const Block& b : blocks_) { // what the bounds assume of a block
         const WorkingPrecision coarse(96);
-        const Ball half = Ball::exactly(b.half), rho = Ball::exactly(b.rho);
-        const bool inside = scheme == Scheme::force_weighted
-                              ? certainly(less(half * (rho - 1 / rho), Traits::pi()))
-                              : certainly(less(half * (rho + 1 / rho), 2 * Ball::exactly(b.mid)));
-        if (!inside) throw std::logic_error("transfer: an ellipse of interpolation leaves Re s > 0");
+        if (!ellipse_is_inside(scheme, b.mid, b.half, b.rho)) throw std::logic_error("transfer: an ellipse of interpolation leaves Re s > 0");
     }
 
     for (const Block& b : blocks_)
@@ -297,10 +299,10 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
         while (at + 1 < blocks_.size() && near > blocks_[at].mid + blocks_[at].half) ++at; // beyond the last: refused below
         const Block& block = blocks_[at];
         Ball t = (variable - Ball::exactly(block.mid)) / Ball::exactly(block.half);
-        Ball moved = upper(2 * radius(t));
+        Ball moved = radius(t);
         if (!(std::fabs(approximate(t)) < 1 - 0x1p-20)) { // tau is taken inside [-1, 1]; what that moves it by counts as error
             const Ball inside = at_least(at_most(t, Ball(1)), Ball(-1));
-            moved = upper(moved + abs(inside - t));
+            moved = upper(abs(inside - t));
             t = inside;
         }
         if (!certainly(less(moved, Traits::power_of_two(-30))))

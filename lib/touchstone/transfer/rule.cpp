@@ -56,8 +56,9 @@ void over_boxes(double lo, double hi, double widest, const Bound& f, const Use& 
             throw BeyondReach("the region of analyticity of the quadrature could not be proven: G or the load is too near its limit");
     }
     const double mid = lo + (hi - lo) / 2;
-    over_boxes(lo, mid, widest, f, use, depth + 1);
-    over_boxes(mid, hi, widest, f, use, depth + 1);
+    ++depth;
+    over_boxes(lo, mid, widest, f, use, depth);
+    over_boxes(mid, hi, widest, f, use, depth);
 }
 
 /// (R3) / (c_m x^(1/4))
