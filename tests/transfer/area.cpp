@@ -196,6 +196,10 @@ TEST_CASE("each part of a row's budget is what is counted for it")
             const std::string text = D.certificate(1);
             const double error = std::stod(text.substr(text.find_first_of("0123456789", text.find("error <= "))));
             CHECK(error == doctest::Approx(number(magnitudes(G, 128).back() * b.total())).epsilon(0.01).scale(0));
+            // scale 1 has the error of a row, c_0 = 1, and what level 0 carries into it: the sum of the weights by nodes is that by the rule's nodes, nearly
+            const double off = D.force_share(1, x * Ball(exactly("0.999"))).radius_bound(), carried = off - number(b.total());
+            CHECK(carried > 0.8 * total * error);
+            CHECK(carried < 1.1 * total * error);
             CHECK(certainly(less(abs(b.total() / (b.rule + b.truncation + b.interpolation + b.abscissae + b.weights + b.entries) - 1), Ball(exactly("1e-6")))));
         }
 }
