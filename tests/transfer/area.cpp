@@ -172,9 +172,13 @@ TEST_CASE("each part of a row's budget is what is counted for it")
             // the row next to x = 2/G has the largest sum of weights: the integral of (4/pi) sech^3(v) (x/y)^(1/2)
             Ball R(0);
             const Ball x = 2 / G;
-            for (const auto& q : rule.nodes) R += q.area_weight * q.sech_squared * sqrt(x / (2 / G * sqrt(x * (1 + (1 - x) * q.sinh_squared)) * q.sech_squared));
+            for (const auto& q : rule.nodes) {
+                const Ball y = 2 / G * sqrt(x * (1 + (1 - x) * q.sinh_squared)) * q.sech_squared;
+                R += q.area_weight * q.sech_squared * sqrt(x / y);
+            }
             const auto number = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
-            const double total = number(R), rho = D.rho(), p = static_cast<double>(D.points_of_block()), terms = static_cast<double>(rule.nodes.size());
+            const double total = number(R), rho = D.rho(), p = static_cast<double>(D.points_of_block());
+            const double terms = static_cast<double>(rule.nodes.size());
             const double fourth_root = std::sqrt(std::sqrt(number(x))), u = std::ldexp(1.0, -static_cast<int>(D.bits() - 24));
             double scale = 1;
             while (scale <= number(magnitudes(G, 128).back())) scale *= 2;
@@ -196,18 +200,52 @@ TEST_CASE("each part of a row's budget is what is counted for it")
             const std::string text = D.certificate(1);
             const double error = std::stod(text.substr(text.find_first_of("0123456789", text.find("error <= "))));
             CHECK(error == doctest::Approx(number(magnitudes(G, 128).back() * b.total())).epsilon(0.01).scale(0));
-            // scale 1 has the error of a row, c_0 = 1, and what level 0 carries into it: the sum of the weights by nodes is that by the rule's nodes, nearly
+            // scale 1 has the error of a row, c_0 = 1, and what level 0 carries into it: weights by nodes have nearly the sum of the rule's
             const double off = D.force_share(1, x * Ball(exactly("0.999"))).radius_bound(), carried = off - number(b.total());
             CHECK(carried > 0.8 * total * error);
             CHECK(carried < 1.1 * total * error);
-            CHECK(certainly(less(abs(b.total() / (b.rule + b.truncation + b.interpolation + b.abscissae + b.weights + b.entries) - 1), Ball(exactly("1e-6")))));
+            const Ball parts = b.rule + b.truncation + b.interpolation + b.abscissae + b.weights + b.entries;
+            CHECK(certainly(less(abs(b.total() / parts - 1), Ball(exactly("1e-6")))));
         }
+}
+
+TEST_CASE("a row above x = 2/G has the budget of a rule made for it, and one of a weight known to few digits what these are worth")
+{
+    const double accuracy = 30;
+    const Ball G(3);
+    const auto number = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
+    for (const Scheme scheme : {Scheme::force_weighted, Scheme::area}) {
+        CAPTURE(static_cast<int>(scheme));
+        Discretisation D(scheme, [] { return Ball(3); }, accuracy, 50);
+        const WorkingPrecision precision(D.bits());
+        const Ball high(exactly("0.99")), low(exactly("0.2"));
+        const bool force = scheme == Scheme::force_weighted;
+        const auto rule_for = [&](const Ratios& x, double V) {
+            return force ? double_exponential_rule(G, x, accuracy, V) : gauss_panel_rule(G, x, accuracy, V);
+        };
+        const Ratios one{high, true}, all{2 / G, false};
+        const Rule rule = rule_for(one, cut_off(one, accuracy));
+        const double counted = number((rule.discretisation + rule.truncation) * sqrt(sqrt(high)));
+        const double budget = number(D.functional({{high, Ball(1)}}).budget);
+        CHECK(budget > 0.999 * counted);
+        CHECK(budget < 1.01 * counted);
+
+        Ball weight(exactly("0.7"));
+        arb_add_error(weight.get(), Ball(exactly("1e-9")).get());
+        double R = 0;
+        for (const auto& q : rule_for(all, cut_off(all, accuracy) * (force ? 1 : 1.04)).nodes) {
+            const Ball y = 2 / G * sqrt(low * (1 + (1 - low) * q.sinh_squared)) * q.sech_squared;
+            R += number(q.area_weight * q.sech_squared * sqrt(low / y));
+        }
+        const double rho = D.rho(), worth = static_cast<double>(D.size()) * 1e-9 * (1 + R) * (2 + 4 / (rho * rho - 1));
+        CHECK(number(D.functional({{low, weight}}).budget) == doctest::Approx(worth).epsilon(1e-3).scale(0));
+    }
 }
 
 TEST_CASE("an ellipse of interpolation is proven inside Re s > 0, up to where it touches")
 {
     const WorkingPrecision precision(96);
-    const auto inside = [](Scheme scheme, double mid, double half, double rho) { return Discretisation::ellipse_is_inside(scheme, mid, half, rho); };
+    const auto inside = &Discretisation::ellipse_is_inside;
     // log s: the semi-minor axis, half (rho - 1/rho)/2, is below pi/2
     CHECK(inside(Scheme::force_weighted, -1, std::numbers::pi * 0.999 / 1.5, 2));
     CHECK_FALSE(inside(Scheme::force_weighted, -1, std::numbers::pi * 1.001 / 1.5, 2));
@@ -258,11 +296,15 @@ TEST_CASE("a row of a load known to few digits holds all loads it may be, and on
             Ball wide(exactly("0.3"));
             arb_add_error(wide.get(), Ball(exactly("1e-12")).get());
             const Ball F = D.force_share(n, wide);
-            for (const char* load : {"0.2999999999990001", "0.3", "0.3000000000009999"}) CHECK(F.overlaps(D.force_share(n, Ball(exactly(load)))));
+            for (const char* load : {"0.2999999999990001", "0.3", "0.3000000000009999"})
+                CHECK(F.overlaps(D.force_share(n, Ball(exactly(load)))));
             CHECK(F.relative_bits() > 25);
             Ball weight(exactly("-0.7"));
             arb_add_error(weight.get(), Ball(exactly("1e-13")).get());
-            const Ball sum = D.apply(D.functional({{Ball(exactly("0.9")), Ball(2)}, {Ball(exactly("0.2")), weight}, {Ball(exactly("0.05")), Ball(exactly("0.125"))}}), n);
+            const Ball eighth(exactly("0.125"));
+            const std::vector<Discretisation::Point> points{
+                {Ball(exactly("0.9")), Ball(2)}, {Ball(exactly("0.2")), weight}, {Ball(exactly("0.05")), eighth}};
+            const Ball sum = D.apply(D.functional(points), n);
             const auto one = [&](const char* load) { return D.force_share(n, Ball(exactly(load))); };
             for (const char* w : {"-0.70000000000009", "-0.7", "-0.69999999999991"})
                 CHECK(sum.overlaps(2 * one("0.9") + Ball(exactly(w)) * one("0.2") + one("0.05") / 8));
@@ -302,7 +344,8 @@ TEST_CASE("what the power series leaves out is T1 c G^-(n-1) Y^(s_I)/(1 - Y^(2^-
                     const Ball load(exactly(x)), G(exactly(g));
                     const auto number = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
                     const double root = std::ldexp(1.0, static_cast<int>(1 - n)), Y = 2 / number(G) * std::sqrt(number(load));
-                    const double terms = terms_of_area_series(n, load, G, bits), s = 1 - std::ldexp(1.0, static_cast<int>(-n)) + terms * root;
+                    const double terms = terms_of_area_series(n, load, G, bits);
+                    const double s = 1 - std::ldexp(1.0, static_cast<int>(-n)) + terms * root;
                     const double T1 = 2 * std::asin(std::sqrt(number(load))) / std::numbers::pi, c = number(magnitudes(G, n - 1).back());
                     const double tail = T1 * c * std::pow(number(G), static_cast<double>(1 - n)) * std::pow(Y, s) / (1 - std::pow(Y, root));
                     const Ball area = area_series(n, load, G);
@@ -316,7 +359,9 @@ TEST_CASE("what the power series leaves out is T1 c G^-(n-1) Y^(s_I)/(1 - Y^(2^-
 TEST_CASE("the power series is refused for load <= 0 or >= 1, G <= 2 and scales above 20")
 {
     const WorkingPrecision precision(64);
-    const auto refused = [](long n, const Ball& load, const Ball& G, const char* why) { CHECK_THROWS_WITH_AS(area_series(n, load, G), why, BeyondReach); };
+    const auto refused = [](long n, const Ball& load, const Ball& G, const char* why) {
+        CHECK_THROWS_WITH_AS(area_series(n, load, G), why, BeyondReach);
+    };
     for (const long n : {0L, 1L}) {
         refused(n, Ball(0), Ball(3), "the series needs load > 0 and G > 2");
         refused(n, Ball(exactly("0.5")), Ball(2), "the series needs load > 0 and G > 2");
