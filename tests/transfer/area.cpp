@@ -3,11 +3,14 @@
 #include "touchstone/paper/archard.hpp"
 #include "touchstone/paper/archard_constants.hpp"
 #include "touchstone/recursion/first_steps/area_by_slope.hpp"
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/contact.hpp"
 #include "touchstone/transfer/series.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
 #include <thread>
 
 using namespace touchstone;
@@ -150,6 +153,226 @@ TEST_CASE("a grid too coarse for its rule: the interpolation error shows, and it
                 CHECK(certainly(less(Ball::exactly(rough.radius_bound()), off * 100'000'000)));
             }
     }
+}
+
+TEST_CASE("each part of a row's budget is what is counted for it")
+{
+    for (const char* g : {"2.25", "30"})
+        for (const Scheme scheme : {Scheme::force_weighted, Scheme::area}) {
+            const auto G_at = [g] { return Ball(exactly(g)); };
+            const double accuracy = 40;
+            Discretisation D(scheme, G_at, accuracy, 30);
+            CAPTURE(G_at().to_string(5)); CAPTURE(static_cast<int>(scheme));
+            const WorkingPrecision precision(D.bits());
+            const Ball G = G_at();
+            const Ratios all{2 / G, false};
+            const bool force = scheme == Scheme::force_weighted;
+            const double V = cut_off(all, accuracy) * (force ? 1 : 1.04);
+            const Rule rule = force ? double_exponential_rule(G, all, accuracy, V) : gauss_panel_rule(G, all, accuracy, V);
+            // the row next to x = 2/G has the largest sum of weights: the integral of (4/pi) sech^3(v) (x/y)^(1/2)
+            Ball R(0);
+            const Ball x = 2 / G;
+            for (const auto& q : rule.nodes) {
+                const Ball y = 2 / G * sqrt(x * (1 + (1 - x) * q.sinh_squared)) * q.sech_squared;
+                R += q.area_weight * q.sech_squared * sqrt(x / y);
+            }
+            const auto number = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
+            const double total = number(R), rho = D.rho(), p = static_cast<double>(D.points_of_block());
+            const double terms = static_cast<double>(rule.nodes.size());
+            const double fourth_root = std::sqrt(std::sqrt(number(x))), u = std::ldexp(1.0, -static_cast<int>(D.bits() - 24));
+            double scale = 1;
+            while (scale <= number(magnitudes(G, 128).back())) scale *= 2;
+            const Budget& b = D.worst();
+            const auto is = [](const Ball& part, double counted, double within = 3e-3) {
+                CAPTURE(counted);
+                CAPTURE(part.to_string(5));
+                CHECK(certainly(less(Ball::exactly(counted * (1 - within)), part))); // the first node's ratio is a little below 2/G
+                CHECK(certainly(less(part, Ball::exactly(counted * (1 + within)))));
+            };
+            is(b.rule, number(rule.discretisation) * fourth_root);
+            is(b.truncation, number(rule.truncation) * fourth_root);
+            is(b.interpolation, total * 4 * std::pow(rho, 1 - p) / (rho - 1));
+            is(b.abscissae, total * u / ((rho + 1 / rho) / 2 - 1));
+            is(b.weights, terms * u);
+            const double moment = 4 * terms * u * p * p, N = static_cast<double>(D.size());
+            const double moments = p * total + N * moment * std::pow(rho, p);
+            is(b.entries, p * moment * (2 + 4 / (rho * rho - 1)) + moments * (4 * p + 1 + scale) * u, 1e-5);
+            // a level begins with what c, at its limit, makes of a row's budget
+            const std::string text = D.certificate(1);
+            const double error = std::stod(text.substr(text.find_first_of("0123456789", text.find("error <= "))));
+            CHECK(error == doctest::Approx(number(magnitudes(G, 128).back() * b.total())).epsilon(0.01).scale(0));
+            // scale 1 has the error of a row, c_0 = 1, and what level 0 carries into it: weights by nodes have nearly the sum of the rule's
+            const double off = D.force_share(1, x * Ball(exactly("0.999"))).radius_bound(), carried = off - number(b.total());
+            CHECK(carried > 0.8 * total * error);
+            CHECK(carried < 1.1 * total * error);
+            const Ball parts = b.rule + b.truncation + b.interpolation + b.abscissae + b.weights + b.entries;
+            CHECK(certainly(less(abs(b.total() / parts - 1), Ball(exactly("1e-6")))));
+        }
+}
+
+TEST_CASE("a row above x = 2/G has the budget of a rule made for it, and one of a weight known to few digits what these are worth")
+{
+    const double accuracy = 30;
+    const Ball G(3);
+    const auto number = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
+    for (const Scheme scheme : {Scheme::force_weighted, Scheme::area}) {
+        CAPTURE(static_cast<int>(scheme));
+        Discretisation D(scheme, [] { return Ball(3); }, accuracy, 50);
+        const WorkingPrecision precision(D.bits());
+        const Ball high(exactly("0.99")), low(exactly("0.2"));
+        const bool force = scheme == Scheme::force_weighted;
+        const auto rule_for = [&](const Ratios& x, double V) {
+            return force ? double_exponential_rule(G, x, accuracy, V) : gauss_panel_rule(G, x, accuracy, V);
+        };
+        const Ratios one{high, true}, all{2 / G, false};
+        const Rule rule = rule_for(one, cut_off(one, accuracy));
+        const double counted = number((rule.discretisation + rule.truncation) * sqrt(sqrt(high)));
+        const double budget = number(D.functional({{high, Ball(1)}}).budget);
+        CHECK(budget > 0.999 * counted);
+        CHECK(budget < 1.01 * counted);
+
+        Ball weight(exactly("0.7"));
+        arb_add_error(weight.get(), Ball(exactly("1e-9")).get());
+        double R = 0;
+        for (const auto& q : rule_for(all, cut_off(all, accuracy) * (force ? 1 : 1.04)).nodes) {
+            const Ball y = 2 / G * sqrt(low * (1 + (1 - low) * q.sinh_squared)) * q.sech_squared;
+            R += number(q.area_weight * q.sech_squared * sqrt(low / y));
+        }
+        const double rho = D.rho(), worth = static_cast<double>(D.size()) * 1e-9 * (1 + R) * (2 + 4 / (rho * rho - 1));
+        CHECK(number(D.functional({{low, weight}}).budget) == doctest::Approx(worth).epsilon(1e-3).scale(0));
+    }
+}
+
+TEST_CASE("an ellipse of interpolation is proven inside Re s > 0, up to where it touches")
+{
+    const WorkingPrecision precision(96);
+    const auto inside = &Discretisation::ellipse_is_inside;
+    // log s: the semi-minor axis, half (rho - 1/rho)/2, is below pi/2
+    CHECK(inside(Scheme::force_weighted, -1, std::numbers::pi * 0.999 / 1.5, 2));
+    CHECK_FALSE(inside(Scheme::force_weighted, -1, std::numbers::pi * 1.001 / 1.5, 2));
+    CHECK(inside(Scheme::force_weighted, 3, std::numbers::pi * 0.999 / 4.8, 5));
+    CHECK_FALSE(inside(Scheme::force_weighted, 3, std::numbers::pi * 1.001 / 4.8, 5));
+    // s: the semi-major axis, half (rho + 1/rho)/2, is below the centre
+    CHECK(inside(Scheme::area, 1.251, 1, 2));
+    CHECK_FALSE(inside(Scheme::area, 1.249, 1, 2));
+    CHECK(inside(Scheme::area, 7.81, 3, 5));
+    CHECK_FALSE(inside(Scheme::area, 7.79, 3, 5));
+}
+
+TEST_CASE("loads are refused from where the grid ends, and enclosed before: scale 1 by its power series")
+{
+    for (const Scheme scheme : {Scheme::force_weighted, Scheme::area}) {
+        const auto G_at = [] { return Ball(3); };
+        Discretisation D(scheme, G_at, 20);
+        CAPTURE(static_cast<int>(scheme));
+        bool refused = false;
+        int served = 0;
+        for (long k = 0; k < 120; ++k) {
+            const WorkingPrecision precision(D.bits());
+            const Ball load = ScalarTraits<Ball>::power_of_two(-1 - 3 * k);
+            try {
+                const Ball F = D.force_share(1, load);
+                CAPTURE(k);
+                CHECK_FALSE(refused);
+                CHECK(F.overlaps(area_series(1, load, Ball(3)) * Ball(3) / sqrt(load)));
+                CHECK(F.is_finite());
+                ++served;
+            }
+            catch (const BeyondReach&) {
+                refused = true;
+            }
+        }
+        CHECK(refused);
+        CHECK(served > 10);
+    }
+}
+
+TEST_CASE("a row of a load known to few digits holds all loads it may be, and one of many points their sum")
+{
+    for (const Scheme scheme : {Scheme::force_weighted, Scheme::area}) {
+        Discretisation D(scheme, [] { return Ball(3); }, 40);
+        CAPTURE(static_cast<int>(scheme));
+        const WorkingPrecision precision(D.bits());
+        for (const long n : {1L, 4L}) {
+            Ball wide(exactly("0.3"));
+            arb_add_error(wide.get(), Ball(exactly("1e-12")).get());
+            const Ball F = D.force_share(n, wide);
+            for (const char* load : {"0.2999999999990001", "0.3", "0.3000000000009999"})
+                CHECK(F.overlaps(D.force_share(n, Ball(exactly(load)))));
+            CHECK(F.relative_bits() > 25);
+            Ball weight(exactly("-0.7"));
+            arb_add_error(weight.get(), Ball(exactly("1e-13")).get());
+            const Ball eighth(exactly("0.125"));
+            const std::vector<Discretisation::Point> points{
+                {Ball(exactly("0.9")), Ball(2)}, {Ball(exactly("0.2")), weight}, {Ball(exactly("0.05")), eighth}};
+            const Ball sum = D.apply(D.functional(points), n);
+            const auto one = [&](const char* load) { return D.force_share(n, Ball(exactly(load))); };
+            for (const char* w : {"-0.70000000000009", "-0.7", "-0.69999999999991"})
+                CHECK(sum.overlaps(2 * one("0.9") + Ball(exactly(w)) * one("0.2") + one("0.05") / 8));
+            CHECK(sum.relative_bits() > 25);
+        }
+    }
+}
+
+TEST_CASE("the hypergeometric function in a term of the power series is enclosed, and what is left out next to x = 1 is")
+{
+    for (const char* x : {"0.25", "0.99", "0.999"})
+        for (const char* s : {"1/2", "7/3", "12.25", "40"}) {
+            CAPTURE(x); CAPTURE(s);
+            const auto at_bits = [&](slong bits, auto function) {
+                const WorkingPrecision precision(bits);
+                return function(Ball(exactly(s)), Ball(exactly(x)));
+            };
+            const Ball own = at_bits(64, [](const Ball& a, const Ball& z) { return hypergeometric(a, z); });
+            const Ball known = at_bits(300, [](const Ball& a, const Ball& z) {
+                Ball r;
+                arb_hypgeom_2f1(r.get(), ((1 - a) / 2).get(), Ball(exactly("1/2")).get(), ((3 + a) / 2).get(), z.get(), 0, 300);
+                return r;
+            });
+            CHECK(own.contains(known));
+            CHECK(own.relative_bits() > 40);
+        }
+}
+
+TEST_CASE("what the power series leaves out is T1 c G^-(n-1) Y^(s_I)/(1 - Y^(2^-(n-1)))")
+{
+    for (const slong bits : {80L, 112L})
+        for (const long n : {1L, 2L, 3L})
+            for (const char* g : {"2.5", "16"})
+                for (const char* x : {"0.25", "0.015625"}) { // exact, as G is
+                    CAPTURE(bits); CAPTURE(n);
+                    const WorkingPrecision precision(bits);
+                    const Ball load(exactly(x)), G(exactly(g));
+                    const auto number = [](const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); };
+                    const double root = std::ldexp(1.0, static_cast<int>(1 - n)), Y = 2 / number(G) * std::sqrt(number(load));
+                    const double terms = terms_of_area_series(n, load, G, bits);
+                    const double s = 1 - std::ldexp(1.0, static_cast<int>(-n)) + terms * root;
+                    const double T1 = 2 * std::asin(std::sqrt(number(load))) / std::numbers::pi, c = number(magnitudes(G, n - 1).back());
+                    const double tail = T1 * c * std::pow(number(G), static_cast<double>(1 - n)) * std::pow(Y, s) / (1 - std::pow(Y, root));
+                    const Ball area = area_series(n, load, G);
+                    CHECK(area.radius_bound() == doctest::Approx(tail).epsilon(1e-6).scale(0));
+                    if (n == 3) continue;
+                    const WorkingPrecision more(2 * bits);
+                    CHECK(area.overlaps(area_series(n, Ball(exactly(x)), Ball(exactly(g)))));
+                }
+}
+
+TEST_CASE("the power series is refused for load <= 0 or >= 1, G <= 2 and scales above 20")
+{
+    const WorkingPrecision precision(64);
+    const auto refused = [](long n, const Ball& load, const Ball& G, const char* why) {
+        CHECK_THROWS_WITH_AS(area_series(n, load, G), why, BeyondReach);
+    };
+    for (const long n : {0L, 1L}) {
+        refused(n, Ball(0), Ball(3), "the series needs load > 0 and G > 2");
+        refused(n, Ball(exactly("0.5")), Ball(2), "the series needs load > 0 and G > 2");
+    }
+    CHECK(area_series(1, Ball(exactly("0.5")), Ball(exactly("2.001"))).is_finite());
+    refused(1, Ball(1), Ball(10), "the power series needs load < 1 and small n");
+    refused(1, Ball(exactly("1.5")), Ball(10), "the power series needs load < 1 and small n");
+    const Ball tiny = ScalarTraits<Ball>::power_of_two(-4'000'000);
+    CHECK(area_series(20, tiny, Ball(3)).relative_bits() > 40);
+    refused(21, tiny, Ball(3), "the power series needs load < 1 and small n");
 }
 
 TEST_CASE("A_2 against a nested integral taken elsewhere")

@@ -38,21 +38,19 @@ ChainBounds chain_bounds(const ComplexBall& v, const Ball& G, const Ratios& x)
 {
     const Ball& X = x.highest;
     const Ball re = v.real();
-    Ball sh, ch, si, co;
-    arb_sinh_cosh(sh.get(), ch.get(), re.get(), WorkingPrecision::bits());
-    arb_sin_cos(si.get(), co.get(), v.imag().get(), WorkingPrecision::bits());
-    Ball sh2, co2, si2;
+    Ball sh, co;
+    arb_sinh(sh.get(), re.get(), WorkingPrecision::bits());
+    arb_cos(co.get(), v.imag().get(), WorkingPrecision::bits());
+    Ball sh2, co2;
     arb_sqr(sh2.get(), sh.get(), WorkingPrecision::bits());
     arb_sqr(co2.get(), co.get(), WorkingPrecision::bits());
-    arb_sqr(si2.get(), si.get(), WorkingPrecision::bits());
 
     ChainBounds b;
     b.cosh_squared = sh2 + co2;
     b.factor = Ball(0);
-    const Ball crude = X * (1 + X * (sh2 + si2) / b.cosh_squared); // |tanh v|^2 = (sinh^2 + sin^2)/(sinh^2 + cos^2)
-    Ball product = crude;                                          // at least x|1 - x tanh^2 v|
-    const ComplexBall w = 2 / (exp(v + v) + 1);           // 1 - tanh v
-    const ComplexBall gap = w * (2 - w);                   // 1 - tanh^2 v = sech^2 v
+    Ball product = Ball::indeterminate();       // at least x|1 - x tanh^2 v|
+    const ComplexBall w = 2 / (exp(v + v) + 1); // 1 - tanh v
+    const ComplexBall gap = w * (2 - w);        // 1 - tanh^2 v = sech^2 v
     if (gap.is_finite()) {
         const ComplexBall z = 1 - gap;
         const Ball at_highest = abs((1 - X) + X * gap); // |1 - Xz|
@@ -66,10 +64,9 @@ ChainBounds chain_bounds(const ComplexBall& v, const Ball& G, const Ratios& x)
             if (arb_is_nonpositive(re_z.get())) b.factor = Ball(1);
             else if (certainly(less(X * abs_z * abs_z, re_z))) b.factor = lower(at_highest);
             else b.factor = lower(abs(z.imag()) / abs_z);
-            product = at_least(X * at_highest, largest_product(z, X));
+            product = largest_product(z, X);
         }
         if (!b.factor.is_finite() || arb_is_negative(b.factor.get())) b.factor = Ball(0);
-        if (!product.is_finite()) product = crude;
     }
     if (x.single && x.at_one()) b.factor = lower(1 / b.cosh_squared);
     // far to the right |tanh v| <= coth Re v

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
@@ -91,6 +92,13 @@ std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Bal
     return all;
 }
 
+bool Discretisation::ellipse_is_inside(Scheme scheme, double mid, double half, double rho)
+{
+    const Ball length = Ball::exactly(half), sum = Ball::exactly(rho);
+    return scheme == Scheme::force_weighted ? certainly(less(length * (sum - 1 / sum), Traits::pi()))
+                                            : certainly(less(length * (sum + 1 / sum), 2 * Ball::exactly(mid)));
+}
+
 std::size_t Discretisation::size_for(Scheme scheme, const Ball& G, double accuracy, double deepest)
 {
     const std::vector<Block> blocks = grid(scheme, G, accuracy, accuracy, rule_end(scheme, G, accuracy), deepest);
@@ -125,11 +133,8 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     if (N > most_nodes) throw BeyondReach("so many digits this near G = 2 would need more than 4000 nodes");
     for (const Block& b : blocks_) { // what the bounds assume of a block
         const WorkingPrecision coarse(96);
-        const Ball half = Ball::exactly(b.half), rho = Ball::exactly(b.rho);
-        const bool inside = scheme == Scheme::force_weighted
-                              ? certainly(less(half * (rho - 1 / rho), Traits::pi()))
-                              : certainly(less(half * (rho + 1 / rho), 2 * Ball::exactly(b.mid)));
-        if (!inside) throw std::logic_error("transfer: an ellipse of interpolation leaves Re s > 0");
+        if (!ellipse_is_inside(scheme, b.mid, b.half, b.rho))
+            throw std::logic_error("transfer: an ellipse of interpolation leaves Re s > 0");
     }
 
     for (const Block& b : blocks_)
@@ -293,14 +298,13 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
         }
         const Ball variable = scheme_ == Scheme::force_weighted ? log(s_y) : s_y;
         const double near = approximate(variable);
-        std::size_t at = 0;
-        while (at + 1 < blocks_.size() && near > blocks_[at].mid + blocks_[at].half) ++at; // beyond the last: refused below
-        const Block& block = blocks_[at];
+        const auto at = std::find_if(blocks_.begin(), std::prev(blocks_.end()), [&](const Block& b) { return near <= b.mid + b.half; });
+        const Block& block = *at; // the last if beyond it: refused below
         Ball t = (variable - Ball::exactly(block.mid)) / Ball::exactly(block.half);
-        Ball moved = upper(2 * radius(t));
+        Ball moved = radius(t);
         if (!(std::fabs(approximate(t)) < 1 - 0x1p-20)) { // tau is taken inside [-1, 1]; what that moves it by counts as error
             const Ball inside = at_least(at_most(t, Ball(1)), Ball(-1));
-            moved = upper(moved + abs(inside - t));
+            moved = upper(abs(inside - t));
             t = inside;
         }
         if (!certainly(less(moved, Traits::power_of_two(-30))))
@@ -310,7 +314,7 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
         r.weight_error = larger(r.weight_error, upper(radius(weight)));
         r.total = upper(r.total + most);
         ++r.terms;
-        moments.add(weight, t, spare[at], &r.moments[block.first * limbs]);
+        moments.add(weight, t, spare[static_cast<std::size_t>(std::distance(blocks_.begin(), at))], &r.moments[block.first * limbs]);
     }
     return r;
 }
@@ -436,7 +440,7 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
     std::vector<mp_limb_t> moments(N * limbs), weight(limbs), product(limbs), scratch(2 * limbs);
     Functional f;
     f.first = f.budget = Ball(0);
-    Ball rounding(0), highest(0), total(0);
+    Ball rounding(0), highest(0);
     for (const Point& point : points) highest = larger(highest, point.x);
     if (points.size() > 1) highest = upper(highest);
     std::optional<Rule> beyond; // for ratios above 2/G
@@ -451,7 +455,6 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
             }
             f.budget = upper(f.budget + abs(point.weight) * budget(r, x, rule).total());
             rounding += upper((radius(point.weight) + u) * (1 + r.total) + u);
-            total = upper(total + abs(point.weight) * (1 + r.total));
         };
         if (certainly(less(x, 2 / G_))) add(rule_);
         else {

@@ -64,6 +64,9 @@ public:
     /// The nodes that a grid of this accuracy would have; above most_nodes it is refused.
     static std::size_t size_for(Scheme, const Ball& G, double accuracy, double deepest);
 
+    /// Whether the ellipse E_rho about mid +- half of a scheme's variable is proven inside Re s > 0.
+    static bool ellipse_is_inside(Scheme, double mid, double half, double rho);
+
     /// The precision in bits that G and loads should be given with.
     slong bits() const { return bits_; }
     static slong bits_for(double accuracy, double deepest);
@@ -87,6 +90,11 @@ public:
 
     /// The certificate: parameters, error budget of a row, and the proven error level by level up to n.
     std::string certificate(long n);
+
+    /// The largest parts of the rows' budgets, divided by c_m, and what they are made of.
+    const Budget& worst() const { return worst_; }
+    long points_of_block() const { return blocks_.front().points; }
+    double rho() const { return blocks_.front().rho; }
 
     std::size_t size() const { return nodes_.size(); }
     /// Bytes held.

@@ -56,8 +56,9 @@ void over_boxes(double lo, double hi, double widest, const Bound& f, const Use& 
             throw BeyondReach("the region of analyticity of the quadrature could not be proven: G or the load is too near its limit");
     }
     const double mid = lo + (hi - lo) / 2;
-    over_boxes(lo, mid, widest, f, use, depth + 1);
-    over_boxes(mid, hi, widest, f, use, depth + 1);
+    ++depth;
+    over_boxes(lo, mid, widest, f, use, depth);
+    over_boxes(mid, hi, widest, f, use, depth);
 }
 
 /// (R3) / (c_m x^(1/4))
@@ -110,14 +111,15 @@ struct Guess {
     }
 };
 
-/// The error of the n-point Gauss rule (of the positive half of the 2n-point rule, if even) on mid +- half, / (c_m x^(1/4)).
+} // namespace
+
 Ball proven_panel_error(const Ball& G, const Ratios& x, const Ball& mid, const Ball& half, double ellipse, bool even, long n)
 {
     const Ball rho = Ball::exactly(ellipse);
     const Ball major = half * (rho + 1 / rho) / 2, minor = half * (rho - 1 / rho) / 2;
     // zeros of cosh v and of 1 + (1-x) sinh^2 v: |Im v| = pi/2, pi, ... and |Re v| <= A
     const bool below = certainly(less(minor, Traits::pi() / 2));
-    const bool beyond = certainly(less(x.zeros(), mid - major)) && certainly(less(Ball(0), mid - major));
+    const bool beyond = certainly(less(x.zeros(), mid - major)); // A >= 0
     if (!below && !beyond) throw BeyondReach("a Gauss panel's ellipse could not be shown to be free of zeros");
     Ball M(0);
     over_boxes(
@@ -132,7 +134,20 @@ Ball proven_panel_error(const Ball& G, const Ratios& x, const Ball& mid, const B
     return upper(even ? error / 2 : error);
 }
 
-/// The trapezoid rule for v = c sinh r with everything about it proven.
+Ball beyond_on_strip(const Ball& G, const Ratios& x, const Ball& alpha, const Ball& D)
+{
+    // |cosh v| >= sinh Re v and |1 - x tanh^2 v| >= 1 - x coth^2 Re v, or >= 1/cosh^2 Re v where x = 1
+    Ball sh, ch;
+    arb_sinh_cosh(sh.get(), ch.get(), alpha.get(), 64);
+    const Ball coth2 = ch * ch / (sh * sh), scale = 4 / Traits::pi() * sqrt(G / 2) / cos(D);
+    // |y| decreases from there on
+    if (!certainly(less(4 / (G * G) * x.highest * (1 + x.highest * coth2) / (sh * sh), Ball(1)))) return Ball::indeterminate();
+    const Ball shrink = pow(2 / (1 - exp(-2 * alpha)), Traits::quotient(5, 2)); // 1/sinh = 2 e^-Re v/(1 - ...)
+    if (x.at_one()) return upper(scale * shrink * exp(-2 * alpha) / 2); // cosh^(1/2) <= e^(Re v/2)
+    const Ball least = lower((1 - x.highest) - x.highest / (sh * sh));
+    return upper(scale * shrink * exp(-Traits::quotient(5, 2) * alpha) / (Traits::quotient(5, 2) * pow(least, Traits::quotient(1, 4))));
+}
+
 Rule proven_double_exponential(const Ball& G, const Ratios& x, double accuracy, double V, double c, double d)
 {
     c = std::ldexp(std::floor(std::ldexp(c, 30)), -30); // short dyadic parameters
@@ -158,15 +173,13 @@ Rule proven_double_exponential(const Ball& G, const Ratios& x, double accuracy, 
         const Ball q = quarter / across, l = A / along;
         proven = proven && certainly(less(Ball(1), q * q - l * l));
     }
-    // the sums (R3) stands for must decrease from the last node on
+    // the sums (R3) stands for must decrease from the last node on: c cosh r >= v
     const Ball& V_last = rule.nodes.back().v;
-    Ball tanh_last, cosh_last;
+    Ball tanh_last;
     arb_tanh(tanh_last.get(), V_last.get(), 64);
-    arb_cosh(cosh_last.get(), (last * H).get(), 64);
-    proven = proven && certainly(less(Ball(1), 2 * C * cosh_last * tanh_last));
+    proven = proven && certainly(less(Ball(1), 2 * V_last * tanh_last));
 
-    // along Im r = d out to Re v = far, then |cosh v| >= sinh Re v and |1 - x tanh^2 v| >= 1 - x coth^2 Re v,
-    // or >= 1/cosh^2 Re v where x = 1
+    // along Im r = d out to Re v = far, then all at once
     const double far = std::max(30.0, approximate(x.zeros()) + 10);
     const double last_a = std::ceil(std::asinh(far / approximate(along)) * 16) / 16;
     Ball J;
@@ -178,18 +191,9 @@ Rule proven_double_exponential(const Ball& G, const Ratios& x, double accuracy, 
             return C * ch * integrand_bound(ComplexBall(along * sh, across * ch), G, x);
         },
         [&](double width, const Ball& b) { J += Ball::exactly(width) * upper(b); });
-    {
-        Ball sh_a, sh, ch;
-        arb_sinh(sh_a.get(), Ball::exactly(last_a).get(), 64);
-        const Ball alpha = lower(along * sh_a);
-        arb_sinh_cosh(sh.get(), ch.get(), alpha.get(), 64);
-        const Ball coth2 = ch * ch / (sh * sh), scale = 4 / Traits::pi() * sqrt(G / 2) / cos(D);
-        const Ball shrink = pow(2 / (1 - exp(-2 * alpha)), Traits::quotient(5, 2)); // 1/sinh = 2 e^-Re v/(1 - ...)
-        if (x.at_one()) J += scale * shrink * sqrt(Ball(2)) * exp(-2 * alpha) / 2;
-        else J += scale * shrink * exp(-Traits::quotient(5, 2) * alpha) / (Traits::quotient(5, 2) * pow(lower((1 - x.highest) - x.highest / (sh * sh)), Traits::quotient(1, 4)));
-        // |y| decreases from there on
-        proven = proven && certainly(less(4 / (G * G) * x.highest * (1 + x.highest * coth2) / (sh * sh), Ball(1)));
-    }
+    Ball sh_a;
+    arb_sinh(sh_a.get(), Ball::exactly(last_a).get(), 64);
+    J += beyond_on_strip(G, x, lower(along * sh_a), D);
     if (!proven || !J.is_finite())
         throw BeyondReach("the double-exponential rule's strip of analyticity could not be proven: G or the load is too near its limit");
     Ball decay;
@@ -200,8 +204,6 @@ Rule proven_double_exponential(const Ball& G, const Ratios& x, double accuracy, 
                             c, step, rule.nodes.size(), approximate(V_last), d, approximate(2 * J));
     return rule;
 }
-
-} // namespace
 
 double cut_off(const Ratios& x, double accuracy)
 {

@@ -49,6 +49,17 @@ struct Rule {
 Rule double_exponential_rule(const Ball& G, const Ratios& x, double accuracy, double V);
 Rule gauss_panel_rule(const Ball& G, const Ratios& x, double accuracy, double V);
 
+// What proves, whatever the parameters are:
+
+/// The trapezoid rule for v = c sinh r to about v = V, with everything about it proven for the strip |Im r| <= d.
+/// \throws BeyondReach where that cannot be done
+Rule proven_double_exponential(const Ball& G, const Ratios& x, double accuracy, double V, double c, double d);
+/// At least int |g v'| over Im r = d, Re v >= alpha, divided by c_m x^(1/4); not finite unless |y| < 1 is proven there.
+Ball beyond_on_strip(const Ball& G, const Ratios& x, const Ball& alpha, const Ball& d);
+/// The error of the n-point Gauss rule (of the positive half of the 2n-point rule, if even) on mid +- half by the ellipse E_rho, divided by
+/// c_m x^(1/4).
+Ball proven_panel_error(const Ball& G, const Ratios& x, const Ball& mid, const Ball& half, double rho, bool even, long n);
+
 /// The v at which (R3) is about e^-accuracy.
 double cut_off(const Ratios& x, double accuracy);
 

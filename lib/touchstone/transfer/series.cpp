@@ -21,7 +21,9 @@ Ball leading(const Ball& s, const Ball& G)
     return pow(2 / G, s) * Traits::gamma(1 + s / 2) * reciprocal / sqrt(Traits::pi());
 }
 
-/// 2F1((1-s)/2, 1/2; (3+s)/2; x) for 0 < x < 1, s > 0, by its series: once (1-s)/2 + k >= 0 the terms' ratio is below x.
+} // namespace
+
+/// By its series: once (1-s)/2 + k >= 0 the terms' ratio is below x.
 Ball hypergeometric(const Ball& s, const Ball& x)
 {
     Ball sum(0), term(1);
@@ -34,6 +36,8 @@ Ball hypergeometric(const Ball& s, const Ball& x)
     arb_add_error(sum.get(), upper(abs(term) / (1 - x)).get());
     return sum;
 }
+
+namespace {
 
 /// A term of the series is about e^-decay of the one before it: Y^(2^-(n-1)), Y the largest ratio after one step.
 Ball decay(long n, const Ball& load, const Ball& G) { return -log(2 / G * sqrt(load)) * Traits::power_of_two(1 - n); }

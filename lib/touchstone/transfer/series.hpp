@@ -31,4 +31,8 @@ Ball area_series(long n, const Ball& load, const Ball& G);
 /// The terms it takes to so many bits; infinite where the series need not converge.
 double terms_of_area_series(long n, const Ball& load, const Ball& G, slong bits);
 
+/// 2F1((1-s)/2, 1/2; (3+s)/2; x) for 0 < x < 1, s > 0.
+/// \throws BeyondReach after 100 000 terms
+Ball hypergeometric(const Ball& s, const Ball& x);
+
 } // namespace touchstone::transfer
