@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// The area for load > 1, against integrals nested by hand, the partial-contact routes, and what is exact.
 #include "touchstone/transfer/heavy_load.hpp"
+#include "touchstone/transfer/heavy_load_panels.hpp"
 
 #include "touchstone/catalogue/evaluate.hpp"
 
 #include <doctest/doctest.h>
 
+#include <complex>
+#include <initializer_list>
+#include <numbers>
 #include <tuple>
 
 using namespace touchstone;
 using namespace touchstone::transfer;
+using namespace touchstone::transfer::heavy_load;
 
 namespace {
 
@@ -131,4 +136,190 @@ TEST_CASE("out of reach is said")
     CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("10", "2"), wanted()), std::runtime_error);
     CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("1", "4"), wanted()), std::runtime_error);
     CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("1e6", "4"), wanted()), std::runtime_error);
+}
+
+TEST_CASE("the size of B_m: Q and M are those of Lemma 3, one step and two steps above 1")
+{
+    const WorkingPrecision precision(bits);
+    for (const auto& [G_text, c_text] : {std::tuple{"4", "1.5"}, {"2.2", "1.25"}}) {
+        const Ball G(exactly(G_text)), c(exactly(c_text));
+        const auto is = [](const Ball& found, const Ball& expected) { // upper ends of 30 bits
+            CHECK(certainly(less(expected * Ball(exactly("0.999999999")), found)));
+            CHECK(certainly(less(found, expected * Ball(exactly("1.00000001")))));
+        };
+        const auto disc = [](const Ball& X) { return 2 / Traits::pi() * sqrt(X); };
+        for (const char* X : {"0.3", "1"}) {
+            is(largest_real(Ball(exactly(X)), G, c), c);
+            is(largest_in_disc(Ball(exactly(X)), G, c), c);
+        }
+        const Ball once = (1 + G - 1) / 2, twice = G - Ball(exactly("0.9")); // (1 + once)/G < 1; 1 < (1 + twice)/G, whose successor is below 1
+        is(largest_real(once, G, c), G * c);
+        is(largest_in_disc(once, G, c), G * c * (1 + disc(once)));
+        const Ball then = (twice + 1) / G;
+        is(largest_real(twice, G, c), G * G * c);
+        is(largest_in_disc(twice, G, c), G * G * c + disc(twice) * G * (G * c * (1 + disc(then))));
+    }
+}
+
+TEST_CASE("the singular points up to the largest ratio and beyond it, each in its bracket, and none twice")
+{
+    const WorkingPrecision precision(bits);
+    const auto are = [](const char* load, const char* G, std::initializer_list<const char*> expected) {
+        CAPTURE(load);
+        const std::vector<Bracket> found = singular_points(Ball(exactly(load)), Ball(exactly(G)));
+        REQUIRE(found.size() >= expected.size());
+        std::size_t i = 0;
+        for (const char* text : expected) {
+            CAPTURE(text);
+            const Ball s(exactly(text)), within(exactly("1e-20"));
+            CHECK_FALSE(is_below(s, found[i].lo));
+            CHECK_FALSE(is_below(found[i].hi, s));
+            CHECK(is_below(found[i].hi - found[i].lo, within));
+            ++i;
+        }
+        for (i = 1; i < found.size(); ++i) CHECK(is_below(found[i - 1].hi, found[i].lo));
+    };
+    are("10", "4", {"0", "1", "3", "5", "11", "13", "19", "21"});
+    are("2", "2.5", {"0", "1", "1.5", "2.75", "3.5", "4.75", "5.875", "7.75", "7.875", "9.75"});
+    are("1.5", "3", {"0", "1", "2", "4", "5", "7", "11"});
+    const Ball G = 1 + sqrt(Ball(3)); // G (G - 1) - 1 = G + 1: one bracket, which holds them both
+    const std::vector<Bracket> found = singular_points(Ball(2), G);
+    REQUIRE(found.size() > 4);
+    for (const Ball& s : {G + 1, G * (G - 1) - 1}) {
+        CHECK_FALSE(is_below(below(s), found[3].lo));
+        CHECK_FALSE(is_below(found[3].hi, above(s)));
+    }
+    CHECK(is_below(found[3].hi, G * (G - 1) + 1));
+    CHECK(is_below(G - 1, found[3].lo));
+}
+
+TEST_CASE("the bounds of rules and of interpolation are the sums over the Chebyshev polynomials that they miss")
+{
+    for (const double rho : {1.5, 2.3, 2.9})
+        for (const long n : {1L, 2L, 7L}) {
+            double rule = 0, interpolation = 0;
+            for (long k = 200; k >= 2 * n; --k) rule += 3 * 2 * 7 * std::pow(rho, -static_cast<double>(k)) * (2 + 2 / 3.);
+            for (long k = 200; k >= n; --k) interpolation += 2 * 2 * std::pow(rho, -static_cast<double>(k));
+            CHECK(gauss_error(3, 7, rho, n) >= rule);
+            CHECK(gauss_error(3, 7, rho, n) <= 1.00001 * rule);
+            CHECK(interpolation_error(n, rho) >= interpolation);
+            CHECK(interpolation_error(n, rho) <= 1.00001 * interpolation);
+        }
+}
+
+TEST_CASE("what a weight's and its place's radii and the roundings can do is counted")
+{
+    // a slope of 1/((rho + 1/rho)/2 - 1) at most, rho 2.3 or 2.9; p moments that enter twice
+    CHECK(entry_error(3, 0, 0x1p-20, 9) >= 3 * 0x1p-20 / ((2.3 + 1 / 2.3) / 2 - 1));
+    CHECK(entry_error(3, 0x1p-20, 0, 9) >= 2 * 9 * 0x1p-20);
+    CHECK(entry_error(3, 0x1p-20, 0, 9) <= 3 * 9 * 0x1p-20);
+    for (const long p : {2L, 3L, 20L, 200L})
+        for (const auto& [entered, terms] : {std::tuple{1., 1.}, {1., 1000.}, {100., 10.}}) {
+            double units = 0;
+            for (long k = 0; k < p; ++k) units += 2 * (static_cast<double>(k * k) * entered + static_cast<double>(k * (k + 1) / 2 + 1) * terms);
+            CHECK(rounding_error(entered, terms, p, 0x1p-48) >= units * 0x1p-48);
+            CHECK(rounding_error(entered, terms, p, 0x1p-48) <= 8 * units * 0x1p-48);
+        }
+}
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// The largest |f| on the ellipse of parameter rho about [a, b].
+template <class F>
+double largest_on_ellipse(double a, double b, double rho, F f)
+{
+    double most = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Complex z = std::polar(rho, 2 * std::numbers::pi * i / 200);
+        most = std::max(most, std::abs(f((a + b) / 2 + (b - a) / 2 * (z + 1. / z) / 2.)));
+    }
+    return most;
+}
+
+} // namespace
+
+TEST_CASE("the kernels are within their bounds, on the real line and on the ellipses, and reach them next to an end")
+{
+    const double x = 3, G = 4, lo = (x - 1) / G, hi = (x + 1) / G;
+    const auto full = [&](Complex y) { return 1. / (std::numbers::pi * std::sqrt((hi - y) * (y - lo))); };
+    for (const double y : {lo + 1e-9, lo + 0.1, hi - 0.2}) {
+        CHECK(std::abs(full(y)) <= full_kernel_bound(y - lo, hi - y));
+        CHECK(full_kernel_bound(y - lo, hi - y) <= 1.00001 * std::abs(full(y)));
+    }
+    for (const double near_one : {1e-9, 0.1, 0.5}) {
+        const double u = 1 - near_one, end = 2 * std::sqrt(u) / G;
+        const auto partial = [&](Complex y) {
+            const Complex R = std::sqrt(near_one * near_one + G * G * y * y);
+            return G * G * y / (2 * std::numbers::pi) / (R * std::sqrt(u - G * G * y * y / 4.)) * std::sqrt((1 + u + R) / (near_one + R));
+        };
+        const auto bound = [&](double right, double from_high, double largest) { return partial_kernel_bound(G, std::sqrt(u), right, from_high, largest); };
+        for (const double y : {1e-8, 1e-7, 0.01, 0.2, end - 0.01, end - 1e-9}) CHECK(std::abs(partial(y)) <= bound(y, end - y, y));
+        if (near_one == 1e-9)
+            for (const double y : {1e-7, 1e-6}) CHECK(bound(y, end - y, y) <= (1.00001 + 0.02 * y / 1e-6) * std::abs(partial(y)));
+        // (y)^(1/2) k is largest at the end, and near 1 falls to no less than (3/2 2)^(-1/2) of what it is bounded by
+        for (const double start : {1e-6, 0.1}) {
+            double sum = 0;
+            for (int i = 0; i < 400; ++i) sum += std::sqrt((i + 0.5) / 400 * start) * std::abs(partial((i + 0.5) / 400 * start)) * start / 400;
+            CHECK(sum <= dropped_below(G, u, start));
+            if (near_one == 1e-9) CHECK(sum >= 0.55 * dropped_below(G, u, start));
+        }
+        for (const double rho : {2.3, 2.9})
+            for (const double a : {1e-5, 1e-3, 0.05}) {
+                const double b = 4 * a, reach = (b - a) / 2 * (rho + 1 / rho) / 2, left = (a + b) / 2 - reach, right = (a + b) / 2 + reach;
+                CHECK(largest_on_ellipse(a, b, rho, partial) <= bound(left, end - right, right));
+                CHECK(largest_on_ellipse(lo + a, lo + b, rho, full) <= full_kernel_bound(left, hi - lo - right));
+                CHECK(largest_on_ellipse(hi - b, hi - a, rho, full) <= full_kernel_bound(hi - lo - right, left));
+            }
+    }
+}
+
+namespace {
+
+/// An area of few digits is proven, its ball is as narrow as asked for, holds the value, whose distance is small in it, and the errors noted.
+void is_area_of_few_digits(Scheme scheme, long n, const Arguments& a, double accuracy, const Ball& expected)
+{
+    CAPTURE(n);
+    CAPTURE(accuracy);
+    const Made found = made(scheme, n, a, accuracy, 5);
+    const double radius = found.area.radius_bound();
+    CHECK(radius < 0.1 * std::exp(-accuracy));
+    CHECK(is_below(abs(found.area - expected), Ball::exactly(radius * (1 + 0.03)))); // a ball about 0 of the radius, and the middle's distance
+    const double G = approximate(a.G());
+    double noted = 0;
+    for (const auto& [level, e] : found.errors)
+        if (level <= n) noted += e * std::pow(G, static_cast<double>(level - n));
+    for (const auto& [level, e] : found.moved)
+        if (level <= n) noted += e * std::pow(G, static_cast<double>(level - n) / 2);
+    CHECK(radius >= noted * (1 + 1e-7)); // summed up with roundings
+    CHECK(noted > 0);
+}
+
+} // namespace
+
+TEST_CASE("few digits: load 10, G = 16, nothing singular on the way")
+{
+    const WorkingPrecision precision(bits);
+    for (const Scheme scheme : {Scheme::force_weighted, Scheme::area})
+        for (const double accuracy : {1., 8.}) is_area_of_few_digits(scheme, 1, at("10", "16"), accuracy, nested(1, Ball(10), Ball(16), 80));
+}
+
+TEST_CASE("few digits: load 1.5, G = 2.2, across ratio 1")
+{
+    const WorkingPrecision precision(bits);
+    for (const Scheme scheme : {Scheme::force_weighted, Scheme::area})
+        for (const double accuracy : {1., 8.}) is_area_of_few_digits(scheme, 1, at("1.5", "2.2"), accuracy, Ball(exactly("0.65525095502097439462")));
+}
+
+TEST_CASE("few digits: two scales, load 10, G = 3.2, across ratio 1")
+{
+    const WorkingPrecision precision(bits);
+    for (const double accuracy : {1., 5.}) is_area_of_few_digits(Scheme::force_weighted, 2, at("10", "3.2"), accuracy, Ball(exactly("0.8447896421110701457823348")));
+}
+
+TEST_CASE("many digits: nothing is lost to a fixed precision of the places")
+{
+    const WorkingPrecision precision(256);
+    is_area_of_few_digits(Scheme::force_weighted, 1, at("10", "16"), 80, nested(1, Ball(10), Ball(16), 200));
 }

@@ -16,10 +16,51 @@
 #include <numbers>
 
 namespace touchstone::transfer {
+
+using Traits = ScalarTraits<Ball>;
+
+namespace heavy_load {
+
+Ball largest_real(const Ball& X, const Ball& G, const Ball& c)
+{
+    return is_below(X, Ball(1)) || arb_is_one(X.get()) ? c : G * largest_real((X + 1) / G, G, c);
+}
+
+Ball largest_in_disc(const Ball& X, const Ball& G, const Ball& c)
+{
+    if (is_below(X, Ball(1)) || arb_is_one(X.get())) return c;
+    return upper(largest_real(X, G, c) + 2 / Traits::pi() * sqrt(X) * G * largest_in_disc(upper((X + 1) / G), G, c));
+}
+
+std::vector<Bracket> singular_points(const Ball& top, const Ball& G)
+{
+    std::vector<Bracket> all{{Ball(0), Ball(0)}, {Ball(1), Ball(1)}};
+    const Ball limit = above(G * (top + 2) + 2);
+    std::vector<Ball> generation{Ball(0), Ball(1)};
+    while (!generation.empty()) {
+        std::vector<Ball> next;
+        for (const Ball& s : generation)
+            for (const Ball& t : {wave::meets_upper_end_full(s, G), wave::meets_lower_end(s, G)}) {
+                if (!is_below(Ball(1), t) || !is_below(t, limit)) continue; // 1 itself is there; G s - 1 = 1 only for G s = 2, s = 1
+                next.push_back(t);
+                all.push_back({below(t), above(t)});
+            }
+        generation = std::move(next);
+        if (all.size() > 5000) throw BeyondReach("the load has too many singular points below it");
+    }
+    std::sort(all.begin(), all.end(), [](const Bracket& a, const Bracket& b) { return arb_lt(a.lo.get(), b.lo.get()) != 0; });
+    std::vector<Bracket> merged;
+    for (const Bracket& b : all)
+        if (!merged.empty() && !is_below(merged.back().hi, b.lo)) merged.back().hi = is_below(merged.back().hi, b.hi) ? b.hi : merged.back().hi;
+        else merged.push_back(b);
+    return merged;
+}
+
+} // namespace heavy_load
+
 namespace {
 
 using namespace heavy_load;
-using Traits = ScalarTraits<Ball>;
 
 struct Gauss {
     std::vector<Ball> root, weight; ///< the n roots, all of them
@@ -46,39 +87,8 @@ public:
         spread_measure();
     }
 
-    // ---- Lemma 3
-
-    Ball Q(const Ball& X) const { return is_below(X, Ball(1)) || arb_is_one(X.get()) ? c : G * Q((X + 1) / G); }
-    Ball M(const Ball& X) const
-    {
-        if (is_below(X, Ball(1)) || arb_is_one(X.get())) return c;
-        return upper(Q(X) + 4 / Traits::pi() * sqrt(X / 4) * G * M(upper((X + 1) / G)));
-    }
-    /// The points of S from 0 to beyond `top`, those that cannot be told apart in one bracket.
-    std::vector<Bracket> singular(const Ball& top) const
-    {
-        std::vector<Bracket> all{{Ball(0), Ball(0)}, {Ball(1), Ball(1)}};
-        const Ball limit = above(G * (top + 2) + 2);
-        std::vector<Ball> generation{Ball(0), Ball(1)};
-        while (!generation.empty()) {
-            std::vector<Ball> next;
-            for (const Ball& s : generation)
-                for (const Ball& t : {wave::meets_upper_end_full(s, G), wave::meets_lower_end(s, G)}) {
-                    if (!is_below(Ball(1), t) || !is_below(t, limit)) continue; // 1 itself is there; G s - 1 = 1 only for G s = 2, s = 1
-                    next.push_back(t);
-                    all.push_back({below(t), above(t)});
-                }
-            generation = std::move(next);
-            if (all.size() > 5000) throw BeyondReach("the load has too many singular points below it");
-        }
-        std::sort(all.begin(), all.end(), [](const Bracket& a, const Bracket& b) { return arb_lt(a.lo.get(), b.lo.get()) != 0; });
-        std::vector<Bracket> merged;
-        for (const Bracket& b : all)
-            if (!merged.empty() && !is_below(merged.back().hi, b.lo)) merged.back().hi = is_below(merged.back().hi, b.hi) ? b.hi : merged.back().hi;
-            else merged.push_back(b);
-        return merged;
-    }
-
+    Ball Q(const Ball& X) const { return largest_real(X, G, c); }
+    Ball M(const Ball& X) const { return largest_in_disc(X, G, c); }
     // ---- measures on the ratios of one scale
 
     /// Weights at Chebyshev points of graded panels of one interval.
@@ -90,6 +100,7 @@ public:
         Ball bound;                     ///< M
         std::vector<mp_limb_t> moments; ///< sums of w T_k
         double terms = 0, held = 0;     ///< entries; |weights| x sqrt(distance) of what was moved to the last panel's edge
+        double loose = 0;               ///< what the radii of weights and of their places may change, where the function is at most 1
     };
     Grid grid(const Ball& lo, const Ball& hi) const
     {
@@ -130,11 +141,12 @@ public:
         if (is_below(abs(tau), Ball(1))) ;
         else {
             const Ball edge = arf_sgn(arb_midref(tau.get())) < 0 ? Ball(-1) : Ball(1), moved = abs(tau - edge) * p.half;
-            g.held += weight * upper_double(Traits::sqrt_positive_part(moved)) * 1.000001;
+            g.held += weight * upper_double(Traits::sqrt_positive_part(moved));
             tau = edge;
         }
         if (!(tau.radius_bound() < 0x1p-100)) throw BeyondReach("a singular point and a node are too close to be told apart");
-        p.entered += weight * 1.000001;
+        p.entered += weight;
+        g.loose += entry_error(weight, w.radius_bound(), tau.radius_bound(), p.points);
         ++g.terms;
 
         const auto limbs = static_cast<std::size_t>(format.limbs());
@@ -165,14 +177,14 @@ public:
     {
         std::vector<Node> all;
         const auto limbs = static_cast<std::size_t>(format.limbs());
-        double lost = 0;
+        double lost = g.loose, entered = 0;
         fmpz_t units;
         fmpz_init(units);
         for (std::vector<Panel>* side : {&g.left, &g.right})
             for (const Panel& p : *side) {
                 if (p.entered == 0) continue;
-                lost += p.entered * 4 * std::pow(shape.rho, -static_cast<double>(p.points - 1)) / (shape.rho - 1);
-                lost += p.entered * 0x1p-100 * 100; // tau off by 2^-100: Cauchy's bound of the derivative, (rho + 1/rho)/2 - 1 > 1/100
+                lost += p.entered * interpolation_error(p.points, shape.rho);
+                entered += p.entered;
                 const std::vector<Ball>& cosines = cosines_for(p.points);
                 std::vector<Ball> mu(static_cast<std::size_t>(p.points));
                 for (std::size_t k = 0; k < mu.size(); ++k) {
@@ -187,8 +199,7 @@ public:
                 }
             }
         fmpz_clear(units);
-        const double p = static_cast<double>(g.most_points);
-        lost += static_cast<double>(g.nodes) * 2 * (g.terms + 1) * (p * p + 4) * std::pow(2.0, -static_cast<double>(format.fraction()));
+        lost += rounding_error(entered, g.terms, g.most_points, upper_double(format.unit()));
         add_error(level, lost * upper_double(g.bound));
         moved[level] += g.held;
         return all;
@@ -213,7 +224,7 @@ public:
         return g;
     }
     /// e times G^-(n - level) in A_n
-    void add_error(long level, double e) { errors[level] += e * 1.000001; }
+    void add_error(long level, double e) { errors[level] += e; }
 
     // ---- one scale
 
@@ -259,9 +270,11 @@ public:
         const double rho = shape.rho, beyond = ((rho + 1 / rho) / 2 - 1) / 2, weight = upper_double(abs(w));
         const double m = upper_double(M(upper(piece.b + Ball::exactly(piece.room_b)))), length = 2 * approximate(g.reach), major = (rho + 1 / rho) / 2;
         const double share_of_tolerance = piece.tolerance / static_cast<double>(2 * g.depth + 2);
-        const auto points = [&](double scale_of_error, double decay) {
-            const long n = std::max(2L, static_cast<long>(std::ceil(std::log(scale_of_error / share_of_tolerance) / (2 * std::log(rho)))));
-            add_error(level + 1, weight * scale_of_error * std::pow(decay, -static_cast<double>(n)));
+        // points of the rule on a panel of half-length `half`, the integrand at most `most` on the ellipse; its error is noted
+        const auto points = [&](double half, double most, double ellipse) {
+            const double needed = std::log(gauss_error(half, most, ellipse, 0) / share_of_tolerance) / (2 * std::log(ellipse));
+            const long n = 2 * std::max(1L, static_cast<long>(std::ceil(needed / 2)));
+            add_error(level + 1, weight * gauss_error(half, most, ellipse, n));
             return n;
         };
         for (const bool left : {true, false}) {
@@ -274,11 +287,9 @@ public:
                 reached = approximate(far) * beyond * 1.01 < room;
                 if (reached) {
                     const double l = approximate(far), here = bound_at_end(left, l * (1 + beyond), length - l * (1 + beyond));
-                    const double scale_of_error = std::sqrt(l) * 8 / 3 * m * here / (1 - 1 / std::sqrt(rho)) * 1.000001;
-                    const long n = points(scale_of_error, rho * rho);
-                    const Gauss& rule = gauss(2 * n);
+                    const Gauss& rule = gauss(points(std::sqrt(l), m * here, std::sqrt(rho))); // of an even function, twice the integral
                     const Ball half = sqrt(far);
-                    for (std::size_t q = 0; q < static_cast<std::size_t>(n); ++q) { // the positive roots
+                    for (std::size_t q = 0; q < rule.root.size() / 2; ++q) { // the positive roots
                         const Ball v = half * rule.root[q], y = end + inward * v * v;
                         enter(to, y, w * half * rule.weight[q] * kernel_at_end(left, y));
                     }
@@ -287,8 +298,7 @@ public:
                 const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
                 const double least = approximate(at) - approximate(half) * major, most = approximate(at) + approximate(half) * major;
                 const double here = left ? bound(least, length - most, approximate(piece.a) + most) : bound(length - most, least, approximate(piece.b) - least);
-                const double scale_of_error = approximate(half) * 16 / 3 * m * here / (1 - 1 / rho) * 1.000001;
-                const Gauss& rule = gauss(points(scale_of_error, rho * rho));
+                const Gauss& rule = gauss(points(approximate(half), m * here, rho));
                 for (std::size_t q = 0; q < rule.root.size(); ++q) {
                     const Ball y = end + inward * (at + half * rule.root[q]);
                     enter(to, y, w * half * rule.weight[q] * kernel(y));
@@ -345,9 +355,9 @@ public:
             const double off_a = is_first ? 0 : std::max(approximate(a - lo), 0.0), off_b = is_last ? 0 : std::max(approximate(hi - b), 0.0);
             integrate(
                 to, level, piece, w, [&](const Ball& y) { return one_over_pi * wave::kernel_full(Ball(hi - y), Ball(y - lo)); },
-                [&](double from_a, double from_b, double) { return 1 / (std::numbers::pi * std::sqrt((from_a + off_a) * (from_b + off_b))) * 1.000001; },
+                [&](double from_a, double from_b, double) { return full_kernel_bound(from_a + off_a, from_b + off_b); },
                 [&](bool left, const Ball& y) { return 2 * one_over_pi / sqrt(left ? hi - y : y - lo); },
-                [&](bool left, double, double other) { return 2 / (std::numbers::pi * std::sqrt(other + (left ? off_b : off_a))) * 1.000001; });
+                [&](bool left, double, double other) { return 2 * full_kernel_bound(1, other + (left ? off_b : off_a)); });
             const Ball share_from = is_first && arb_equal(piece.from.get(), lo.get()) ? Ball(0) : share(piece.from);
             if (!is_first || !arb_equal(piece.from.get(), lo.get())) leave(to, level, piece.from, piece.from - done, w, share_from - share_done, weight);
             done = piece.to;
@@ -359,7 +369,7 @@ public:
     /// A stretch of the wave's ratios no rule covers, `width` long beside y, all taken at y.
     void leave(Scale& to, long level, const Ball& y, const Ball& width, const Ball& w, const Ball& measure, double weight)
     {
-        moved[level + 1] += weight * upper_double(abs(measure)) * upper_double(Traits::sqrt_positive_part(width)) * 1.000001;
+        moved[level + 1] += weight * upper_double(abs(measure)) * upper_double(Traits::sqrt_positive_part(width));
         enter(to, y, w * measure);
     }
 
@@ -370,27 +380,19 @@ public:
         const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
         const Ball hi = wave::highest_partial(x, G), gap = 1 - x;
         Piece piece{Ball(0), hi, tolerance, finest, 0, approximate(1 - hi) * 0.999, {}, {}};
-        const auto root_bound = [](double R) { return std::sqrt(2 / R + 1) / R; };
-        // Re R > 0, |R| >= G Re y, |1-x+R| >= |R|, |1+x+R| <= 2 + |R|; x - G^2 y^2/4 = (G/2) (hi - y) (x^(1/2) + G y/2)
         integrate(
             to, level, piece, w,
             [&](const Ball& y) {
                 const Ball Gy = G * y;
                 return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (2 * Traits::pi() * sqrt(x - Gy * Gy / 4));
             },
-            [&](double from_a, double from_b, double largest) {
-                return g * g * largest / (2 * std::numbers::pi) * root_bound(g * from_a) / std::sqrt(g / 2 * from_b * root_x) * 1.0001;
-            },
+            [&](double from_a, double from_b, double largest) { return partial_kernel_bound(g, root_x, from_a, from_b, largest); },
             [&](bool, const Ball& y) {
                 const Ball Gy = G * y;
                 return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (Traits::pi() * sqrt(G / 2 * (sqrt(x) + Gy / 2)));
             },
-            [&](bool, double beyond, double from_a) {
-                return 2 * g * g * (approximate(hi) + beyond) / (2 * std::numbers::pi) * root_bound(g * from_a) / std::sqrt(g / 2 * root_x) * 1.0001;
-            });
-        // below the first panel: dropped; B_m(y) <= (y/G^m)^(1/2) and k <= (3 G/(2 x y))^(1/2)/pi for G y <= 1, x - G^2 y^2/4 >= x/2
-        const double start = upper_double(piece.from);
-        moved[level + 1] += weight * std::sqrt(6 * g / approximate(x)) / std::numbers::pi * start * 1.001;
+            [&](bool, double beyond, double from_a) { return 2 * partial_kernel_bound(g, root_x, from_a, 1, approximate(hi) + beyond); });
+        moved[level + 1] += weight * dropped_below(g, approximate(x), upper_double(piece.from));
         if (arb_equal(piece.to.get(), hi.get())) return;
         const Ball P = G * piece.to, R = wave::radius(gap, Ball(P * P));
         const Ball share_high = 2 / Traits::pi() * asin(sqrt(wave::one_minus_c_partial(x, R, Ball(P * P)) / 2)); // (2.17)
@@ -399,7 +401,7 @@ public:
 
     void spread_measure()
     {
-        S = singular(load);
+        S = singular_points(load, G);
         Scale now{load, load, {}};
         std::vector<Node> above_one{{load, Ball(1)}}, between;
         for (long level = 0; !above_one.empty() || !between.empty(); ++level) {
@@ -468,9 +470,11 @@ public:
         error = error * pow(G, Ball(-n));
         for (const auto& [level, e] : moved)
             if (level <= n) error += Ball::exactly(e) * pow(G, Ball(level - n) / 2);
-        arb_add_error(sum.get(), upper(error).get());
+        arb_add_error(sum.get(), upper(error * Ball::exactly(margin)).get()); // summed up in binary64
         return sum;
     }
+    const std::map<long, double>& errors_by_level() const { return errors; }
+    const std::map<long, double>& moved_by_level() const { return moved; }
     std::string certificate(long n)
     {
         std::string text = fmt::format("full contact: {} points of S, panels shrink by {} to {:.2g}, ellipse rho = {}\n", S.size(), shape.ratio, last, shape.rho);
@@ -498,6 +502,17 @@ private:
     std::vector<mp_limb_t> buffer;
     std::shared_ptr<Discretisation> chain;
 };
+
+} // namespace
+
+heavy_load::Made heavy_load::made(Scheme scheme, long n, const Arguments& a, double accuracy, long scales)
+{
+    HeavyLoad f(scheme, a, accuracy, scales);
+    const Ball area = f.area(n);
+    return {area, f.errors_by_level(), f.moved_by_level()};
+}
+
+namespace {
 
 /// The last few, most recently used first.
 struct Kept {

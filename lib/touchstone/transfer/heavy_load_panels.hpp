@@ -5,11 +5,14 @@
 /// Internal to transfer/.
 #pragma once
 
-#include "touchstone/transfer/chain.hpp"
+#include "touchstone/transfer/contact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <numbers>
+#include <vector>
 
 namespace touchstone::transfer::heavy_load {
 
@@ -38,6 +41,73 @@ inline bool is_below(const Ball& a, const Ball& b) { return certainly(less(a, b)
 struct Bracket {
     Ball lo, hi;
 };
+
+// ---- Lemma 3
+
+/// Q(X) and M(X), c = lim c_m: Q G^-m is at least B_m on [0, X], M G^-m at least |B_m| on every disc D(J), J within [0, X]. \pre X >= 0
+Ball largest_real(const Ball& X, const Ball& G, const Ball& c);
+Ball largest_in_disc(const Ball& X, const Ball& G, const Ball& c);
+
+/// The points of S from 0 to beyond `top`, in order, those that cannot be told apart in one bracket.
+std::vector<Bracket> singular_points(const Ball& top, const Ball& G);
+
+// ---- bounds, for functions of which no more is known than the size on an ellipse, and for the kernels
+
+constexpr double margin = 1.000001; ///< on what is computed with a few roundings of binary64
+
+/// Of the n-point Gauss rule on a panel of half-length `half`, the integrand at most `most` on the ellipse of parameter rho: its Chebyshev coefficients are
+/// <= 2 most rho^-k, and from k = 2n on the rule and the integral of T_k differ by at most 2 + 2/3 (rule.hpp).
+inline double gauss_error(double half, double most, double rho, long n)
+{
+    return half * 16 / 3 * most * std::pow(rho, -2 * static_cast<double>(n)) / (1 - 1 / rho) * margin;
+}
+
+/// Of the interpolation at p Chebyshev points of a function that is at most 1 on the ellipse of parameter rho: twice the sum of the coefficients from k = p
+/// on, <= 2 rho^-k each.
+inline double interpolation_error(long p, double rho) { return 4 * std::pow(rho, -static_cast<double>(p - 1)) / (rho - 1) * margin; }
+
+/// What the radii of a weight and of its place, in a panel with p points, may change of the interpolant's sum: each of the p moments by that of the weight,
+/// and twice their sum counts; the function by Cauchy's bound of its derivative, (rho + 1/rho)/2 - 1 being above 1/100.
+inline double entry_error(double weight, double radius, double radius_of_place, long p)
+{
+    return 2 * static_cast<double>(p) * radius + 100 * weight * radius_of_place;
+}
+
+/// What the roundings of fixed point change of the sum of weights times a function that is at most 1, |weights| adding up to `entered` in so many `terms`,
+/// in panels of at most p points. Of w T_k(t), by T_k = 2 t T_(k-1) - T_(k-2): t is off by a unit, k^2 |w| units; w is, 1 unit; and the j-th product is, which
+/// goes on as U_(k-j), |U_m| <= m + 1, k (k + 1)/2 units. Twice their sum over k < p is at most p^3 (entered + terms) for p > 1.
+inline double rounding_error(double entered, double terms, long p, double unit)
+{
+    const double points = static_cast<double>(p);
+    return points * points * points * (entered + terms) * unit;
+}
+
+
+/// At least |kernel of (F1)| at complex y so far from the ends of the wave.
+inline double full_kernel_bound(double from_low, double from_high) { return 1 / (std::numbers::pi * std::sqrt(from_low * from_high)) * margin; }
+
+/// At least |k(x, y)| of (F2), 0 < x < 1, at complex y with Re y >= right > 0, |y| <= largest, `from_high` or more from the end 2 x^(1/2)/G of the wave. For
+/// Re R > 0, |R| >= G Re y, |1 - x + R| >= |R|, |1 + x + R| <= 2 + |R|; and x - G^2 y^2/4 = (G/2) (2 x^(1/2)/G - y) (x^(1/2) + G y/2), whose last factor
+/// is at least x^(1/2).
+inline double partial_kernel_bound(double G, double root_x, double right, double from_high, double largest)
+{
+    const double R = G * right;
+    return G * G * largest / (2 * std::numbers::pi) * std::sqrt(2 / R + 1) / R / std::sqrt(G / 2 * from_high * root_x) * margin;
+}
+
+/// At least int_0^start (y)^(1/2) |k(x, y)| dy of (F2), where G start <= 1 and G^2 start^2 <= 2 x: k <= (3 G/(2 x y))^(1/2)/pi there, R being at least G y and
+/// 1 + x + R at most 3.
+inline double dropped_below(double G, double x, double start) { return std::sqrt(3 * G / (2 * x)) / std::numbers::pi * start * margin; }
+
+/// area_at_heavy_load (heavy_load.hpp) with an error of about e^-accuracy, made anew: where accuracy is low, the error is seen beside its bound. What adds
+/// up to the bound, by level: times G^-(n - level), and what was moved to another ratio (Lemma 4), times G^-(n - level)/2.
+struct Made {
+    Ball area;
+    std::map<long, double> errors, moved;
+};
+Made made(Scheme, long n, const Arguments&, double accuracy, long scales);
+
+// ---- panels
 
 /// How panels are graded.
 struct Shape {
