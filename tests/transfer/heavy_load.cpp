@@ -161,6 +161,25 @@ TEST_CASE("the size of B_m: Q and M are those of Lemma 3, one step and two steps
     }
 }
 
+TEST_CASE("the size of B_m below 1 is at most its limit, and not much more than level 64 has")
+{
+    const WorkingPrecision precision(bits);
+    for (const char* G : {"2.1", "16", "1000"}) {
+        const Ball limit = largest_size(Ball(exactly(G)));
+        for (const long level : {0L, 1L, 64L, 100L}) CHECK(is_below(magnitudes(Ball(exactly(G)), level).back(), limit));
+        CHECK(is_below(limit, magnitudes(Ball(exactly(G)), 64).back() * Ball(exactly("1.000000002"))));
+    }
+}
+
+TEST_CASE("an ellipse about a panel is in its disc up to where it would reach the end that the panels shrink to")
+{
+    for (const double ratio : {2., 4., 6.}) {
+        const double major = (ratio + 1) / (ratio - 1), most = major + std::sqrt(major * major - 1);
+        CHECK((Shape{ratio, 0.97 * most}.stays_in_disc()));
+        CHECK_FALSE((Shape{ratio, most}.stays_in_disc()));
+    }
+}
+
 TEST_CASE("the singular points up to the largest ratio and beyond it, each in its bracket, and none twice")
 {
     const WorkingPrecision precision(bits);
@@ -315,7 +334,8 @@ TEST_CASE("few digits: load 1.5, G = 2.2, across ratio 1")
 TEST_CASE("few digits: two scales, load 10, G = 3.2, across ratio 1")
 {
     const WorkingPrecision precision(bits);
-    for (const double accuracy : {1., 5.}) is_area_of_few_digits(Scheme::force_weighted, 2, at("10", "3.2"), accuracy, Ball(exactly("0.8447896421110701457823348")));
+    const Ball expected(exactly("0.8447896421110701457823348"));
+    for (const double accuracy : {1., 5.}) is_area_of_few_digits(Scheme::force_weighted, 2, at("10", "3.2"), accuracy, expected);
 }
 
 TEST_CASE("many digits: nothing is lost to a fixed precision of the places")

@@ -21,6 +21,11 @@ using Traits = ScalarTraits<Ball>;
 
 namespace heavy_load {
 
+Ball largest_size(const Ball& G)
+{
+    return wave::size(G, 64).back() * (1 + Traits::power_of_two(-30));
+}
+
 Ball largest_real(const Ball& X, const Ball& G, const Ball& c)
 {
     return is_below(X, Ball(1)) || arb_is_one(X.get()) ? c : G * largest_real((X + 1) / G, G, c);
@@ -78,12 +83,9 @@ public:
         if (!is_below(Ball::exactly(2.02), G)) throw BeyondReach("for load > 1 so near G = 2 it would take hours: many scales have ratios about 1");
         if (!is_below(Ball(1), load) || !is_below(load, Ball(1000))) throw BeyondReach("load must be above 1 and below 1000");
         shape = scheme == Scheme::force_weighted ? Shape{4, 2.9} : Shape{6, 2.3};
-        {
-            const double q = 1 / shape.ratio, limit = (1 + q) / (1 - q);
-            if (!((shape.rho + 1 / shape.rho) / 2 < limit * 0.99)) throw std::logic_error("full contact: an ellipse leaves its disc");
-        }
+        if (!shape.stays_in_disc()) throw std::logic_error("full contact: an ellipse leaves its disc");
         chain = std::make_shared<Discretisation>(scheme, a.G, std::max(wanted + 8, -std::log(last) / 0.95));
-        c = wave::size(G, 64).back() * (1 + Traits::power_of_two(-30));
+        c = largest_size(G);
         spread_measure();
     }
 

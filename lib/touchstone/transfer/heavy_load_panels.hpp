@@ -44,6 +44,9 @@ struct Bracket {
 
 // ---- Lemma 3
 
+/// At least c_m of Lemma 2 for every m: from c_64 on the factors are 1 + O(2^-65).
+Ball largest_size(const Ball& G);
+
 /// Q(X) and M(X), c = lim c_m: Q G^-m is at least B_m on [0, X], M G^-m at least |B_m| on every disc D(J), J within [0, X]. \pre X >= 0
 Ball largest_real(const Ball& X, const Ball& G, const Ball& c);
 Ball largest_in_disc(const Ball& X, const Ball& G, const Ball& c);
@@ -112,6 +115,8 @@ Made made(Scheme, long n, const Arguments&, double accuracy, long scales);
 /// How panels are graded.
 struct Shape {
     double ratio, rho;
+    /// Whether the ellipse of parameter rho about a panel from d/ratio to d leaves out the end that the panels shrink to.
+    bool stays_in_disc() const { return (rho + 1 / rho) / 2 < (ratio + 1) / (ratio - 1) * 0.99; }
 };
 
 /// One panel: mid +- half, its distance to the nearer end of the interval, and its Chebyshev points.
