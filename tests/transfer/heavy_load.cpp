@@ -294,6 +294,80 @@ TEST_CASE("the kernels are within their bounds, on the real line and on the elli
     }
 }
 
+TEST_CASE("a piece's integral: stretches side by side, each with the ellipse that its rule's error is for, and the whole within what is noted")
+{
+    const WorkingPrecision precision(bits);
+    struct Stretch {
+        bool at_end;
+        double low, other, largest, error; // what the kernel's bound and the error were asked and noted for
+        long nodes = 0;
+        double length = 0, moment = 0;
+    };
+    const double a = 2, b = 3.5;
+    for (const Shape& shape : {Shape{4, 2.9}, Shape{6, 2.3}})
+        for (const auto& [room_a, room_b] : {std::tuple{0., 0.}, {0.05, 0.}, {0., 0.3}, {5., 0.001}}) {
+            CAPTURE(room_a); CAPTURE(room_b);
+            const double A = (shape.rho + 1 / shape.rho) / 2, most = 3;
+            std::vector<Stretch> stretches;
+            std::map<long, Gauss> made_rules;
+            const auto rules = [&](long n) -> const Gauss& {
+                Gauss& rule = made_rules[n];
+                if (rule.root.empty())
+                    for (long k = 0; k < n; ++k) {
+                        Ball root, weight;
+                        arb_hypgeom_legendre_p_ui_root(root.get(), weight.get(), static_cast<ulong>(n), static_cast<ulong>(k), bits);
+                        rule.root.push_back(root);
+                        rule.weight.push_back(weight);
+                    }
+                return rule;
+            };
+            Piece piece{Ball(2), Ball(exactly("3.5")), 1e-6, 1e-4, room_a, room_b, {}, {}};
+            integrate(
+                piece, shape, most, rules,
+                [&](const Ball& y, const Ball& share) {
+                    Stretch& s = stretches.back();
+                    ++s.nodes;
+                    s.length += approximate(share);
+                    s.moment += approximate(share) * approximate(y);
+                },
+                [&](double error) { stretches.back().error = error; }, [](const Ball&) { return Ball(1); },
+                [&](double from_a, double from_b, double largest) {
+                    stretches.push_back({false, from_a, from_b, largest, 0});
+                    return 7.;
+                },
+                [&](bool, const Ball&) { return Ball(2); }, // of (distance from the end)^(-1/2): 2 l^(1/2) in all, a mean distance of l/3
+                [&](bool left, double reach, double other) {
+                    stretches.push_back({true, left ? 1. : 0., other, reach, 0});
+                    return 7.;
+                });
+            const auto is = [](double found, double expected) { CHECK(found == doctest::Approx(expected).scale(0).epsilon(1e-9)); };
+            double covered = 0;
+            for (Stretch& s : stretches) {
+                const double mean = s.moment / s.length;
+                if (s.at_end) s.length *= s.length / 4;
+                covered += s.length;
+                if (s.at_end) { // from the end, l long, in v up to l^(1/2)
+                    CHECK(s.length * (A - 1) / 2 < (s.low == 1 ? room_a : room_b));
+                    is(s.largest, s.length * (A + 1) / 2);
+                    is(s.other, b - a - s.length * (A + 1) / 2);
+                    is(s.error, gauss_error(std::sqrt(s.length), most * 7, std::sqrt(shape.rho), 2 * s.nodes));
+                    is(mean, s.low == 1 ? a + s.length / 3 : b - s.length / 3);
+                } else {
+                    const double mid = mean, half = s.length / 2;
+                    is(s.low, mid - half * A - a);
+                    is(s.other, b - mid - half * A);
+                    is(s.largest, mid + half * A);
+                    is(s.error, gauss_error(half, most * 7, shape.rho, s.nodes));
+                }
+            }
+            is(covered, approximate(piece.to - piece.from));
+            if (room_a > 0) CHECK(arb_equal(piece.from.get(), piece.a.get()));
+            else CHECK(piece.from.overlaps(piece.a + Ball::exactly(0.75) * pow(Ball::exactly(shape.ratio), Ball(-graded(piece.a, piece.b, shape.ratio, 1e-4).depth))));
+            if (room_b > 0) CHECK(arb_equal(piece.to.get(), piece.b.get()));
+            else CHECK(is_below(piece.b - piece.to, Ball::exactly(1e-4)));
+        }
+}
+
 namespace {
 
 /// An area of few digits is proven, its ball is as narrow as asked for, holds the value, whose distance is small in it, and the errors noted.

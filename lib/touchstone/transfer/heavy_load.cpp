@@ -67,10 +67,6 @@ namespace {
 
 using namespace heavy_load;
 
-struct Gauss {
-    std::vector<Ball> root, weight; ///< the n roots, all of them
-};
-
 /// One load and one G.
 class HeavyLoad {
 public:
@@ -251,64 +247,16 @@ public:
         enter(s.grids.back(), y, w);
     }
 
-    /// One piece of an integral, [a, b] without a point of S inside, and what is left of it at either end.
-    struct Piece {
-        Ball a, b;
-        double tolerance, finest;
-        /// Where the kernel's own end is that of the piece and B goes on: how far, until a point of S. Else 0.
-        double room_a = 0, room_b = 0;
-        Ball from, to; ///< the part the rules have covered
-    };
-
-    /// Gauss rules on panels of a piece, shrinking towards an end down to `finest`, or to what the room beyond the end allows: then
-    /// the last stretch, l long, is taken in v = (distance from the end)^(1/2), which removes the kernel's square root there, over
-    /// the ellipse of parameter rho^(1/2), whose image in y is the one of parameter rho about the stretch.
-    /// kernel(y); bound(least distance from a, from b, largest |y|) on an ellipse; kernel_at_end(left, y), bound_at_end(left, ...) with 2 v.
+    /// A piece of the wave of weight w to the next scale (heavy_load_panels.hpp).
     template <class Kernel, class Bound, class KernelAtEnd, class BoundAtEnd>
     void integrate(Scale& to, long level, Piece& piece, const Ball& w, const Kernel& kernel, const Bound& bound, const KernelAtEnd& kernel_at_end,
                    const BoundAtEnd& bound_at_end)
     {
-        const Graded g = graded(piece.a, piece.b, shape.ratio, piece.finest);
-        const double rho = shape.rho, beyond = ((rho + 1 / rho) / 2 - 1) / 2, weight = upper_double(abs(w));
-        const double m = upper_double(M(upper(piece.b + Ball::exactly(piece.room_b)))), length = 2 * approximate(g.reach), major = (rho + 1 / rho) / 2;
-        const double share_of_tolerance = piece.tolerance / static_cast<double>(2 * g.depth + 2);
-        // points of the rule on a panel of half-length `half`, the integrand at most `most` on the ellipse; its error is noted
-        const auto points = [&](double half, double most, double ellipse) {
-            const double needed = std::log(gauss_error(half, most, ellipse, 0) / share_of_tolerance) / (2 * std::log(ellipse));
-            const long n = 2 * std::max(1L, static_cast<long>(std::ceil(needed / 2)));
-            add_error(level + 1, weight * gauss_error(half, most, ellipse, n));
-            return n;
-        };
-        for (const bool left : {true, false}) {
-            const double room = left ? piece.room_a : piece.room_b;
-            const Ball& end = left ? piece.a : piece.b;
-            const Ball inward = left ? Ball(1) : Ball(-1);
-            Ball far = g.reach;
-            bool reached = false;
-            for (long k = 0; k < g.depth && !reached; ++k) {
-                reached = approximate(far) * beyond * 1.01 < room;
-                if (reached) {
-                    const double l = approximate(far), here = bound_at_end(left, l * (1 + beyond), length - l * (1 + beyond));
-                    const Gauss& rule = gauss(points(std::sqrt(l), m * here, std::sqrt(rho))); // of an even function, twice the integral
-                    const Ball half = sqrt(far);
-                    for (std::size_t q = 0; q < rule.root.size() / 2; ++q) { // the positive roots
-                        const Ball v = half * rule.root[q], y = end + inward * v * v;
-                        enter(to, y, w * half * rule.weight[q] * kernel_at_end(left, y));
-                    }
-                    break;
-                }
-                const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
-                const double least = approximate(at) - approximate(half) * major, most = approximate(at) + approximate(half) * major;
-                const double here = left ? bound(least, length - most, approximate(piece.a) + most) : bound(length - most, least, approximate(piece.b) - least);
-                const Gauss& rule = gauss(points(approximate(half), m * here, rho));
-                for (std::size_t q = 0; q < rule.root.size(); ++q) {
-                    const Ball y = end + inward * (at + half * rule.root[q]);
-                    enter(to, y, w * half * rule.weight[q] * kernel(y));
-                }
-                far = near;
-            }
-            (left ? piece.from : piece.to) = reached ? end : end + inward * far;
-        }
+        const double weight = upper_double(abs(w)), most = upper_double(M(upper(piece.b + Ball::exactly(piece.room_b))));
+        const auto rules_by_size = [this](long n) -> const Gauss& { return gauss(n); };
+        const auto take = [&](const Ball& y, const Ball& share) { enter(to, y, w * share); };
+        const auto note = [&](double error) { add_error(level + 1, weight * error); };
+        heavy_load::integrate(piece, shape, most, rules_by_size, take, note, kernel, bound, kernel_at_end, bound_at_end);
     }
 
     double negligible() const { return std::exp(-wanted - 12); } ///< weights that are not followed

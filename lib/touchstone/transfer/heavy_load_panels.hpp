@@ -115,8 +115,11 @@ Made made(Scheme, long n, const Arguments&, double accuracy, long scales);
 /// How panels are graded.
 struct Shape {
     double ratio, rho;
+    /// Half the length of the ellipse of parameter rho about [-1, 1], and how far the one about [0, 1] goes beyond its ends.
+    double major() const { return (rho + 1 / rho) / 2; }
+    double beyond() const { return (major() - 1) / 2; }
     /// Whether the ellipse of parameter rho about a panel from d/ratio to d leaves out the end that the panels shrink to.
-    bool stays_in_disc() const { return (rho + 1 / rho) / 2 < (ratio + 1) / (ratio - 1) * 0.99; }
+    bool stays_in_disc() const { return major() < (ratio + 1) / (ratio - 1) * 0.99; }
 };
 
 /// One panel: mid +- half, its distance to the nearer end of the interval, and its Chebyshev points.
@@ -145,6 +148,74 @@ inline Graded graded(const Ball& lo, const Ball& hi, double ratio, double last)
     Graded g{lo, hi, (lo + hi) / 2, (hi - lo) / 2, ratio, 1};
     g.depth = std::max(1L, static_cast<long>(std::ceil(std::log(approximate(g.reach) / last) / std::log(ratio))));
     return g;
+}
+
+// ---- integrals over a piece of the wave
+
+struct Gauss {
+    std::vector<Ball> root, weight; ///< the n roots, all of them, the largest first
+};
+
+/// One piece of an integral, [a, b] without a point of S inside, and what is left of it at either end.
+struct Piece {
+    Ball a, b;
+    double tolerance, finest;
+    /// Where the kernel's own end is that of the piece and B goes on: how far, until a point of S. Else 0.
+    double room_a = 0, room_b = 0;
+    Ball from, to; ///< the part the rules have covered
+};
+
+/// Gauss rules on panels of a piece, shrinking towards an end down to `finest`, or to what the room beyond the end allows: then
+/// the last stretch, l long, is taken in v = (distance from the end)^(1/2), which removes the kernel's square root there, over
+/// the ellipse of parameter rho^(1/2), whose image in y is the one of parameter rho about the stretch.
+/// \param most at least |B| on the ellipses
+/// \param rules the Gauss rule of so many points
+/// \param take takes y and its share of the integral, \param note a bound of a rule's error
+/// \param bound of the kernel on an ellipse by (least distance from a, from b, largest |y|)
+/// \param kernel_at_end (left, y) with 2 v, \param bound_at_end (left, l and how far the ellipse goes beyond it, least distance from the other end) with 2 v
+template <class Rules, class Take, class Note, class Kernel, class Bound, class KernelAtEnd, class BoundAtEnd>
+void integrate(Piece& piece, const Shape& shape, double most, const Rules& rules, const Take& take, const Note& note, const Kernel& kernel, const Bound& bound,
+               const KernelAtEnd& kernel_at_end, const BoundAtEnd& bound_at_end)
+{
+    const Graded g = graded(piece.a, piece.b, shape.ratio, piece.finest);
+    const double length = 2 * approximate(g.reach), share_of_tolerance = piece.tolerance / static_cast<double>(2 * g.depth + 2);
+    // the rule for a panel of half-length `half`, the kernel at most `here` on the ellipse; its error is noted
+    const auto rule_for = [&](double half, double here, double rho) -> const Gauss& {
+        const double needed = std::log(gauss_error(half, most * here, rho, 0) / share_of_tolerance) / (2 * std::log(rho));
+        const long n = 2 * std::max(1L, static_cast<long>(std::ceil(needed / 2)));
+        note(gauss_error(half, most * here, rho, n));
+        return rules(n);
+    };
+    for (const bool left : {true, false}) {
+        const double room = left ? piece.room_a : piece.room_b;
+        const Ball& end = left ? piece.a : piece.b;
+        const Ball inward = left ? Ball(1) : Ball(-1);
+        Ball far = g.reach;
+        bool reached = false;
+        for (long k = 0; k < g.depth && !reached; ++k) {
+            reached = approximate(far) * shape.beyond() * 1.01 < room;
+            if (reached) {
+                const double l = approximate(far), reach = l * (1 + shape.beyond());
+                const Gauss& rule = rule_for(std::sqrt(l), bound_at_end(left, reach, length - reach), std::sqrt(shape.rho)); // an even function, twice the integral
+                const Ball half = sqrt(far);
+                for (std::size_t q = 0; q < rule.root.size() / 2; ++q) { // the positive roots
+                    const Ball v = half * rule.root[q], y = end + inward * v * v;
+                    take(y, half * rule.weight[q] * kernel_at_end(left, y));
+                }
+                break;
+            }
+            const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
+            const double mid = approximate(at), radius = approximate(half) * shape.major(), from_this = mid - radius, from_other = length - (mid + radius);
+            const double here = left ? bound(from_this, from_other, approximate(piece.b) - from_other) : bound(from_other, from_this, approximate(piece.b) - from_this);
+            const Gauss& rule = rule_for(approximate(half), here, shape.rho);
+            for (std::size_t q = 0; q < rule.root.size(); ++q) {
+                const Ball y = end + inward * (at + half * rule.root[q]);
+                take(y, half * rule.weight[q] * kernel(y));
+            }
+            far = near;
+        }
+        (left ? piece.from : piece.to) = reached ? end : end + inward * far;
+    }
 }
 
 } // namespace touchstone::transfer::heavy_load
