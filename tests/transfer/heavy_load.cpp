@@ -294,6 +294,70 @@ TEST_CASE("the kernels are within their bounds, on the real line and on the elli
     }
 }
 
+TEST_CASE("a measure on a grid: sums of what is analytic on the ellipses stay within what is lost, of what entered at the edges and beyond the ends too")
+{
+    const WorkingPrecision precision(300);
+    const auto keep = [kept = std::map<long, std::vector<Ball>>{}](long p) mutable -> const std::vector<Ball>& { return kept[p] = cosines(p); };
+    const Ball lo(2), hi(exactly("3.5"));
+    for (const Shape& shape : {Shape{4, 2.9}, Shape{6, 2.3}})
+        for (const double wanted : {5., 40.})
+            for (const char* pole : {"1.9", "3.7"}) {
+                const auto f = [&](const Ball& y) { return 1 / (y - Ball(exactly(pole))); };
+                Grid grid(lo, hi, shape, 1e-3, wanted, Ball(1), FixedFormat(40)); // 48 bits: roundings are seen
+                const double most = 1 / 0.1, depth = static_cast<double>(grid.g.depth), finest = 0.75 * std::pow(shape.ratio, -depth);
+                Ball sum(0);
+                double entered = 0, held = 0;
+                const auto enter = [&](const Ball& y, const Ball& w) {
+                    grid.enter(y, w);
+                    sum += w * f(y);
+                    entered += approximate(w);
+                };
+                enter(Ball(exactly("2.75")), Ball(1));
+                for (long k = 0; k <= grid.g.depth; ++k) // panels' edges, and next to them
+                    for (const double off : {-1e-3, 0., 1e-3}) {
+                        const Ball d = grid.g.reach * grid.g.power(-k) * (1 + Ball::exactly(off));
+                        if (k == grid.g.depth && off < 0) continue;
+                        enter(lo + d, Ball(exactly("0.25")));
+                        enter(hi - d, Ball(exactly("0.125")));
+                    }
+                for (int i = 1; i < 60; ++i) enter(lo + (hi - lo) * Ball(i) / Ball(60), Ball(exactly("0.01")));
+                CHECK(grid.held < 1e-20);
+                CHECK(grid.terms == 1 + 60 - 1 + 2 * (3 * depth + 2));
+                Ball found(0), mass(0);
+                for (const Node& v : grid.as_nodes(keep)) {
+                    found += v.weight * f(v.x);
+                    mass += v.weight;
+                    CHECK(is_below(lo, v.x));
+                    CHECK(is_below(v.x, hi));
+                }
+                const double lost = grid.lost();
+                CHECK(is_below(abs(found - sum), Ball::exactly(lost * most)));
+                CHECK(is_below(abs(mass - Ball::exactly(entered)), Ball::exactly(grid.terms * 0x1p-40)));
+                CHECK(lost >= entered * interpolation_error(grid.most_points, shape.rho) + rounding_error(entered, grid.terms, grid.most_points, 0x1p-48));
+                CHECK(lost < std::exp(-wanted) * entered * 3 + 1e-6);
+                // what is nearer to an end than the panels is taken at their last edge
+                for (const auto& [y, edge] : {std::tuple{lo + Ball(exactly("1e-9")), lo + Ball::exactly(finest)}, {hi - Ball(exactly("1e-9")), hi - Ball::exactly(finest)}, {lo, lo + Ball::exactly(finest)}, {hi, hi - Ball::exactly(finest)}}) {
+                    grid.enter(y, Ball(2));
+                    sum += 2 * f(edge);
+                    held += 2 * std::sqrt(std::fabs(approximate(edge - y)));
+                }
+                CHECK(grid.held == doctest::Approx(held).scale(0).epsilon(1e-6));
+                CHECK(grid.held >= held * (1 - 1e-12));
+                found = Ball(0);
+                for (const Node& v : grid.as_nodes(keep)) found += v.weight * f(v.x);
+                CHECK(is_below(abs(found - sum), Ball::exactly(grid.lost() * most + 1e-11)));
+                // radii are counted, and places that are not known are refused
+                const double before = grid.lost();
+                Ball loose(exactly("0.5"));
+                mag_set_d(arb_radref(loose.get()), 0x1p-20);
+                grid.enter(Ball(exactly("2.5")), loose);
+                CHECK(grid.lost() >= before + 2 * static_cast<double>(grid.most_points - 1) * 0x1p-20);
+                Ball wide(exactly("2.5"));
+                mag_set_d(arb_radref(wide.get()), 0x1p-90);
+                CHECK_THROWS_AS(grid.enter(wide, Ball(1)), std::runtime_error);
+            }
+}
+
 TEST_CASE("a piece's integral: stretches side by side, each with the ellipse that its rule's error is for, and the whole within what is noted")
 {
     const WorkingPrecision precision(bits);

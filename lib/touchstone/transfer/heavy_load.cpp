@@ -61,6 +61,114 @@ std::vector<Bracket> singular_points(const Ball& top, const Ball& G)
     return merged;
 }
 
+Grid::Grid(const Ball& lo, const Ball& hi, const Shape& shape_, double last, double wanted, const Ball& bound_, const FixedFormat& format_)
+    : g(graded(lo, hi, shape_.ratio, last)), shape(shape_), bound(bound_), format(format_)
+{
+    const double log_bound = std::log(4 * upper_double(bound) / (shape.rho - 1));
+    Ball far = g.reach;
+    for (long k = 0; k < g.depth; ++k) {
+        const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
+        // what enters a panel weighs about the root of its width
+        const double need = wanted + 2 + log_bound + std::min(0.0, std::log(approximate(far)) / 2);
+        const long p = 2 + std::max(0L, static_cast<long>(std::ceil(need / std::log(shape.rho))));
+        left.push_back({lo + at, half, p, nodes});
+        right.push_back({hi - at, half, p, nodes + static_cast<std::size_t>(p)});
+        nodes += 2 * static_cast<std::size_t>(p);
+        most_points = std::max(most_points, p);
+        far = near;
+    }
+    moments.assign(nodes * static_cast<std::size_t>(format.limbs()), 0);
+    buffer.resize(6 * static_cast<std::size_t>(format.limbs()));
+}
+
+void Grid::enter(const Ball& y, const Ball& w)
+{
+    const bool on_left = arf_cmp(arb_midref(y.get()), arb_midref(g.middle.get())) < 0;
+    std::vector<Panel>& side = on_left ? left : right;
+    const double weight = upper_double(abs(w)), away = approximate(on_left ? y - g.lo : g.hi - y);
+    const double guess = away > 0 ? std::log(approximate(g.reach) / away) / std::log(shape.ratio) : 1e9;
+    auto k = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(side.size() - 1)));
+    Ball tau = (y - side[k].mid) / side[k].half;
+    if (!on_left) tau = -tau; // tau = -1 is next to the end of the interval
+    if (is_below(Ball(1), tau) && k > 0) --k;
+    else if (is_below(tau, Ball(-1)) && k + 1 < side.size()) ++k;
+    Panel& p = side[k];
+    tau = (y - p.mid) / p.half;
+    if (is_below(abs(tau), Ball(1))) ;
+    else {
+        const Ball edge = arf_sgn(arb_midref(tau.get())) < 0 ? Ball(-1) : Ball(1), moved = abs(tau - edge) * p.half;
+        held += weight * upper_double(ScalarTraits<Ball>::sqrt_positive_part(moved));
+        tau = edge;
+    }
+    if (!(tau.radius_bound() < 0x1p-100)) throw BeyondReach("a singular point and a node are too close to be told apart");
+    p.entered += weight;
+    loose += entry_error(weight, w.radius_bound(), tau.radius_bound(), p.points);
+    ++terms;
+
+    const auto limbs = static_cast<std::size_t>(format.limbs());
+    const auto n = static_cast<mp_size_t>(limbs);
+    mp_limb_t *t = &buffer[0], *before = t + n, *now = before + n, *next = now + n, *scratch = next + n;
+    format.put(t, tau);
+    format.put(before, w);
+    format.multiply(now, before, t, 0, scratch);
+    mp_limb_t* sum = &moments[p.first * limbs];
+    mpn_add_n(sum, sum, before, n);
+    sum += n;
+    mpn_add_n(sum, sum, now, n);
+    for (long k2 = 2; k2 < p.points; ++k2) {
+        sum += n;
+        format.multiply(next, now, t, 1, scratch);
+        mpn_sub_n(next, next, before, n);
+        mpn_add_n(sum, sum, next, n);
+        mp_limb_t* const free = before;
+        before = now, now = next, next = free;
+    }
+}
+
+double Grid::lost() const
+{
+    double interpolated = 0, entered = 0;
+    for (const std::vector<Panel>* side : {&left, &right})
+        for (const Panel& p : *side) {
+            interpolated += p.entered * interpolation_error(p.points, shape.rho);
+            entered += p.entered;
+        }
+    return loose + interpolated + rounding_error(entered, terms, most_points, upper_double(format.unit()));
+}
+
+std::vector<Node> Grid::as_nodes(const std::function<const std::vector<Ball>&(long)>& cosines_for) const
+{
+    std::vector<Node> all;
+    const auto limbs = static_cast<std::size_t>(format.limbs());
+    fmpz_t units;
+    fmpz_init(units);
+    for (const std::vector<Panel>* side : {&left, &right})
+        for (const Panel& p : *side) {
+            if (p.entered == 0) continue;
+            const std::vector<Ball>& cosines = cosines_for(p.points);
+            std::vector<Ball> mu(static_cast<std::size_t>(p.points));
+            for (std::size_t k = 0; k < mu.size(); ++k) {
+                format.get(units, &moments[(p.first + k) * limbs]);
+                arb_set_fmpz(mu[k].get(), units);
+                mu[k] = mu[k] * format.unit();
+            }
+            for (long j = 0; j < p.points; ++j) {
+                Ball w = mu[0] / 2;
+                for (long k = 1; k < p.points; ++k) w += mu[static_cast<std::size_t>(k)] * cosines[static_cast<std::size_t>(k * (2 * j + 1) % (4 * p.points))];
+                all.push_back({p.mid + p.half * cosines[static_cast<std::size_t>(2 * j + 1)], 2 * w / Ball(p.points)});
+            }
+        }
+    fmpz_clear(units);
+    return all;
+}
+
+std::vector<Ball> cosines(long p)
+{
+    std::vector<Ball> all;
+    for (long k = 0; k < 4 * p; ++k) all.push_back(ScalarTraits<Ball>::cos_pi(Ball(k) / Ball(2 * p)));
+    return all;
+}
+
 } // namespace heavy_load
 
 namespace {
@@ -89,124 +197,18 @@ public:
     Ball M(const Ball& X) const { return largest_in_disc(X, G, c); }
     // ---- measures on the ratios of one scale
 
-    /// Weights at Chebyshev points of graded panels of one interval.
-    struct Grid {
-        Graded g;
-        std::vector<Panel> left, right;
-        std::size_t nodes = 0;
-        long most_points = 0;
-        Ball bound;                     ///< M
-        std::vector<mp_limb_t> moments; ///< sums of w T_k
-        double terms = 0, held = 0;     ///< entries; |weights| x sqrt(distance) of what was moved to the last panel's edge
-        double loose = 0;               ///< what the radii of weights and of their places may change, where the function is at most 1
-    };
-    Grid grid(const Ball& lo, const Ball& hi) const
-    {
-        Grid r;
-        r.g = graded(lo, hi, shape.ratio, last);
-        r.bound = M(hi);
-        const double log_bound = std::log(4 * upper_double(r.bound) / (shape.rho - 1));
-        Ball far = r.g.reach;
-        for (long k = 0; k < r.g.depth; ++k) {
-            const Ball near = r.g.reach * r.g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
-            // what enters a panel weighs about the root of its width
-            const double need = wanted + 2 + log_bound + std::min(0.0, std::log(approximate(far)) / 2);
-            const long p = 2 + std::max(0L, static_cast<long>(std::ceil(need / std::log(shape.rho))));
-            r.left.push_back({lo + at, half, p, r.nodes});
-            r.right.push_back({hi - at, half, p, r.nodes + static_cast<std::size_t>(p)});
-            r.nodes += 2 * static_cast<std::size_t>(p);
-            r.most_points = std::max(r.most_points, p);
-            far = near;
-        }
-        r.moments.assign(r.nodes * static_cast<std::size_t>(format.limbs()), 0);
-        return r;
-    }
-
-    /// Adds weight w at y to a grid.
-    void enter(Grid& g, Ball y, const Ball& w)
-    {
-        const bool on_left = arf_cmp(arb_midref(y.get()), arb_midref(g.g.middle.get())) < 0;
-        std::vector<Panel>& side = on_left ? g.left : g.right;
-        const double weight = upper_double(abs(w)), away = approximate(on_left ? y - g.g.lo : g.g.hi - y);
-        const double guess = away > 0 ? std::log(approximate(g.g.reach) / away) / std::log(shape.ratio) : 1e9;
-        auto k = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(side.size() - 1)));
-        Ball tau = (y - side[k].mid) / side[k].half;
-        if (!on_left) tau = -tau; // tau = -1 is next to the end of the interval
-        if (is_below(Ball(1), tau) && k > 0) --k;
-        else if (is_below(tau, Ball(-1)) && k + 1 < side.size()) ++k;
-        Panel& p = side[k];
-        tau = (y - p.mid) / p.half;
-        if (is_below(abs(tau), Ball(1))) ;
-        else {
-            const Ball edge = arf_sgn(arb_midref(tau.get())) < 0 ? Ball(-1) : Ball(1), moved = abs(tau - edge) * p.half;
-            g.held += weight * upper_double(Traits::sqrt_positive_part(moved));
-            tau = edge;
-        }
-        if (!(tau.radius_bound() < 0x1p-100)) throw BeyondReach("a singular point and a node are too close to be told apart");
-        p.entered += weight;
-        g.loose += entry_error(weight, w.radius_bound(), tau.radius_bound(), p.points);
-        ++g.terms;
-
-        const auto limbs = static_cast<std::size_t>(format.limbs());
-        const auto n = static_cast<mp_size_t>(limbs);
-        buffer.resize(7 * limbs);
-        mp_limb_t *t = &buffer[0], *before = &buffer[limbs], *now = &buffer[2 * limbs], *next = &buffer[3 * limbs], *scratch = &buffer[4 * limbs];
-        format.put(t, tau);
-        format.put(before, w);
-        format.multiply(now, before, t, 0, scratch);
-        mp_limb_t* sum = &g.moments[p.first * limbs];
-        mpn_add_n(sum, sum, before, n);
-        mpn_add_n(sum + n, sum + n, now, n);
-        sum += 2 * n;
-        for (long k2 = 2; k2 < p.points; ++k2, sum += n) {
-            format.multiply(next, now, t, 1, scratch);
-            mpn_sub_n(next, next, before, n);
-            mpn_add_n(sum, sum, next, n);
-            mp_limb_t* const free = before;
-            before = now, now = next, next = free;
-        }
-    }
-
-    struct Node {
-        Ball x, weight;
-    };
+    Grid grid(const Ball& lo, const Ball& hi) const { return Grid(lo, hi, shape, last, wanted, M(hi), format); }
     /// The grid as weighted points; its errors are added up for level j.
     std::vector<Node> nodes_of(Grid& g, long level)
     {
-        std::vector<Node> all;
-        const auto limbs = static_cast<std::size_t>(format.limbs());
-        double lost = g.loose, entered = 0;
-        fmpz_t units;
-        fmpz_init(units);
-        for (std::vector<Panel>* side : {&g.left, &g.right})
-            for (const Panel& p : *side) {
-                if (p.entered == 0) continue;
-                lost += p.entered * interpolation_error(p.points, shape.rho);
-                entered += p.entered;
-                const std::vector<Ball>& cosines = cosines_for(p.points);
-                std::vector<Ball> mu(static_cast<std::size_t>(p.points));
-                for (std::size_t k = 0; k < mu.size(); ++k) {
-                    format.get(units, &g.moments[(p.first + k) * limbs]);
-                    arb_set_fmpz(mu[k].get(), units);
-                    mu[k] = mu[k] * format.unit();
-                }
-                for (long j = 0; j < p.points; ++j) {
-                    Ball w = mu[0] / 2;
-                    for (long k = 1; k < p.points; ++k) w += mu[static_cast<std::size_t>(k)] * cosines[static_cast<std::size_t>(k * (2 * j + 1) % (4 * p.points))];
-                    all.push_back({p.mid + p.half * cosines[static_cast<std::size_t>(2 * j + 1)], 2 * w / Ball(p.points)});
-                }
-            }
-        fmpz_clear(units);
-        lost += rounding_error(entered, g.terms, g.most_points, upper_double(format.unit()));
-        add_error(level, lost * upper_double(g.bound));
+        add_error(level, g.lost() * upper_double(g.bound));
         moved[level] += g.held;
-        return all;
+        return g.as_nodes([this](long p) -> const std::vector<Ball>& { return cosines_for(p); });
     }
     const std::vector<Ball>& cosines_for(long p)
     {
         auto& c_p = cosines[p];
-        if (c_p.empty())
-            for (long k = 0; k < 4 * p; ++k) c_p.push_back(Traits::cos_pi(Ball(k) / Ball(2 * p)));
+        if (c_p.empty()) c_p = heavy_load::cosines(p);
         return c_p;
     }
     const Gauss& gauss(long n)
@@ -243,8 +245,8 @@ public:
     void enter(Scale& s, const Ball& y, const Ball& w)
     {
         for (Grid& g : s.grids)
-            if (arf_cmp(arb_midref(y.get()), arb_midref(g.g.hi.get())) <= 0) return enter(g, y, w);
-        enter(s.grids.back(), y, w);
+            if (arf_cmp(arb_midref(y.get()), arb_midref(g.g.hi.get())) <= 0) return g.enter(y, w);
+        s.grids.back().enter(y, w);
     }
 
     /// A piece of the wave of weight w to the next scale (heavy_load_panels.hpp).
@@ -449,7 +451,6 @@ private:
     std::map<long, double> errors, moved;         ///< by level: times G^-(n - level), times G^-(n - level)/2
     std::map<long, std::vector<Ball>> cosines;
     std::map<long, Gauss> rules;
-    std::vector<mp_limb_t> buffer;
     std::shared_ptr<Discretisation> chain;
 };
 

@@ -6,10 +6,12 @@
 #pragma once
 
 #include "touchstone/transfer/contact.hpp"
+#include "touchstone/transfer/fixed.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <vector>
@@ -149,6 +151,39 @@ inline Graded graded(const Ball& lo, const Ball& hi, double ratio, double last)
     g.depth = std::max(1L, static_cast<long>(std::ceil(std::log(approximate(g.reach) / last) / std::log(ratio))));
     return g;
 }
+
+// ---- measures
+
+struct Node {
+    Ball x, weight;
+};
+
+/// cos(pi k/(2p)), k < 4p.
+std::vector<Ball> cosines(long p);
+
+/// A measure on an interval, its weights at Chebyshev points of graded panels.
+struct Grid {
+    Graded g;
+    Shape shape;
+    Ball bound; ///< M
+    FixedFormat format;
+    std::vector<Panel> left, right;
+    std::size_t nodes = 0;
+    long most_points = 0;
+    std::vector<mp_limb_t> moments; ///< sums of w T_k
+    double terms = 0, held = 0;     ///< entries; |weights| x sqrt(distance) of what was moved to a panel's edge
+    double loose = 0;               ///< what the radii of weights and of their places may change, where the function is at most 1
+    std::vector<mp_limb_t> buffer;
+
+    /// \param last panels shrink to this width, \param wanted accuracy in nats of what is at most `bound` on the panels' ellipses
+    Grid(const Ball& lo, const Ball& hi, const Shape&, double last, double wanted, const Ball& bound, const FixedFormat&);
+    /// Adds weight w at y.
+    void enter(const Ball& y, const Ball& w);
+    /// What the sum over the nodes of a function that is at most 1 on the panels' ellipses may differ by from that over what has entered, but for `held`.
+    double lost() const;
+    /// \param cosines_for `cosines`, or what has kept them
+    std::vector<Node> as_nodes(const std::function<const std::vector<Ball>&(long)>& cosines_for) const;
+};
 
 // ---- integrals over a piece of the wave
 
