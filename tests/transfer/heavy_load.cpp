@@ -476,6 +476,18 @@ TEST_CASE("few digits: two scales, load 10, G = 3.2, across ratio 1")
     for (const double accuracy : {1., 5.}) is_area_of_few_digits(Scheme::force_weighted, 2, at("10", "3.2"), accuracy, expected);
 }
 
+TEST_CASE("few digits: where an end of the wave is a singular point, two grids have one area")
+{
+    const WorkingPrecision precision(bits);
+    for (const char* load : {"3", "5"}) { // G - 1, G + 1
+        CAPTURE(load);
+        const Made a = made(Scheme::force_weighted, 2, at(load, "4"), 12, 5), b = made(Scheme::area, 2, at(load, "4"), 8, 5);
+        CHECK(a.area.overlaps(b.area));
+        CHECK(a.area.radius_bound() < std::exp(-12));
+        CHECK(b.area.radius_bound() < std::exp(-8));
+    }
+}
+
 TEST_CASE("many digits: nothing is lost to a fixed precision of the places")
 {
     const WorkingPrecision precision(256);

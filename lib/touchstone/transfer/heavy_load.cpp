@@ -195,6 +195,7 @@ public:
 
     Ball Q(const Ball& X) const { return largest_real(X, G, c); }
     Ball M(const Ball& X) const { return largest_in_disc(X, G, c); }
+
     // ---- measures on the ratios of one scale
 
     Grid grid(const Ball& lo, const Ball& hi) const { return Grid(lo, hi, shape, last, wanted, M(hi), format); }
@@ -262,13 +263,14 @@ public:
     }
 
     double negligible() const { return std::exp(-wanted - 12); } ///< weights that are not followed
+    double finest_for(double tolerance) const { return std::min(0.01, tolerance) * last * std::exp(wanted); } ///< where panels end
     double tolerance_for(const Ball& w) const { return std::exp(-wanted) * std::max(1.0, 1 / (5000 * std::max(approximate(abs(w)), 1e-300))); }
 
     /// (F1): the weight w at x >= 1 goes to the next scale.
     void full(Scale& to, long level, const Ball& x, const Ball& w)
     {
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w);
-        const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
+        const double finest = finest_for(tolerance);
         const Ball lo = wave::lowest_full(x, G), hi = wave::highest_full(x, G);
         std::vector<Bracket> cuts{{below(lo), above(lo)}};
         double room_lo = 0, room_hi = 0; // how far B goes on beyond the ends, unless a point of S is there
@@ -329,7 +331,7 @@ public:
     void partial(Scale& to, long level, const Ball& x, const Ball& w)
     {
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w), g = approximate(G), root_x = approximate(sqrt(x));
-        const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
+        const double finest = finest_for(tolerance);
         const Ball hi = wave::highest_partial(x, G), gap = 1 - x;
         Piece piece{Ball(0), hi, tolerance, finest, 0, approximate(1 - hi) * 0.999, {}, {}};
         integrate(
@@ -345,10 +347,8 @@ public:
             },
             [&](bool, double beyond, double from_a) { return 2 * partial_kernel_bound(g, root_x, from_a, 1, approximate(hi) + beyond); });
         moved[level + 1] += weight * dropped_below(g, approximate(x), upper_double(piece.from));
-        if (arb_equal(piece.to.get(), hi.get())) return;
-        const Ball P = G * piece.to, R = wave::radius(gap, Ball(P * P));
-        const Ball share_high = 2 / Traits::pi() * asin(sqrt(wave::one_minus_c_partial(x, R, Ball(P * P)) / 2)); // (2.17)
-        leave(to, level, piece.to, hi - piece.to, w, share_high, weight);
+        // room is above 0.009, and finest below 0.01 G^(-5/2)
+        if (!arb_equal(piece.to.get(), hi.get())) throw std::logic_error("full contact: the end of a partial wave is not reached");
     }
 
     void spread_measure()
