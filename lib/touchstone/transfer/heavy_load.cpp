@@ -255,7 +255,7 @@ public:
     void integrate(Scale& to, long level, Piece& piece, const Ball& w, const Kernel& kernel, const Bound& bound, const KernelAtEnd& kernel_at_end,
                    const BoundAtEnd& bound_at_end)
     {
-        const double weight = upper_double(abs(w)), most = upper_double(M(upper(piece.b + Ball::exactly(piece.room_b))));
+        const double weight = upper_double(abs(w)), most = upper_double(M(piece.farthest()));
         const auto rules_by_size = [this](long n) -> const Gauss& { return gauss(n); };
         const auto take = [&](const Ball& y, const Ball& share) { enter(to, y, w * share); };
         const auto note = [&](double error) { add_error(level + 1, weight * error); };
@@ -276,11 +276,11 @@ public:
         double room_lo = 0, room_hi = 0; // how far B goes on beyond the ends, unless a point of S is there
         for (const Bracket& s : S) {
             if (is_below(s.hi, cuts.front().lo)) {
-                room_lo = approximate(below(lo - s.hi)) * 0.999;
+                room_lo = room_between(s.hi, lo);
                 continue;
             }
             if (is_below(hi, s.lo)) {
-                room_hi = approximate(below(s.lo - hi)) * 0.999;
+                room_hi = room_between(hi, s.lo);
                 break;
             }
             if (is_below(cuts.back().hi, s.lo)) cuts.push_back(s);
@@ -306,12 +306,12 @@ public:
             if (!is_below(a + Ball::exactly(4 * finest), b)) continue; // part of what is left out
             const bool is_first = i == 0 && room_lo > 0, is_last = i + 2 == cuts.size() && room_hi > 0;
             Piece piece{is_first ? lo : a, is_last ? hi : b, tolerance, finest, is_first ? room_lo : 0, is_last ? std::min(room_hi, 1.0) : 0, {}, {}};
-            const double off_a = is_first ? 0 : std::max(approximate(a - lo), 0.0), off_b = is_last ? 0 : std::max(approximate(hi - b), 0.0);
+            const double off_a = is_first ? 0 : distance(lo, a), off_b = is_last ? 0 : distance(b, hi);
             integrate(
                 to, level, piece, w, [&](const Ball& y) { return one_over_pi * wave::kernel_full(Ball(hi - y), Ball(y - lo)); },
                 [&](double from_a, double from_b, double) { return full_kernel_bound(from_a + off_a, from_b + off_b); },
                 [&](bool left, const Ball& y) { return 2 * one_over_pi / sqrt(left ? hi - y : y - lo); },
-                [&](bool left, double, double other) { return 2 * full_kernel_bound(1, other + (left ? off_b : off_a)); });
+                [&](bool left, double, double other) { return full_kernel_end_bound(other + (left ? off_b : off_a)); });
             const Ball share_from = is_first && arb_equal(piece.from.get(), lo.get()) ? Ball(0) : share(piece.from);
             if (!is_first || !arb_equal(piece.from.get(), lo.get())) leave(to, level, piece.from, piece.from - done, w, share_from - share_done, weight);
             done = piece.to;
@@ -333,7 +333,7 @@ public:
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w), g = approximate(G), root_x = approximate(sqrt(x));
         const double finest = finest_for(tolerance);
         const Ball hi = wave::highest_partial(x, G), gap = 1 - x;
-        Piece piece{Ball(0), hi, tolerance, finest, 0, approximate(1 - hi) * 0.999, {}, {}};
+        Piece piece{Ball(0), hi, tolerance, finest, 0, room_to_one(hi), {}, {}};
         integrate(
             to, level, piece, w,
             [&](const Ball& y) {
@@ -345,8 +345,8 @@ public:
                 const Ball Gy = G * y;
                 return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (Traits::pi() * sqrt(G / 2 * (sqrt(x) + Gy / 2)));
             },
-            [&](bool, double beyond, double from_a) { return 2 * partial_kernel_bound(g, root_x, from_a, 1, approximate(hi) + beyond); });
-        moved[level + 1] += weight * dropped_below(g, approximate(x), upper_double(piece.from));
+            [&](bool, double beyond, double from_a) { return partial_kernel_end_bound(g, root_x, from_a, approximate(hi) + beyond); });
+        moved[level + 1] += weight * dropped_below(g, upper_double(piece.from));
         // room is above 0.009, and finest below 0.01 G^(-5/2)
         if (!arb_equal(piece.to.get(), hi.get())) throw std::logic_error("full contact: the end of a partial wave is not reached");
     }

@@ -39,6 +39,12 @@ inline Ball above(const Ball& b)
 }
 inline bool is_below(const Ball& a, const Ball& b) { return certainly(less(a, b)); }
 
+/// From a to b >= a, rounded; 0 where they cannot be told apart.
+inline double distance(const Ball& a, const Ball& b) { return std::max(approximate(b - a), 0.0); }
+/// Less than the distance from a to b > a.
+inline double room_between(const Ball& a, const Ball& b) { return approximate(below(b - a)) * 0.999; }
+inline double room_to_one(const Ball& a) { return room_between(a, Ball(1)); }
+
 /// A point of S, or an end of a range: somewhere in [lo, hi], both exact.
 struct Bracket {
     Ball lo, hi;
@@ -100,11 +106,15 @@ inline double partial_kernel_bound(double G, double root_x, double right, double
     return G * G * largest / (2 * std::numbers::pi) * std::sqrt(2 / R + 1) / R / std::sqrt(G / 2 * from_high * root_x) * margin;
 }
 
-/// At least int_0^start (y)^(1/2) |k(x, y)| dy of (F2), where G start <= 1 and G^2 start^2 <= 2 x: k <= (3 G/(2 x y))^(1/2)/pi there, R being at least G y and
-/// 1 + x + R at most 3.
-inline double dropped_below(double G, double x, double start) { return std::sqrt(3 * G / (2 * x)) / std::numbers::pi * start * margin; }
+/// The same where y = end -+ v^2, times dy/dv = 2 v: the root of the distance from that end cancels v.
+inline double full_kernel_end_bound(double from_other) { return 2 * full_kernel_bound(1, from_other); }
+inline double partial_kernel_end_bound(double G, double root_x, double right, double largest) { return 2 * partial_kernel_bound(G, root_x, right, 1, largest); }
 
-/// area_at_heavy_load (heavy_load.hpp) with an error of about e^-accuracy, made anew: where accuracy is low, the error is seen beside its bound. What adds
+/// At least int_0^start y^(1/2) |k(x, y)| dy of (F2), where 2/G < x < 1 and G start <= 0.1: R is at least G y and 1 + x + R at most 2.1, x - G^2 y^2/4 at least
+/// 0.99 x, so that k <= (2.13 G/(x y))^(1/2)/(2 pi), and G/x < G^2/2.
+inline double dropped_below(double G, double start) { return 0.167 * G * start * margin; }
+
+/// area_at_heavy_load (heavy_load.hpp) with an error of about e^-accuracy, accuracy > 0, made anew: where accuracy is low, the error is seen beside its bound. What adds
 /// up to the bound, by level: times G^-(n - level), and what was moved to another ratio (Lemma 4), times G^-(n - level)/2.
 struct Made {
     Ball area;
@@ -137,7 +147,6 @@ struct Graded {
     Ball lo, hi, middle, reach; ///< reach = (hi - lo)/2
     double ratio;
     long depth;                 ///< panels on either side; the last ends at reach ratio^-depth from the end
-    Ball last() const { return reach * power(-depth); }
     Ball power(long k) const
     {
         Ball r = Ball::exactly(ratio);
@@ -197,6 +206,7 @@ struct Piece {
     double tolerance, finest;
     /// Where the kernel's own end is that of the piece and B goes on: how far, until a point of S. Else 0.
     double room_a = 0, room_b = 0;
+    Ball farthest() const { return upper(b + Ball::exactly(room_b)); } ///< that an ellipse may reach
     Ball from, to; ///< the part the rules have covered
 };
 
