@@ -152,7 +152,8 @@ TEST_CASE("the size of B_m: Q and M are those of Lemma 3, one step and two steps
             is(largest_real(Ball(exactly(X)), G, c), c);
             is(largest_in_disc(Ball(exactly(X)), G, c), c);
         }
-        const Ball once = (1 + G - 1) / 2, twice = G - Ball(exactly("0.9")); // (1 + once)/G < 1; 1 < (1 + twice)/G, whose successor is below 1
+        // (1 + once)/G < 1; 1 < (1 + twice)/G, whose successor is below 1
+        const Ball once = (1 + G - 1) / 2, twice = G - Ball(exactly("0.9"));
         is(largest_real(once, G, c), G * c);
         is(largest_in_disc(once, G, c), G * c * (1 + disc(once)));
         const Ball then = (twice + 1) / G;
@@ -180,7 +181,8 @@ TEST_CASE("what is dropped next to 0 in partial contact is at least what the ker
                 double sum = 0;
                 for (int i = 0; i < 400; ++i) {
                     const double y = (i + 0.5) / 400 * start, R = std::hypot(beneath, G * y);
-                    sum += std::sqrt(y) * G * G * y / (2 * std::numbers::pi) / (R * std::sqrt(x - G * G * y * y / 4)) * std::sqrt((1 + x + R) / (beneath + R));
+                    const double kernel = G * G * y / (2 * std::numbers::pi) / (R * std::sqrt(x - G * G * y * y / 4));
+                    sum += std::sqrt(y) * kernel * std::sqrt((1 + x + R) / (beneath + R));
                 }
                 sum *= start / 400;
                 CHECK(sum <= dropped_below(G, start));
@@ -273,7 +275,8 @@ TEST_CASE("what a weight's and its place's radii and the roundings can do is cou
     for (const long p : {2L, 3L, 20L, 200L})
         for (const auto& [entered, terms] : {std::tuple{1., 1.}, {1., 1000.}, {100., 10.}}) {
             double units = 0;
-            for (long k = 0; k < p; ++k) units += 2 * (static_cast<double>(k * k) * entered + static_cast<double>(k * (k + 1) / 2 + 1) * terms);
+            for (long k = 0; k < p; ++k)
+                units += 2 * (static_cast<double>(k * k) * entered + static_cast<double>(k * (k + 1) / 2 + 1) * terms);
             CHECK(rounding_error(entered, terms, p, 0x1p-48) >= units * 0x1p-48);
             CHECK(rounding_error(entered, terms, p, 0x1p-48) <= 8 * units * 0x1p-48);
         }
@@ -305,13 +308,15 @@ TEST_CASE("the kernels are within their bounds, on the real line and on the elli
         CHECK(std::abs(full(y)) <= full_kernel_bound(y - lo, hi - y));
         CHECK(full_kernel_bound(y - lo, hi - y) <= 1.00001 * std::abs(full(y)));
     }
-    for (const double near_one : {1e-9, 0.1, 0.5}) {
+    for (const double near_one : {1e-12, 1e-9, 0.1, 0.5}) {
         const double u = 1 - near_one, end = 2 * std::sqrt(u) / G;
         const auto partial = [&](Complex y) {
             const Complex R = std::sqrt(near_one * near_one + G * G * y * y);
             return G * G * y / (2 * std::numbers::pi) / (R * std::sqrt(u - G * G * y * y / 4.)) * std::sqrt((1 + u + R) / (near_one + R));
         };
-        const auto bound = [&](double right, double from_high, double largest) { return partial_kernel_bound(G, std::sqrt(u), right, from_high, largest); };
+        const auto bound = [&](double right, double from_high, double largest) {
+            return partial_kernel_bound(G, std::sqrt(u), right, from_high, largest);
+        };
         for (const double y : {1e-8, 1e-7, 0.01, 0.2, end - 0.01, end - 1e-9}) CHECK(std::abs(partial(y)) <= bound(y, end - y, y));
         if (near_one == 1e-9)
             for (const double y : {1e-7, 1e-6}) CHECK(bound(y, end - y, y) <= (1.00001 + 0.02 * y / 1e-6) * std::abs(partial(y)));
@@ -319,6 +324,8 @@ TEST_CASE("the kernels are within their bounds, on the real line and on the elli
             CHECK(2 * v * std::abs(full(lo + v * v)) <= full_kernel_end_bound(hi - lo - v * v));
             CHECK(full_kernel_end_bound(hi - lo - v * v) <= 1.00001 * 2 * v * std::abs(full(lo + v * v)));
             CHECK(2 * v * std::abs(partial(end - v * v)) <= partial_kernel_end_bound(G, std::sqrt(u), end - v * v, end));
+            const double far = 0.2 * end;
+            CHECK(2 * std::sqrt(end - far) * std::abs(partial(far)) <= partial_kernel_end_bound(G, std::sqrt(u), far, far));
             CHECK(partial_kernel_end_bound(G, std::sqrt(u), end - v * v, end) <= 3 * 2 * v * std::abs(partial(end - v * v)));
         }
         for (const double rho : {2.3, 2.9})
@@ -331,17 +338,26 @@ TEST_CASE("the kernels are within their bounds, on the real line and on the elli
     }
 }
 
-TEST_CASE("a measure on a grid: sums of what is analytic on the ellipses stay within what is lost, of what entered at the edges and beyond the ends too")
+namespace {
+
+auto cosines_of()
+{
+    return [kept = std::map<long, std::vector<Ball>>{}](long p) mutable -> const std::vector<Ball>& { return kept[p] = cosines(p); };
+}
+
+} // namespace
+
+TEST_CASE("a measure on a grid: sums of what is analytic on the ellipses stay within what is lost, at edges and beyond ends too")
 {
     const WorkingPrecision precision(300);
-    const auto keep = [kept = std::map<long, std::vector<Ball>>{}](long p) mutable -> const std::vector<Ball>& { return kept[p] = cosines(p); };
+    const auto keep = cosines_of();
     const Ball lo(2), hi(exactly("3.5"));
     for (const Shape& shape : {Shape{4, 2.9}, Shape{6, 2.3}})
         for (const double wanted : {5., 40.})
             for (const char* pole : {"1.9", "3.7"}) {
                 const auto f = [&](const Ball& y) { return 1 / (y - Ball(exactly(pole))); };
-                Grid grid(lo, hi, shape, 1e-3, wanted, Ball(1), FixedFormat(40)); // 48 bits: roundings are seen
-                const double most = 1 / 0.1, depth = static_cast<double>(grid.g.depth), finest = 0.75 * std::pow(shape.ratio, -depth);
+                Grid grid(lo, hi, shape, 1e-3, wanted, Ball(10), FixedFormat(40)); // 48 bits: roundings are seen
+                const double depth = static_cast<double>(grid.g.depth), finest = 0.75 * std::pow(shape.ratio, -depth);
                 Ball sum(0);
                 double entered = 0, held = 0;
                 const auto enter = [&](const Ball& y, const Ball& w) {
@@ -368,12 +384,14 @@ TEST_CASE("a measure on a grid: sums of what is analytic on the ellipses stay wi
                     CHECK(is_below(v.x, hi));
                 }
                 const double lost = grid.lost();
-                CHECK(is_below(abs(found - sum), Ball::exactly(lost * most)));
+                CHECK(is_below(abs(found - sum), Ball::exactly(lost)));
                 CHECK(is_below(abs(mass - Ball::exactly(entered)), Ball::exactly(grid.terms * 0x1p-40)));
-                CHECK(lost >= entered * interpolation_error(grid.most_points, shape.rho) + rounding_error(entered, grid.terms, grid.most_points, 0x1p-48));
-                CHECK(lost < std::exp(-wanted) * entered * 3 + 1e-6);
+                const double rounded = rounding_error(entered, grid.terms, grid.most_points, 0x1p-48);
+                CHECK(lost >= 10 * (entered * interpolation_error(grid.most_points, shape.rho) + rounded));
+                CHECK(lost < 10 * (std::exp(-wanted) * entered * 3 + 1e-6));
                 // what is nearer to an end than the panels is taken at their last edge
-                for (const auto& [y, edge] : {std::tuple{lo + Ball(exactly("1e-9")), lo + Ball::exactly(finest)}, {hi - Ball(exactly("1e-9")), hi - Ball::exactly(finest)}, {lo, lo + Ball::exactly(finest)}, {hi, hi - Ball::exactly(finest)}}) {
+                const Ball near(exactly("1e-9")), low = lo + Ball::exactly(finest), high = hi - Ball::exactly(finest);
+                for (const auto& [y, edge] : {std::tuple{lo + near, low}, {hi - near, high}, {lo, low}, {hi, high}}) {
                     grid.enter(y, Ball(2));
                     sum += 2 * f(edge);
                     held += 2 * std::sqrt(std::fabs(approximate(edge - y)));
@@ -382,20 +400,43 @@ TEST_CASE("a measure on a grid: sums of what is analytic on the ellipses stay wi
                 CHECK(grid.held >= held * (1 - 1e-12));
                 found = Ball(0);
                 for (const Node& v : grid.as_nodes(keep)) found += v.weight * f(v.x);
-                CHECK(is_below(abs(found - sum), Ball::exactly(grid.lost() * most + 1e-11)));
+                CHECK(is_below(abs(found - sum), Ball::exactly(grid.lost() + 1e-11)));
                 // radii are counted, and places that are not known are refused
                 const double before = grid.lost();
                 Ball loose(exactly("0.5"));
                 mag_set_d(arb_radref(loose.get()), 0x1p-20);
                 grid.enter(Ball(exactly("2.5")), loose);
-                CHECK(grid.lost() >= before + 2 * static_cast<double>(grid.most_points - 1) * 0x1p-20);
+                CHECK(grid.lost() >= before + 10 * 2 * static_cast<double>(grid.most_points - 1) * 0x1p-20);
                 Ball wide(exactly("2.5"));
                 mag_set_d(arb_radref(wide.get()), 0x1p-90);
                 CHECK_THROWS_AS(grid.enter(wide, Ball(1)), std::runtime_error);
             }
 }
 
-TEST_CASE("a piece's integral: stretches side by side, each with the ellipse that its rule's error is for, and the whole within what is noted")
+TEST_CASE("a measure on a grid: what a panel's points interpolate exactly is summed exactly, to the last moment")
+{
+    const WorkingPrecision precision(300);
+    Grid grid(Ball(2), Ball(3), Shape{4, 2.9}, 1e-3, 5, Ball(1), FixedFormat(100));
+    const Panel panel = grid.left.at(1);
+    const auto f = [&](const Ball& y) { // T_(p-1) of the panel
+        const Ball t = (y - panel.mid) / panel.half;
+        Ball before(1), now = t;
+        for (long k = 2; k < panel.points; ++k) {
+            const Ball next = 2 * t * now - before;
+            before = now;
+            now = next;
+        }
+        return now;
+    };
+    const Ball y = panel.mid + panel.half * Ball(exactly("0.3"));
+    grid.enter(y, Ball(1));
+    Ball found(0);
+    for (const Node& v : grid.as_nodes(cosines_of())) found += v.weight * f(v.x);
+    CHECK(is_below(abs(found - f(y)), Ball(exactly("1e-25"))));
+    CHECK_FALSE(is_below(abs(f(y)), Ball(exactly("0.1"))));
+}
+
+TEST_CASE("a piece's integral: stretches side by side, each with the ellipse that its rule's error is for")
 {
     const WorkingPrecision precision(bits);
     struct Stretch {
@@ -405,9 +446,11 @@ TEST_CASE("a piece's integral: stretches side by side, each with the ellipse tha
         double length = 0, moment = 0;
     };
     const double a = 2, b = 3.5;
+    const auto too_little = [](const Shape& shape) { return 0.75 * shape.beyond() * 0.995; };
     for (const Shape& shape : {Shape{4, 2.9}, Shape{6, 2.3}})
         // the last: the first stretch of either side reaches a little farther than there is room
-        for (const auto& [room_a, room_b] : {std::tuple{0., 0.}, {0.05, 0.}, {0., 0.3}, {5., 0.001}, {0.75 * shape.beyond() * 0.995, 0.75 * shape.beyond() * 0.995}}) {
+        for (const auto& [room_a, room_b] :
+             {std::tuple{0., 0.}, {0.05, 0.}, {0., 0.3}, {5., 0.001}, {too_little(shape), too_little(shape)}}) {
             CAPTURE(room_a); CAPTURE(room_b);
             const double A = (shape.rho + 1 / shape.rho) / 2, most = 3;
             std::vector<Stretch> stretches;
@@ -464,7 +507,10 @@ TEST_CASE("a piece's integral: stretches side by side, each with the ellipse tha
             }
             is(covered, approximate(piece.to - piece.from));
             if (room_a > 0) CHECK(arb_equal(piece.from.get(), piece.a.get()));
-            else CHECK(piece.from.overlaps(piece.a + Ball::exactly(0.75) * pow(Ball::exactly(shape.ratio), Ball(-graded(piece.a, piece.b, shape.ratio, 1e-4).depth))));
+            else {
+                const long depth = graded(piece.a, piece.b, shape.ratio, 1e-4).depth;
+                CHECK(piece.from.overlaps(piece.a + Ball::exactly(0.75) * pow(Ball::exactly(shape.ratio), Ball(-depth))));
+            }
             if (room_b > 0) CHECK(arb_equal(piece.to.get(), piece.b.get()));
             else CHECK(is_below(piece.b - piece.to, Ball::exactly(1e-4)));
         }
@@ -472,7 +518,7 @@ TEST_CASE("a piece's integral: stretches side by side, each with the ellipse tha
 
 namespace {
 
-/// An area of few digits is proven, its ball is as narrow as asked for, holds the value, whose distance is small in it, and the errors noted.
+/// An area of few digits is proven, its ball is as narrow as asked for, holds the value near its middle, and the errors noted.
 void is_area_of_few_digits(Scheme scheme, long n, const Arguments& a, double accuracy, const Ball& expected)
 {
     CAPTURE(n);
@@ -480,7 +526,7 @@ void is_area_of_few_digits(Scheme scheme, long n, const Arguments& a, double acc
     const Made found = made(scheme, n, a, accuracy, 5);
     const double radius = found.area.radius_bound();
     CHECK(radius < 0.1 * std::exp(-accuracy));
-    CHECK(is_below(abs(found.area - expected), Ball::exactly(radius * (1 + 0.03)))); // a ball about 0 of the radius, and the middle's distance
+    CHECK(is_below(abs(found.area - expected), Ball::exactly(radius * (1 + 0.03)))); // the radius, and the middle's distance
     const double G = approximate(a.G());
     double noted = 0;
     for (const auto& [level, e] : found.errors)
@@ -499,7 +545,8 @@ TEST_CASE("few digits: load 10, G = 16, nothing singular on the way")
 {
     const WorkingPrecision precision(bits);
     for (const Scheme scheme : {Scheme::force_weighted, Scheme::area})
-        for (const double accuracy : {1., 8.}) is_area_of_few_digits(scheme, 1, at("10", "16"), accuracy, nested(1, Ball(10), Ball(16), 80));
+        for (const double accuracy : {1., 8.})
+            is_area_of_few_digits(scheme, 1, at("10", "16"), accuracy, nested(1, Ball(10), Ball(16), 80));
     const Made none = made(Scheme::force_weighted, 0, at("10", "16"), 1, 5);
     CHECK(arb_is_one(none.area.get()));
     CHECK(none.errors.rbegin()->first == 2); // scale 1 is below 1, in part above 2/G; scale 2 below 2/G
@@ -510,14 +557,16 @@ TEST_CASE("few digits: load 1.5, G = 2.2, across ratio 1")
 {
     const WorkingPrecision precision(bits);
     for (const Scheme scheme : {Scheme::force_weighted, Scheme::area})
-        for (const double accuracy : {1., 8.}) is_area_of_few_digits(scheme, 1, at("1.5", "2.2"), accuracy, Ball(exactly("0.65525095502097439462")));
+        for (const double accuracy : {1., 8.})
+            is_area_of_few_digits(scheme, 1, at("1.5", "2.2"), accuracy, Ball(exactly("0.65525095502097439462")));
 }
 
 TEST_CASE("few digits: two scales, load 1.5, G = 2.2, through ratios in (2/G, 1)")
 {
     const WorkingPrecision precision(bits);
     // mpmath's quad of (C2) and (F1) over the angles, split where the ratio is 1
-    for (const double accuracy : {1., 8.}) is_area_of_few_digits(Scheme::force_weighted, 2, at("1.5", "2.2"), accuracy, Ball(exactly("0.3141139115834798")));
+    for (const double accuracy : {1., 8.})
+        is_area_of_few_digits(Scheme::force_weighted, 2, at("1.5", "2.2"), accuracy, Ball(exactly("0.3141139115834798")));
 }
 
 TEST_CASE("few digits: two scales, load 10, G = 3.2, across ratio 1")

@@ -56,7 +56,8 @@ std::vector<Bracket> singular_points(const Ball& top, const Ball& G)
     std::sort(all.begin(), all.end(), [](const Bracket& a, const Bracket& b) { return arb_lt(a.lo.get(), b.lo.get()) != 0; });
     std::vector<Bracket> merged;
     for (const Bracket& b : all)
-        if (!merged.empty() && !is_below(merged.back().hi, b.lo)) merged.back().hi = is_below(merged.back().hi, b.hi) ? b.hi : merged.back().hi;
+        if (!merged.empty() && !is_below(merged.back().hi, b.lo))
+            merged.back().hi = is_below(merged.back().hi, b.hi) ? b.hi : merged.back().hi;
         else merged.push_back(b);
     return merged;
 }
@@ -133,7 +134,7 @@ double Grid::lost() const
             interpolated += p.entered * interpolation_error(p.points, shape.rho);
             entered += p.entered;
         }
-    return loose + interpolated + rounding_error(entered, terms, most_points, upper_double(format.unit()));
+    return upper_double(bound) * (loose + interpolated + rounding_error(entered, terms, most_points, upper_double(format.unit())));
 }
 
 std::vector<Node> Grid::as_nodes(const std::function<const std::vector<Ball>&(long)>& cosines_for) const
@@ -154,7 +155,8 @@ std::vector<Node> Grid::as_nodes(const std::function<const std::vector<Ball>&(lo
             }
             for (long j = 0; j < p.points; ++j) {
                 Ball w = mu[0] / 2;
-                for (long k = 1; k < p.points; ++k) w += mu[static_cast<std::size_t>(k)] * cosines[static_cast<std::size_t>(k * (2 * j + 1) % (4 * p.points))];
+                for (long k = 1; k < p.points; ++k)
+                    w += mu[static_cast<std::size_t>(k)] * cosines[static_cast<std::size_t>(k * (2 * j + 1) % (4 * p.points))];
                 all.push_back({p.mid + p.half * cosines[static_cast<std::size_t>(2 * j + 1)], 2 * w / Ball(p.points)});
             }
         }
@@ -202,7 +204,7 @@ public:
     /// The grid as weighted points; its errors are added up for level j.
     std::vector<Node> nodes_of(Grid& g, long level)
     {
-        add_error(level, g.lost() * upper_double(g.bound));
+        add_error(level, g.lost());
         moved[level] += g.held;
         return g.as_nodes([this](long p) -> const std::vector<Ball>& { return cosines_for(p); });
     }
@@ -317,7 +319,7 @@ public:
             done = piece.to;
             share_done = is_last && arb_equal(done.get(), hi.get()) ? Ball(1) : share(done);
         }
-        if (arb_equal(done.get(), hi.get()) && arb_is_one(share_done.get())) return;
+        if (arb_is_one(share_done.get())) return;
         leave(to, level, done, above(hi) - done, w, 1 - share_done, weight);
     }
     /// A stretch of the wave's ratios no rule covers, `width` long beside y, all taken at y.
@@ -345,7 +347,8 @@ public:
                 const Ball Gy = G * y;
                 return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (Traits::pi() * sqrt(G / 2 * (sqrt(x) + Gy / 2)));
             },
-            [&](bool, double beyond, double from_a) { return partial_kernel_end_bound(g, root_x, from_a, approximate(hi) + beyond); });
+            // the ellipse reaches less than twice as far as the wave
+            [&](bool, double, double from_a) { return partial_kernel_end_bound(g, root_x, from_a, 2 * approximate(hi)); });
         moved[level + 1] += weight * dropped_below(g, upper_double(piece.from));
         // room is above 0.009, and finest below 0.01 G^(-5/2)
         if (!arb_equal(piece.to.get(), hi.get())) throw std::logic_error("full contact: the end of a partial wave is not reached");

@@ -66,27 +66,29 @@ std::vector<Bracket> singular_points(const Ball& top, const Ball& G);
 
 constexpr double margin = 1.000001; ///< on what is computed with a few roundings of binary64
 
-/// Of the n-point Gauss rule on a panel of half-length `half`, the integrand at most `most` on the ellipse of parameter rho: its Chebyshev coefficients are
-/// <= 2 most rho^-k, and from k = 2n on the rule and the integral of T_k differ by at most 2 + 2/3 (rule.hpp).
+/// Of the n-point Gauss rule on a panel of half-length `half`, the integrand at most `most` on the ellipse of parameter rho: its
+/// Chebyshev coefficients are <= 2 most rho^-k, and from k = 2n on the rule and the integral of T_k differ by at most 2 + 2/3 (rule.hpp).
 inline double gauss_error(double half, double most, double rho, long n)
 {
     return half * 16 / 3 * most * std::pow(rho, -2 * static_cast<double>(n)) / (1 - 1 / rho) * margin;
 }
 
-/// Of the interpolation at p Chebyshev points of a function that is at most 1 on the ellipse of parameter rho: twice the sum of the coefficients from k = p
-/// on, <= 2 rho^-k each.
+/// Of the interpolation at p Chebyshev points of a function that is at most 1 on the ellipse of parameter rho: twice the sum of the
+/// coefficients from k = p on, <= 2 rho^-k each.
 inline double interpolation_error(long p, double rho) { return 4 * std::pow(rho, -static_cast<double>(p - 1)) / (rho - 1) * margin; }
 
-/// What the radii of a weight and of its place, in a panel with p points, may change of the interpolant's sum: each of the p moments by that of the weight,
-/// and twice their sum counts; the function by Cauchy's bound of its derivative, (rho + 1/rho)/2 - 1 being above 1/100.
+/// What the radii of a weight and of its place, in a panel with p points, may change of the interpolant's sum: each of the p moments by
+/// that of the weight, and twice their sum counts; the function by Cauchy's bound of its derivative, (rho + 1/rho)/2 - 1 being above
+/// 1/100.
 inline double entry_error(double weight, double radius, double radius_of_place, long p)
 {
     return 2 * static_cast<double>(p) * radius + 100 * weight * radius_of_place;
 }
 
-/// What the roundings of fixed point change of the sum of weights times a function that is at most 1, |weights| adding up to `entered` in so many `terms`,
-/// in panels of at most p points. Of w T_k(t), by T_k = 2 t T_(k-1) - T_(k-2): t is off by a unit, k^2 |w| units; w is, 1 unit; and the j-th product is, which
-/// goes on as U_(k-j), |U_m| <= m + 1, k (k + 1)/2 units. Twice their sum over k < p is at most p^3 (entered + terms) for p > 1.
+/// What the roundings of fixed point change of the sum of weights times a function that is at most 1, |weights| adding up to `entered` in
+/// so many `terms`, in panels of at most p points. Of w T_k(t), by T_k = 2 t T_(k-1) - T_(k-2): t is off by a unit, k^2 |w| units; w is,
+/// 1 unit; and the j-th product is, which goes on as U_(k-j), |U_m| <= m + 1, k (k + 1)/2 units. Twice their sum over k < p is at most
+/// p^3 (entered + terms) for p > 1.
 inline double rounding_error(double entered, double terms, long p, double unit)
 {
     const double points = static_cast<double>(p);
@@ -95,11 +97,14 @@ inline double rounding_error(double entered, double terms, long p, double unit)
 
 
 /// At least |kernel of (F1)| at complex y so far from the ends of the wave.
-inline double full_kernel_bound(double from_low, double from_high) { return 1 / (std::numbers::pi * std::sqrt(from_low * from_high)) * margin; }
+inline double full_kernel_bound(double from_low, double from_high)
+{
+    return 1 / (std::numbers::pi * std::sqrt(from_low * from_high)) * margin;
+}
 
-/// At least |k(x, y)| of (F2), 0 < x < 1, at complex y with Re y >= right > 0, |y| <= largest, `from_high` or more from the end 2 x^(1/2)/G of the wave. For
-/// Re R > 0, |R| >= G Re y, |1 - x + R| >= |R|, |1 + x + R| <= 2 + |R|; and x - G^2 y^2/4 = (G/2) (2 x^(1/2)/G - y) (x^(1/2) + G y/2), whose last factor
-/// is at least x^(1/2).
+/// At least |k(x, y)| of (F2), 0 < x < 1, at complex y with Re y >= right > 0, |y| <= largest, `from_high` or more from the end 2
+/// x^(1/2)/G of the wave. For Re R > 0, |R| >= G Re y, |1 - x + R| >= |R|, |1 + x + R| <= 2 + |R|; and x - G^2 y^2/4 = (G/2) (2 x^(1/2)/G
+/// - y) (x^(1/2) + G y/2), whose last factor is at least x^(1/2).
 inline double partial_kernel_bound(double G, double root_x, double right, double from_high, double largest)
 {
     const double R = G * right;
@@ -108,14 +113,18 @@ inline double partial_kernel_bound(double G, double root_x, double right, double
 
 /// The same where y = end -+ v^2, times dy/dv = 2 v: the root of the distance from that end cancels v.
 inline double full_kernel_end_bound(double from_other) { return 2 * full_kernel_bound(1, from_other); }
-inline double partial_kernel_end_bound(double G, double root_x, double right, double largest) { return 2 * partial_kernel_bound(G, root_x, right, 1, largest); }
+inline double partial_kernel_end_bound(double G, double root_x, double right, double largest)
+{
+    return 2 * partial_kernel_bound(G, root_x, right, 1, largest);
+}
 
-/// At least int_0^start y^(1/2) |k(x, y)| dy of (F2), where 2/G < x < 1 and G start <= 0.1: R is at least G y and 1 + x + R at most 2.1, x - G^2 y^2/4 at least
-/// 0.99 x, so that k <= (2.13 G/(x y))^(1/2)/(2 pi), and G/x < G^2/2.
-inline double dropped_below(double G, double start) { return 0.167 * G * start * margin; }
+/// At least int_0^start y^(1/2) |k(x, y)| dy of (F2), where 2/G < x < 1 and G start <= 0.1: R is at least G y and 1 + x + R at most 2.1,
+/// x - G^2 y^2/4 at least 0.99 x, so that k <= (2.13 G/(x y))^(1/2)/(2 pi), and G/x < G^2/2.
+inline double dropped_below(double G, double start) { return 0.167 * G * start; }
 
-/// area_at_heavy_load (heavy_load.hpp) with an error of about e^-accuracy, accuracy > 0, made anew: where accuracy is low, the error is seen beside its bound. What adds
-/// up to the bound, by level: times G^-(n - level), and what was moved to another ratio (Lemma 4), times G^-(n - level)/2.
+/// area_at_heavy_load (heavy_load.hpp) with an error of about e^-accuracy, accuracy > 0, made anew: where accuracy is low, the error is
+/// seen beside its bound. What adds up to the bound, by level: times G^-(n - level), and what was moved to another ratio (Lemma 4), times
+/// G^-(n - level)/2.
 struct Made {
     Ball area;
     std::map<long, double> errors, moved;
@@ -188,7 +197,8 @@ struct Grid {
     Grid(const Ball& lo, const Ball& hi, const Shape&, double last, double wanted, const Ball& bound, const FixedFormat&);
     /// Adds weight w at y.
     void enter(const Ball& y, const Ball& w);
-    /// What the sum over the nodes of a function that is at most 1 on the panels' ellipses may differ by from that over what has entered, but for `held`.
+    /// What the sum over the nodes of a function that is at most `bound` on the panels' ellipses may differ by from that over what has
+    /// entered, but for `held`.
     double lost() const;
     /// \param cosines_for `cosines`, or what has kept them
     std::vector<Node> as_nodes(const std::function<const std::vector<Ball>&(long)>& cosines_for) const;
@@ -210,17 +220,18 @@ struct Piece {
     Ball from, to; ///< the part the rules have covered
 };
 
-/// Gauss rules on panels of a piece, shrinking towards an end down to `finest`, or to what the room beyond the end allows: then
-/// the last stretch, l long, is taken in v = (distance from the end)^(1/2), which removes the kernel's square root there, over
-/// the ellipse of parameter rho^(1/2), whose image in y is the one of parameter rho about the stretch.
+/// Gauss rules on panels of a piece, shrinking towards an end down to `finest`, or to what the room beyond the end allows: then the last
+/// stretch, l long, is taken in v = (distance from the end)^(1/2), which removes the kernel's square root there, over the ellipse of
+/// parameter rho^(1/2), whose image in y is the one of parameter rho about the stretch.
 /// \param most at least |B| on the ellipses
 /// \param rules the Gauss rule of so many points
 /// \param take takes y and its share of the integral, \param note a bound of a rule's error
 /// \param bound of the kernel on an ellipse by (least distance from a, from b, largest |y|)
-/// \param kernel_at_end (left, y) with 2 v, \param bound_at_end (left, l and how far the ellipse goes beyond it, least distance from the other end) with 2 v
+/// \param kernel_at_end (left, y) with 2 v, \param bound_at_end (left, l and how far the ellipse goes beyond it, least distance from the
+/// other end) with 2 v
 template <class Rules, class Take, class Note, class Kernel, class Bound, class KernelAtEnd, class BoundAtEnd>
-void integrate(Piece& piece, const Shape& shape, double most, const Rules& rules, const Take& take, const Note& note, const Kernel& kernel, const Bound& bound,
-               const KernelAtEnd& kernel_at_end, const BoundAtEnd& bound_at_end)
+void integrate(Piece& piece, const Shape& shape, double most, const Rules& rules, const Take& take, const Note& note, const Kernel& kernel,
+               const Bound& bound, const KernelAtEnd& kernel_at_end, const BoundAtEnd& bound_at_end)
 {
     const Graded g = graded(piece.a, piece.b, shape.ratio, piece.finest);
     const double length = 2 * approximate(g.reach), share_of_tolerance = piece.tolerance / static_cast<double>(2 * g.depth + 2);
@@ -241,7 +252,8 @@ void integrate(Piece& piece, const Shape& shape, double most, const Rules& rules
             reached = approximate(far) * shape.beyond() * 1.01 < room;
             if (reached) {
                 const double l = approximate(far), reach = l * (1 + shape.beyond());
-                const Gauss& rule = rule_for(std::sqrt(l), bound_at_end(left, reach, length - reach), std::sqrt(shape.rho)); // an even function, twice the integral
+                const double here = bound_at_end(left, reach, length - reach);
+                const Gauss& rule = rule_for(std::sqrt(l), here, std::sqrt(shape.rho)); // of an even function, twice the integral
                 const Ball half = sqrt(far);
                 for (std::size_t q = 0; q < rule.root.size() / 2; ++q) { // the positive roots
                     const Ball v = half * rule.root[q], y = end + inward * v * v;
@@ -250,8 +262,9 @@ void integrate(Piece& piece, const Shape& shape, double most, const Rules& rules
                 break;
             }
             const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
-            const double mid = approximate(at), radius = approximate(half) * shape.major(), from_this = mid - radius, from_other = length - (mid + radius);
-            const double here = left ? bound(from_this, from_other, approximate(piece.b) - from_other) : bound(from_other, from_this, approximate(piece.b) - from_this);
+            const double mid = approximate(at), radius = approximate(half) * shape.major();
+            const double from_this = mid - radius, from_other = length - (mid + radius), b = approximate(piece.b);
+            const double here = left ? bound(from_this, from_other, b - from_other) : bound(from_other, from_this, b - from_this);
             const Gauss& rule = rule_for(approximate(half), here, shape.rho);
             for (std::size_t q = 0; q < rule.root.size(); ++q) {
                 const Ball y = end + inward * (at + half * rule.root[q]);
