@@ -308,7 +308,7 @@ TEST_CASE("the kernels are within their bounds, on the real line and on the elli
         CHECK(std::abs(full(y)) <= full_kernel_bound(y - lo, hi - y));
         CHECK(full_kernel_bound(y - lo, hi - y) <= 1.00001 * std::abs(full(y)));
     }
-    for (const double near_one : {1e-12, 1e-9, 0.1, 0.5}) {
+    for (const double near_one : {1e-13, 1e-9, 0.1, 0.5}) {
         const double u = 1 - near_one, end = 2 * std::sqrt(u) / G;
         const auto partial = [&](Complex y) {
             const Complex R = std::sqrt(near_one * near_one + G * G * y * y);
