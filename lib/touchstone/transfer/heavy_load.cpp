@@ -16,14 +16,166 @@
 #include <numbers>
 
 namespace touchstone::transfer {
+
+using Traits = ScalarTraits<Ball>;
+
+namespace heavy_load {
+
+Ball largest_size(const Ball& G)
+{
+    return wave::size(G, 64).back() * (1 + Traits::power_of_two(-30));
+}
+
+Ball largest_real(const Ball& X, const Ball& G, const Ball& c)
+{
+    return is_below(X, Ball(1)) || arb_is_one(X.get()) ? c : G * largest_real((X + 1) / G, G, c);
+}
+
+Ball largest_in_disc(const Ball& X, const Ball& G, const Ball& c)
+{
+    if (is_below(X, Ball(1)) || arb_is_one(X.get())) return c;
+    return upper(largest_real(X, G, c) + 2 / Traits::pi() * sqrt(X) * G * largest_in_disc(upper((X + 1) / G), G, c));
+}
+
+std::vector<Bracket> singular_points(const Ball& top, const Ball& G)
+{
+    std::vector<Bracket> all{{Ball(0), Ball(0)}, {Ball(1), Ball(1)}};
+    const Ball limit = above(G * (top + 2) + 2);
+    std::vector<Ball> generation{Ball(0), Ball(1)};
+    while (!generation.empty()) {
+        std::vector<Ball> next;
+        for (const Ball& s : generation)
+            for (const Ball& t : {wave::meets_upper_end_full(s, G), wave::meets_lower_end(s, G)}) {
+                if (!is_below(Ball(1), t) || !is_below(t, limit)) continue; // 1 itself is there; G s - 1 = 1 only for G s = 2, s = 1
+                next.push_back(t);
+                all.push_back({below(t), above(t)});
+            }
+        generation = std::move(next);
+        if (all.size() > 5000) throw BeyondReach("the load has too many singular points below it");
+    }
+    std::sort(all.begin(), all.end(), [](const Bracket& a, const Bracket& b) { return arb_lt(a.lo.get(), b.lo.get()) != 0; });
+    std::vector<Bracket> merged;
+    for (const Bracket& b : all)
+        if (!merged.empty() && !is_below(merged.back().hi, b.lo))
+            merged.back().hi = is_below(merged.back().hi, b.hi) ? b.hi : merged.back().hi;
+        else merged.push_back(b);
+    return merged;
+}
+
+Grid::Grid(const Ball& lo, const Ball& hi, const Shape& shape_, double last, double wanted, const Ball& bound_, const FixedFormat& format_)
+    : g(graded(lo, hi, shape_.ratio, last)), shape(shape_), bound(bound_), format(format_)
+{
+    const double log_bound = std::log(4 * upper_double(bound) / (shape.rho - 1));
+    Ball far = g.reach;
+    for (long k = 0; k < g.depth; ++k) {
+        const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
+        // what enters a panel weighs about the root of its width
+        const double need = wanted + 2 + log_bound + std::min(0.0, std::log(approximate(far)) / 2);
+        const long p = 2 + std::max(0L, static_cast<long>(std::ceil(need / std::log(shape.rho))));
+        left.push_back({lo + at, half, p, nodes});
+        right.push_back({hi - at, half, p, nodes + static_cast<std::size_t>(p)});
+        nodes += 2 * static_cast<std::size_t>(p);
+        most_points = std::max(most_points, p);
+        far = near;
+    }
+    moments.assign(nodes * static_cast<std::size_t>(format.limbs()), 0);
+    buffer.resize(6 * static_cast<std::size_t>(format.limbs()));
+}
+
+void Grid::enter(const Ball& y, const Ball& w)
+{
+    const bool on_left = arf_cmp(arb_midref(y.get()), arb_midref(g.middle.get())) < 0;
+    std::vector<Panel>& side = on_left ? left : right;
+    const double weight = upper_double(abs(w)), away = approximate(on_left ? y - g.lo : g.hi - y);
+    const double guess = away > 0 ? std::log(approximate(g.reach) / away) / std::log(shape.ratio) : 1e9;
+    auto k = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(side.size() - 1)));
+    Ball tau = (y - side[k].mid) / side[k].half;
+    if (!on_left) tau = -tau; // tau = -1 is next to the end of the interval
+    if (is_below(Ball(1), tau) && k > 0) --k;
+    else if (is_below(tau, Ball(-1)) && k + 1 < side.size()) ++k;
+    Panel& p = side[k];
+    tau = (y - p.mid) / p.half;
+    if (is_below(abs(tau), Ball(1))) ;
+    else {
+        const Ball edge = arf_sgn(arb_midref(tau.get())) < 0 ? Ball(-1) : Ball(1), moved = abs(tau - edge) * p.half;
+        held += weight * upper_double(ScalarTraits<Ball>::sqrt_positive_part(moved));
+        tau = edge;
+    }
+    if (!(tau.radius_bound() < 0x1p-100)) throw BeyondReach("a singular point and a node are too close to be told apart");
+    p.entered += weight;
+    loose += entry_error(weight, w.radius_bound(), tau.radius_bound(), p.points);
+    ++terms;
+
+    const auto limbs = static_cast<std::size_t>(format.limbs());
+    const auto n = static_cast<mp_size_t>(limbs);
+    mp_limb_t *t = &buffer[0], *before = t + n, *now = before + n, *next = now + n, *scratch = next + n;
+    format.put(t, tau);
+    format.put(before, w);
+    format.multiply(now, before, t, 0, scratch);
+    mp_limb_t* sum = &moments[p.first * limbs];
+    mpn_add_n(sum, sum, before, n);
+    sum += n;
+    mpn_add_n(sum, sum, now, n);
+    for (long k2 = 2; k2 < p.points; ++k2) {
+        sum += n;
+        format.multiply(next, now, t, 1, scratch);
+        mpn_sub_n(next, next, before, n);
+        mpn_add_n(sum, sum, next, n);
+        mp_limb_t* const free = before;
+        before = now, now = next, next = free;
+    }
+}
+
+double Grid::lost() const
+{
+    double interpolated = 0, entered = 0;
+    for (const std::vector<Panel>* side : {&left, &right})
+        for (const Panel& p : *side) {
+            interpolated += p.entered * interpolation_error(p.points, shape.rho);
+            entered += p.entered;
+        }
+    return upper_double(bound) * (loose + interpolated + rounding_error(entered, terms, most_points, upper_double(format.unit())));
+}
+
+std::vector<Node> Grid::as_nodes(const std::function<const std::vector<Ball>&(long)>& cosines_for) const
+{
+    std::vector<Node> all;
+    const auto limbs = static_cast<std::size_t>(format.limbs());
+    fmpz_t units;
+    fmpz_init(units);
+    for (const std::vector<Panel>* side : {&left, &right})
+        for (const Panel& p : *side) {
+            if (p.entered == 0) continue;
+            const std::vector<Ball>& cosines = cosines_for(p.points);
+            std::vector<Ball> mu(static_cast<std::size_t>(p.points));
+            for (std::size_t k = 0; k < mu.size(); ++k) {
+                format.get(units, &moments[(p.first + k) * limbs]);
+                arb_set_fmpz(mu[k].get(), units);
+                mu[k] = mu[k] * format.unit();
+            }
+            for (long j = 0; j < p.points; ++j) {
+                Ball w = mu[0] / 2;
+                for (long k = 1; k < p.points; ++k)
+                    w += mu[static_cast<std::size_t>(k)] * cosines[static_cast<std::size_t>(k * (2 * j + 1) % (4 * p.points))];
+                all.push_back({p.mid + p.half * cosines[static_cast<std::size_t>(2 * j + 1)], 2 * w / Ball(p.points)});
+            }
+        }
+    fmpz_clear(units);
+    return all;
+}
+
+std::vector<Ball> cosines(long p)
+{
+    std::vector<Ball> all;
+    for (long k = 0; k < 4 * p; ++k) all.push_back(ScalarTraits<Ball>::cos_pi(Ball(k) / Ball(2 * p)));
+    return all;
+}
+
+} // namespace heavy_load
+
 namespace {
 
 using namespace heavy_load;
-using Traits = ScalarTraits<Ball>;
-
-struct Gauss {
-    std::vector<Ball> root, weight; ///< the n roots, all of them
-};
 
 /// One load and one G.
 class HeavyLoad {
@@ -37,167 +189,29 @@ public:
         if (!is_below(Ball::exactly(2.02), G)) throw BeyondReach("for load > 1 so near G = 2 it would take hours: many scales have ratios about 1");
         if (!is_below(Ball(1), load) || !is_below(load, Ball(1000))) throw BeyondReach("load must be above 1 and below 1000");
         shape = scheme == Scheme::force_weighted ? Shape{4, 2.9} : Shape{6, 2.3};
-        {
-            const double q = 1 / shape.ratio, limit = (1 + q) / (1 - q);
-            if (!((shape.rho + 1 / shape.rho) / 2 < limit * 0.99)) throw std::logic_error("full contact: an ellipse leaves its disc");
-        }
+        if (!shape.stays_in_disc()) throw std::logic_error("full contact: an ellipse leaves its disc");
         chain = std::make_shared<Discretisation>(scheme, a.G, std::max(wanted + 8, -std::log(last) / 0.95));
-        c = wave::size(G, 64).back() * (1 + Traits::power_of_two(-30));
+        c = largest_size(G);
         spread_measure();
     }
 
-    // ---- Lemma 3
-
-    Ball Q(const Ball& X) const { return is_below(X, Ball(1)) || arb_is_one(X.get()) ? c : G * Q((X + 1) / G); }
-    Ball M(const Ball& X) const
-    {
-        if (is_below(X, Ball(1)) || arb_is_one(X.get())) return c;
-        return upper(Q(X) + 4 / Traits::pi() * sqrt(X / 4) * G * M(upper((X + 1) / G)));
-    }
-    /// The points of S from 0 to beyond `top`, those that cannot be told apart in one bracket.
-    std::vector<Bracket> singular(const Ball& top) const
-    {
-        std::vector<Bracket> all{{Ball(0), Ball(0)}, {Ball(1), Ball(1)}};
-        const Ball limit = above(G * (top + 2) + 2);
-        std::vector<Ball> generation{Ball(0), Ball(1)};
-        while (!generation.empty()) {
-            std::vector<Ball> next;
-            for (const Ball& s : generation)
-                for (const Ball& t : {wave::meets_upper_end_full(s, G), wave::meets_lower_end(s, G)}) {
-                    if (!is_below(Ball(1), t) || !is_below(t, limit)) continue; // 1 itself is there; G s - 1 = 1 only for G s = 2, s = 1
-                    next.push_back(t);
-                    all.push_back({below(t), above(t)});
-                }
-            generation = std::move(next);
-            if (all.size() > 5000) throw BeyondReach("the load has too many singular points below it");
-        }
-        std::sort(all.begin(), all.end(), [](const Bracket& a, const Bracket& b) { return arb_lt(a.lo.get(), b.lo.get()) != 0; });
-        std::vector<Bracket> merged;
-        for (const Bracket& b : all)
-            if (!merged.empty() && !is_below(merged.back().hi, b.lo)) merged.back().hi = is_below(merged.back().hi, b.hi) ? b.hi : merged.back().hi;
-            else merged.push_back(b);
-        return merged;
-    }
+    Ball Q(const Ball& X) const { return largest_real(X, G, c); }
+    Ball M(const Ball& X) const { return largest_in_disc(X, G, c); }
 
     // ---- measures on the ratios of one scale
 
-    /// Weights at Chebyshev points of graded panels of one interval.
-    struct Grid {
-        Graded g;
-        std::vector<Panel> left, right;
-        std::size_t nodes = 0;
-        long most_points = 0;
-        Ball bound;                     ///< M
-        std::vector<mp_limb_t> moments; ///< sums of w T_k
-        double terms = 0, held = 0;     ///< entries; |weights| x sqrt(distance) of what was moved to the last panel's edge
-    };
-    Grid grid(const Ball& lo, const Ball& hi) const
-    {
-        Grid r;
-        r.g = graded(lo, hi, shape.ratio, last);
-        r.bound = M(hi);
-        const double log_bound = std::log(4 * upper_double(r.bound) / (shape.rho - 1));
-        Ball far = r.g.reach;
-        for (long k = 0; k < r.g.depth; ++k) {
-            const Ball near = r.g.reach * r.g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
-            // what enters a panel weighs about the root of its width
-            const double need = wanted + 2 + log_bound + std::min(0.0, std::log(approximate(far)) / 2);
-            const long p = 2 + std::max(0L, static_cast<long>(std::ceil(need / std::log(shape.rho))));
-            r.left.push_back({lo + at, half, p, r.nodes});
-            r.right.push_back({hi - at, half, p, r.nodes + static_cast<std::size_t>(p)});
-            r.nodes += 2 * static_cast<std::size_t>(p);
-            r.most_points = std::max(r.most_points, p);
-            far = near;
-        }
-        r.moments.assign(r.nodes * static_cast<std::size_t>(format.limbs()), 0);
-        return r;
-    }
-
-    /// Adds weight w at y to a grid.
-    void enter(Grid& g, Ball y, const Ball& w)
-    {
-        const bool on_left = arf_cmp(arb_midref(y.get()), arb_midref(g.g.middle.get())) < 0;
-        std::vector<Panel>& side = on_left ? g.left : g.right;
-        const double weight = upper_double(abs(w)), away = approximate(on_left ? y - g.g.lo : g.g.hi - y);
-        const double guess = away > 0 ? std::log(approximate(g.g.reach) / away) / std::log(shape.ratio) : 1e9;
-        auto k = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(side.size() - 1)));
-        Ball tau = (y - side[k].mid) / side[k].half;
-        if (!on_left) tau = -tau; // tau = -1 is next to the end of the interval
-        if (is_below(Ball(1), tau) && k > 0) --k;
-        else if (is_below(tau, Ball(-1)) && k + 1 < side.size()) ++k;
-        Panel& p = side[k];
-        tau = (y - p.mid) / p.half;
-        if (is_below(abs(tau), Ball(1))) ;
-        else {
-            const Ball edge = arf_sgn(arb_midref(tau.get())) < 0 ? Ball(-1) : Ball(1), moved = abs(tau - edge) * p.half;
-            g.held += weight * upper_double(Traits::sqrt_positive_part(moved)) * 1.000001;
-            tau = edge;
-        }
-        if (!(tau.radius_bound() < 0x1p-100)) throw BeyondReach("a singular point and a node are too close to be told apart");
-        p.entered += weight * 1.000001;
-        ++g.terms;
-
-        const auto limbs = static_cast<std::size_t>(format.limbs());
-        const auto n = static_cast<mp_size_t>(limbs);
-        buffer.resize(7 * limbs);
-        mp_limb_t *t = &buffer[0], *before = &buffer[limbs], *now = &buffer[2 * limbs], *next = &buffer[3 * limbs], *scratch = &buffer[4 * limbs];
-        format.put(t, tau);
-        format.put(before, w);
-        format.multiply(now, before, t, 0, scratch);
-        mp_limb_t* sum = &g.moments[p.first * limbs];
-        mpn_add_n(sum, sum, before, n);
-        mpn_add_n(sum + n, sum + n, now, n);
-        sum += 2 * n;
-        for (long k2 = 2; k2 < p.points; ++k2, sum += n) {
-            format.multiply(next, now, t, 1, scratch);
-            mpn_sub_n(next, next, before, n);
-            mpn_add_n(sum, sum, next, n);
-            mp_limb_t* const free = before;
-            before = now, now = next, next = free;
-        }
-    }
-
-    struct Node {
-        Ball x, weight;
-    };
+    Grid grid(const Ball& lo, const Ball& hi) const { return Grid(lo, hi, shape, last, wanted, M(hi), format); }
     /// The grid as weighted points; its errors are added up for level j.
     std::vector<Node> nodes_of(Grid& g, long level)
     {
-        std::vector<Node> all;
-        const auto limbs = static_cast<std::size_t>(format.limbs());
-        double lost = 0;
-        fmpz_t units;
-        fmpz_init(units);
-        for (std::vector<Panel>* side : {&g.left, &g.right})
-            for (const Panel& p : *side) {
-                if (p.entered == 0) continue;
-                lost += p.entered * 4 * std::pow(shape.rho, -static_cast<double>(p.points - 1)) / (shape.rho - 1);
-                lost += p.entered * 0x1p-100 * 100; // tau off by 2^-100: Cauchy's bound of the derivative, (rho + 1/rho)/2 - 1 > 1/100
-                const std::vector<Ball>& cosines = cosines_for(p.points);
-                std::vector<Ball> mu(static_cast<std::size_t>(p.points));
-                for (std::size_t k = 0; k < mu.size(); ++k) {
-                    format.get(units, &g.moments[(p.first + k) * limbs]);
-                    arb_set_fmpz(mu[k].get(), units);
-                    mu[k] = mu[k] * format.unit();
-                }
-                for (long j = 0; j < p.points; ++j) {
-                    Ball w = mu[0] / 2;
-                    for (long k = 1; k < p.points; ++k) w += mu[static_cast<std::size_t>(k)] * cosines[static_cast<std::size_t>(k * (2 * j + 1) % (4 * p.points))];
-                    all.push_back({p.mid + p.half * cosines[static_cast<std::size_t>(2 * j + 1)], 2 * w / Ball(p.points)});
-                }
-            }
-        fmpz_clear(units);
-        const double p = static_cast<double>(g.most_points);
-        lost += static_cast<double>(g.nodes) * 2 * (g.terms + 1) * (p * p + 4) * std::pow(2.0, -static_cast<double>(format.fraction()));
-        add_error(level, lost * upper_double(g.bound));
+        add_error(level, g.lost());
         moved[level] += g.held;
-        return all;
+        return g.as_nodes([this](long p) -> const std::vector<Ball>& { return cosines_for(p); });
     }
     const std::vector<Ball>& cosines_for(long p)
     {
         auto& c_p = cosines[p];
-        if (c_p.empty())
-            for (long k = 0; k < 4 * p; ++k) c_p.push_back(Traits::cos_pi(Ball(k) / Ball(2 * p)));
+        if (c_p.empty()) c_p = heavy_load::cosines(p);
         return c_p;
     }
     const Gauss& gauss(long n)
@@ -213,7 +227,7 @@ public:
         return g;
     }
     /// e times G^-(n - level) in A_n
-    void add_error(long level, double e) { errors[level] += e * 1.000001; }
+    void add_error(long level, double e) { errors[level] += e; }
 
     // ---- one scale
 
@@ -234,89 +248,41 @@ public:
     void enter(Scale& s, const Ball& y, const Ball& w)
     {
         for (Grid& g : s.grids)
-            if (arf_cmp(arb_midref(y.get()), arb_midref(g.g.hi.get())) <= 0) return enter(g, y, w);
-        enter(s.grids.back(), y, w);
+            if (arf_cmp(arb_midref(y.get()), arb_midref(g.g.hi.get())) <= 0) return g.enter(y, w);
+        s.grids.back().enter(y, w);
     }
 
-    /// One piece of an integral, [a, b] without a point of S inside, and what is left of it at either end.
-    struct Piece {
-        Ball a, b;
-        double tolerance, finest;
-        /// Where the kernel's own end is that of the piece and B goes on: how far, until a point of S. Else 0.
-        double room_a = 0, room_b = 0;
-        Ball from, to; ///< the part the rules have covered
-    };
-
-    /// Gauss rules on panels of a piece, shrinking towards an end down to `finest`, or to what the room beyond the end allows: then
-    /// the last stretch, l long, is taken in v = (distance from the end)^(1/2), which removes the kernel's square root there, over
-    /// the ellipse of parameter rho^(1/2), whose image in y is the one of parameter rho about the stretch.
-    /// kernel(y); bound(least distance from a, from b, largest |y|) on an ellipse; kernel_at_end(left, y), bound_at_end(left, ...) with 2 v.
+    /// A piece of the wave of weight w to the next scale (heavy_load_panels.hpp).
     template <class Kernel, class Bound, class KernelAtEnd, class BoundAtEnd>
     void integrate(Scale& to, long level, Piece& piece, const Ball& w, const Kernel& kernel, const Bound& bound, const KernelAtEnd& kernel_at_end,
                    const BoundAtEnd& bound_at_end)
     {
-        const Graded g = graded(piece.a, piece.b, shape.ratio, piece.finest);
-        const double rho = shape.rho, beyond = ((rho + 1 / rho) / 2 - 1) / 2, weight = upper_double(abs(w));
-        const double m = upper_double(M(upper(piece.b + Ball::exactly(piece.room_b)))), length = 2 * approximate(g.reach), major = (rho + 1 / rho) / 2;
-        const double share_of_tolerance = piece.tolerance / static_cast<double>(2 * g.depth + 2);
-        const auto points = [&](double scale_of_error, double decay) {
-            const long n = std::max(2L, static_cast<long>(std::ceil(std::log(scale_of_error / share_of_tolerance) / (2 * std::log(rho)))));
-            add_error(level + 1, weight * scale_of_error * std::pow(decay, -static_cast<double>(n)));
-            return n;
-        };
-        for (const bool left : {true, false}) {
-            const double room = left ? piece.room_a : piece.room_b;
-            const Ball& end = left ? piece.a : piece.b;
-            const Ball inward = left ? Ball(1) : Ball(-1);
-            Ball far = g.reach;
-            bool reached = false;
-            for (long k = 0; k < g.depth && !reached; ++k) {
-                reached = approximate(far) * beyond * 1.01 < room;
-                if (reached) {
-                    const double l = approximate(far), here = bound_at_end(left, l * (1 + beyond), length - l * (1 + beyond));
-                    const double scale_of_error = std::sqrt(l) * 8 / 3 * m * here / (1 - 1 / std::sqrt(rho)) * 1.000001;
-                    const long n = points(scale_of_error, rho * rho);
-                    const Gauss& rule = gauss(2 * n);
-                    const Ball half = sqrt(far);
-                    for (std::size_t q = 0; q < static_cast<std::size_t>(n); ++q) { // the positive roots
-                        const Ball v = half * rule.root[q], y = end + inward * v * v;
-                        enter(to, y, w * half * rule.weight[q] * kernel_at_end(left, y));
-                    }
-                    break;
-                }
-                const Ball near = g.reach * g.power(-k - 1), half = (far - near) / 2, at = (far + near) / 2;
-                const double least = approximate(at) - approximate(half) * major, most = approximate(at) + approximate(half) * major;
-                const double here = left ? bound(least, length - most, approximate(piece.a) + most) : bound(length - most, least, approximate(piece.b) - least);
-                const double scale_of_error = approximate(half) * 16 / 3 * m * here / (1 - 1 / rho) * 1.000001;
-                const Gauss& rule = gauss(points(scale_of_error, rho * rho));
-                for (std::size_t q = 0; q < rule.root.size(); ++q) {
-                    const Ball y = end + inward * (at + half * rule.root[q]);
-                    enter(to, y, w * half * rule.weight[q] * kernel(y));
-                }
-                far = near;
-            }
-            (left ? piece.from : piece.to) = reached ? end : end + inward * far;
-        }
+        const double weight = upper_double(abs(w)), most = upper_double(M(piece.farthest()));
+        const auto rules_by_size = [this](long n) -> const Gauss& { return gauss(n); };
+        const auto take = [&](const Ball& y, const Ball& share) { enter(to, y, w * share); };
+        const auto note = [&](double error) { add_error(level + 1, weight * error); };
+        heavy_load::integrate(piece, shape, most, rules_by_size, take, note, kernel, bound, kernel_at_end, bound_at_end);
     }
 
     double negligible() const { return std::exp(-wanted - 12); } ///< weights that are not followed
+    double finest_for(double tolerance) const { return std::min(0.01, tolerance) * last * std::exp(wanted); } ///< where panels end
     double tolerance_for(const Ball& w) const { return std::exp(-wanted) * std::max(1.0, 1 / (5000 * std::max(approximate(abs(w)), 1e-300))); }
 
     /// (F1): the weight w at x >= 1 goes to the next scale.
     void full(Scale& to, long level, const Ball& x, const Ball& w)
     {
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w);
-        const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
+        const double finest = finest_for(tolerance);
         const Ball lo = wave::lowest_full(x, G), hi = wave::highest_full(x, G);
         std::vector<Bracket> cuts{{below(lo), above(lo)}};
         double room_lo = 0, room_hi = 0; // how far B goes on beyond the ends, unless a point of S is there
         for (const Bracket& s : S) {
             if (is_below(s.hi, cuts.front().lo)) {
-                room_lo = approximate(below(lo - s.hi)) * 0.999;
+                room_lo = room_between(s.hi, lo);
                 continue;
             }
             if (is_below(hi, s.lo)) {
-                room_hi = approximate(below(s.lo - hi)) * 0.999;
+                room_hi = room_between(hi, s.lo);
                 break;
             }
             if (is_below(cuts.back().hi, s.lo)) cuts.push_back(s);
@@ -342,24 +308,24 @@ public:
             if (!is_below(a + Ball::exactly(4 * finest), b)) continue; // part of what is left out
             const bool is_first = i == 0 && room_lo > 0, is_last = i + 2 == cuts.size() && room_hi > 0;
             Piece piece{is_first ? lo : a, is_last ? hi : b, tolerance, finest, is_first ? room_lo : 0, is_last ? std::min(room_hi, 1.0) : 0, {}, {}};
-            const double off_a = is_first ? 0 : std::max(approximate(a - lo), 0.0), off_b = is_last ? 0 : std::max(approximate(hi - b), 0.0);
+            const double off_a = is_first ? 0 : distance(lo, a), off_b = is_last ? 0 : distance(b, hi);
             integrate(
                 to, level, piece, w, [&](const Ball& y) { return one_over_pi * wave::kernel_full(Ball(hi - y), Ball(y - lo)); },
-                [&](double from_a, double from_b, double) { return 1 / (std::numbers::pi * std::sqrt((from_a + off_a) * (from_b + off_b))) * 1.000001; },
+                [&](double from_a, double from_b, double) { return full_kernel_bound(from_a + off_a, from_b + off_b); },
                 [&](bool left, const Ball& y) { return 2 * one_over_pi / sqrt(left ? hi - y : y - lo); },
-                [&](bool left, double, double other) { return 2 / (std::numbers::pi * std::sqrt(other + (left ? off_b : off_a))) * 1.000001; });
+                [&](bool left, double, double other) { return full_kernel_end_bound(other + (left ? off_b : off_a)); });
             const Ball share_from = is_first && arb_equal(piece.from.get(), lo.get()) ? Ball(0) : share(piece.from);
             if (!is_first || !arb_equal(piece.from.get(), lo.get())) leave(to, level, piece.from, piece.from - done, w, share_from - share_done, weight);
             done = piece.to;
             share_done = is_last && arb_equal(done.get(), hi.get()) ? Ball(1) : share(done);
         }
-        if (arb_equal(done.get(), hi.get()) && arb_is_one(share_done.get())) return;
+        if (arb_is_one(share_done.get())) return;
         leave(to, level, done, above(hi) - done, w, 1 - share_done, weight);
     }
     /// A stretch of the wave's ratios no rule covers, `width` long beside y, all taken at y.
     void leave(Scale& to, long level, const Ball& y, const Ball& width, const Ball& w, const Ball& measure, double weight)
     {
-        moved[level + 1] += weight * upper_double(abs(measure)) * upper_double(Traits::sqrt_positive_part(width)) * 1.000001;
+        moved[level + 1] += weight * upper_double(abs(measure)) * upper_double(Traits::sqrt_positive_part(width));
         enter(to, y, w * measure);
     }
 
@@ -367,39 +333,30 @@ public:
     void partial(Scale& to, long level, const Ball& x, const Ball& w)
     {
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w), g = approximate(G), root_x = approximate(sqrt(x));
-        const double finest = std::min(0.01, tolerance) * last * std::exp(wanted);
+        const double finest = finest_for(tolerance);
         const Ball hi = wave::highest_partial(x, G), gap = 1 - x;
-        Piece piece{Ball(0), hi, tolerance, finest, 0, approximate(1 - hi) * 0.999, {}, {}};
-        const auto root_bound = [](double R) { return std::sqrt(2 / R + 1) / R; };
-        // Re R > 0, |R| >= G Re y, |1-x+R| >= |R|, |1+x+R| <= 2 + |R|; x - G^2 y^2/4 = (G/2) (hi - y) (x^(1/2) + G y/2)
+        Piece piece{Ball(0), hi, tolerance, finest, 0, room_to_one(hi), {}, {}};
         integrate(
             to, level, piece, w,
             [&](const Ball& y) {
                 const Ball Gy = G * y;
                 return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (2 * Traits::pi() * sqrt(x - Gy * Gy / 4));
             },
-            [&](double from_a, double from_b, double largest) {
-                return g * g * largest / (2 * std::numbers::pi) * root_bound(g * from_a) / std::sqrt(g / 2 * from_b * root_x) * 1.0001;
-            },
+            [&](double from_a, double from_b, double largest) { return partial_kernel_bound(g, root_x, from_a, from_b, largest); },
             [&](bool, const Ball& y) {
                 const Ball Gy = G * y;
                 return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (Traits::pi() * sqrt(G / 2 * (sqrt(x) + Gy / 2)));
             },
-            [&](bool, double beyond, double from_a) {
-                return 2 * g * g * (approximate(hi) + beyond) / (2 * std::numbers::pi) * root_bound(g * from_a) / std::sqrt(g / 2 * root_x) * 1.0001;
-            });
-        // below the first panel: dropped; B_m(y) <= (y/G^m)^(1/2) and k <= (3 G/(2 x y))^(1/2)/pi for G y <= 1, x - G^2 y^2/4 >= x/2
-        const double start = upper_double(piece.from);
-        moved[level + 1] += weight * std::sqrt(6 * g / approximate(x)) / std::numbers::pi * start * 1.001;
-        if (arb_equal(piece.to.get(), hi.get())) return;
-        const Ball P = G * piece.to, R = wave::radius(gap, Ball(P * P));
-        const Ball share_high = 2 / Traits::pi() * asin(sqrt(wave::one_minus_c_partial(x, R, Ball(P * P)) / 2)); // (2.17)
-        leave(to, level, piece.to, hi - piece.to, w, share_high, weight);
+            // the ellipse reaches less than twice as far as the wave
+            [&](bool, double, double from_a) { return partial_kernel_end_bound(g, root_x, from_a, 2 * approximate(hi)); });
+        moved[level + 1] += weight * dropped_below(g, upper_double(piece.from));
+        // room is above 0.009, and finest below 0.01 G^(-5/2)
+        if (!arb_equal(piece.to.get(), hi.get())) throw std::logic_error("full contact: the end of a partial wave is not reached");
     }
 
     void spread_measure()
     {
-        S = singular(load);
+        S = singular_points(load, G);
         Scale now{load, load, {}};
         std::vector<Node> above_one{{load, Ball(1)}}, between;
         for (long level = 0; !above_one.empty() || !between.empty(); ++level) {
@@ -468,9 +425,11 @@ public:
         error = error * pow(G, Ball(-n));
         for (const auto& [level, e] : moved)
             if (level <= n) error += Ball::exactly(e) * pow(G, Ball(level - n) / 2);
-        arb_add_error(sum.get(), upper(error).get());
+        arb_add_error(sum.get(), upper(error * Ball::exactly(margin)).get()); // summed up in binary64
         return sum;
     }
+    const std::map<long, double>& errors_by_level() const { return errors; }
+    const std::map<long, double>& moved_by_level() const { return moved; }
     std::string certificate(long n)
     {
         std::string text = fmt::format("full contact: {} points of S, panels shrink by {} to {:.2g}, ellipse rho = {}\n", S.size(), shape.ratio, last, shape.rho);
@@ -495,9 +454,19 @@ private:
     std::map<long, double> errors, moved;         ///< by level: times G^-(n - level), times G^-(n - level)/2
     std::map<long, std::vector<Ball>> cosines;
     std::map<long, Gauss> rules;
-    std::vector<mp_limb_t> buffer;
     std::shared_ptr<Discretisation> chain;
 };
+
+} // namespace
+
+heavy_load::Made heavy_load::made(Scheme scheme, long n, const Arguments& a, double accuracy, long scales)
+{
+    HeavyLoad f(scheme, a, accuracy, scales);
+    const Ball area = f.area(n);
+    return {area, f.errors_by_level(), f.moved_by_level()};
+}
+
+namespace {
 
 /// The last few, most recently used first.
 struct Kept {

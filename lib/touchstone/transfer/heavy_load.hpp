@@ -38,7 +38,7 @@
 ///     do: (xi^2 + zeta^2 - |J| xi) is convex along cos phi.
 ///  2. interpolation: 4 M rho^-(p-1)/(rho - 1) times the sum of |weights| that enter a panel.
 ///  3. what is left out next to the ends, of measure mu: taken at a point at most d away, at most mu (d/G^m)^(1/2) by Lemma 4.
-///  4. weights too small to follow: |w| Q. 5. fixed-point roundings, as in discretisation.hpp.
+///  4. weights too small to follow: |w| Q. 5. fixed-point roundings, and the radii of weights and of their places as they enter.
 ///  6. the error of B_m itself: in its ball.
 ///
 /// **Cost.** Grows like the square to the cube of the digits, in proportion to the weights above 2/G, and with the number of scales that have ratios above 1,
