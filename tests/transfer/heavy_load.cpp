@@ -186,8 +186,14 @@ TEST_CASE("what is dropped next to 0 in partial contact is at least what the ker
                 }
                 sum *= start / 400;
                 CHECK(sum <= dropped_below(G, start));
+                CHECK(is_dropped_below(G, x, start));
                 if (G == 2.1 && beneath == 1e-9) CHECK(sum >= 0.9 * dropped_below(G, start));
             }
+    // the wave, 2 x^(1/2)/G wide, must be much wider than what is dropped
+    CHECK(is_dropped_below(1000, 0.0021, 7.9e-6));
+    CHECK_FALSE(is_dropped_below(1000, 0.0021, 8.0e-6));
+    CHECK(is_dropped_below(4, 1, 0.0224));
+    CHECK_FALSE(is_dropped_below(4, 1, 0.0226));
 }
 
 TEST_CASE("distances between balls, and the room there is between them for certain")

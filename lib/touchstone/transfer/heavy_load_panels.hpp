@@ -95,7 +95,6 @@ inline double rounding_error(double entered, double terms, long p, double unit)
     return points * points * points * (entered + terms) * unit;
 }
 
-
 /// At least |kernel of (F1)| at complex y so far from the ends of the wave.
 inline double full_kernel_bound(double from_low, double from_high)
 {
@@ -118,8 +117,10 @@ inline double partial_kernel_end_bound(double G, double root_x, double right, do
     return 2 * partial_kernel_bound(G, root_x, right, 1, largest);
 }
 
-/// At least int_0^start y^(1/2) |k(x, y)| dy of (F2), where 2/G < x < 1 and G start <= 0.1: R is at least G y and 1 + x + R at most 2.1,
-/// x - G^2 y^2/4 at least 0.99 x, so that k <= (2.13 G/(x y))^(1/2)/(2 pi), and G/x < G^2/2.
+/// At least int_0^start y^(1/2) |k(x, y)| dy of (F2), where 2/G < x < 1, G start <= 0.1 and (G start)^2 <= 0.04 x: R is at least G y and
+/// 1 + x + R at most 2.1, x - G^2 y^2/4 at least 0.99 x, so that k <= (2.13 G/(x y))^(1/2)/(2 pi), and G/x < G^2/2. The conditions, with
+/// room for their own roundings:
+inline bool is_dropped_below(double G, double x, double start) { return G * start < 0.09 && G * start * (G * start) < 0.03 * x; }
 inline double dropped_below(double G, double start) { return 0.167 * G * start; }
 
 /// area_at_heavy_load (heavy_load.hpp) with an error of about e^-accuracy, accuracy > 0, made anew: where accuracy is low, the error is
