@@ -255,6 +255,43 @@ TEST_CASE("the singular points up to the largest ratio and beyond it, each in it
     CHECK(is_below(G - 1, found[3].lo));
 }
 
+TEST_CASE("a wave is cut at the singular points inside it, and goes on beyond an end only where none is there")
+{
+    const WorkingPrecision precision(bits);
+    const auto at = [](const char* x) { return Bracket{below(Ball(exactly(x))), above(Ball(exactly(x)))}; };
+    const std::vector<Bracket> S{at("0"), at("0.5"), at("1"), at("2"), at("3"), at("7")};
+    const auto cuts = [&](const char* lo, const char* hi) { return cuts_between(Ball(exactly(lo)), Ball(exactly(hi)), S); };
+    const auto is_at = [](const Bracket& b, const char* x) { return !is_below(Ball(exactly(x)), b.lo) && !is_below(b.hi, Ball(exactly(x))); };
+    const Cuts open = cuts("1.5", "3.5");
+    REQUIRE(open.at.size() == 4);
+    CHECK(is_at(open.at[0], "1.5"));
+    CHECK(is_at(open.at[1], "2"));
+    CHECK(is_at(open.at[2], "3"));
+    CHECK(is_at(open.at[3], "3.5"));
+    CHECK(open.room_lo == doctest::Approx(0.4995).scale(0));
+    CHECK(open.room_hi == doctest::Approx(3.4965).scale(0));
+    const Cuts low = cuts("1", "2.5"); // the wave begins at a singular point
+    REQUIRE(low.at.size() == 3);
+    CHECK(is_at(low.at[0], "1"));
+    CHECK(low.room_lo == 0);
+    CHECK(low.room_hi == doctest::Approx(0.4995).scale(0));
+    const Cuts high = cuts("0.7", "2"); // and ends at one
+    REQUIRE(high.at.size() == 3);
+    CHECK(is_at(high.at[2], "2"));
+    CHECK(high.room_lo == doctest::Approx(0.1998).scale(0));
+    CHECK(high.room_hi == 0);
+    // what cannot be told apart from an end lies in its bracket
+    Ball wide = Ball(exactly("2.99"));
+    mag_set_d(arb_radref(wide.get()), 0.02);
+    const Cuts unclear = cuts_between(Ball(exactly("1.1")), wide, S);
+    REQUIRE(unclear.at.size() == 3);
+    CHECK(is_at(unclear.at[2], "3"));
+    CHECK(unclear.room_hi == 0);
+    const Cuts beyond = cuts("8", "9");
+    CHECK(beyond.at.size() == 2);
+    CHECK(beyond.room_lo == doctest::Approx(0.999).scale(0));
+}
+
 TEST_CASE("the bounds of rules and of interpolation are the sums over the Chebyshev polynomials that they miss")
 {
     for (const double rho : {1.5, 2.3, 2.9})

@@ -62,6 +62,33 @@ std::vector<Bracket> singular_points(const Ball& top, const Ball& G)
     return merged;
 }
 
+Cuts cuts_between(const Ball& lo, const Ball& hi, const std::vector<Bracket>& S)
+{
+    Cuts c{{{below(lo), above(lo)}}, 0, 0};
+    std::vector<Bracket>& cuts = c.at;
+    for (const Bracket& s : S) {
+        if (is_below(s.hi, cuts.front().lo)) {
+            c.room_lo = room_between(s.hi, lo);
+            continue;
+        }
+        if (is_below(hi, s.lo)) {
+            c.room_hi = room_between(hi, s.lo);
+            break;
+        }
+        if (is_below(cuts.back().hi, s.lo)) cuts.push_back(s);
+        else {
+            cuts.back().hi = is_below(cuts.back().hi, s.hi) ? s.hi : cuts.back().hi;
+            if (cuts.size() == 1) c.room_lo = 0;
+        }
+    }
+    if (is_below(cuts.back().hi, hi)) cuts.push_back({below(hi), above(hi)});
+    else {
+        cuts.back().hi = above(hi);
+        c.room_hi = 0;
+    }
+    return c;
+}
+
 Grid::Grid(const Ball& lo, const Ball& hi, const Shape& shape_, double last, double wanted, const Ball& bound_, const FixedFormat& format_)
     : g(graded(lo, hi, shape_.ratio, last)), shape(shape_), bound(bound_), format(format_)
 {
@@ -274,28 +301,7 @@ public:
         const double weight = upper_double(abs(w)), tolerance = tolerance_for(w);
         const double finest = finest_for(tolerance);
         const Ball lo = wave::lowest_full(x, G), hi = wave::highest_full(x, G);
-        std::vector<Bracket> cuts{{below(lo), above(lo)}};
-        double room_lo = 0, room_hi = 0; // how far B goes on beyond the ends, unless a point of S is there
-        for (const Bracket& s : S) {
-            if (is_below(s.hi, cuts.front().lo)) {
-                room_lo = room_between(s.hi, lo);
-                continue;
-            }
-            if (is_below(hi, s.lo)) {
-                room_hi = room_between(hi, s.lo);
-                break;
-            }
-            if (is_below(cuts.back().hi, s.lo)) cuts.push_back(s);
-            else {
-                cuts.back().hi = is_below(cuts.back().hi, s.hi) ? s.hi : cuts.back().hi;
-                if (cuts.size() == 1) room_lo = 0;
-            }
-        }
-        if (is_below(cuts.back().hi, hi)) cuts.push_back({below(hi), above(hi)});
-        else {
-            cuts.back().hi = above(hi);
-            room_hi = 0;
-        }
+        const auto [cuts, room_lo, room_hi] = cuts_between(lo, hi, S);
         const auto share = [&](const Ball& y) { // of the wave, below y
             const Ball t = at_least(at_most(G * y - x, Ball(1)), Ball(-1));
             return 1 - acos(t) / Traits::pi();
