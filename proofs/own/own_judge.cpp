@@ -49,8 +49,8 @@ Points free_points(const OwnLedger& ledger)
     return {a.c_str(), b.c_str()};
 }
 
-/// Further points all over the ranges, and next to their ends: for formulas that no normal form compares and that may differ on a part only.
-/// Where ranges do not fit together, as x below a, a formula has no value at some of them; those say nothing.
+/// Further points all over the ranges, and next to their ends: for formulas that no normal form compares and that may differ on a part
+/// only. Where ranges do not fit together, as x below a, a formula has no value at some of them; those say nothing.
 std::vector<std::string> points_all_over(const OwnLedger& ledger)
 {
     constexpr long parts = 31; // prime: each symbol visits every part, no two in the same order

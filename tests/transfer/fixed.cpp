@@ -133,3 +133,28 @@ TEST_CASE("coefficients of the polynomial through values, and a row of moments b
         }
     }
 }
+
+TEST_CASE("moments beyond what binary64 holds have a bound that does not")
+{
+    const FixedFormat f(3000);
+    const WorkingPrecision precision(f.fraction() + 24);
+    const Coefficients C(f, 5);
+    std::mt19937_64 engine(1);
+    std::vector<mp_limb_t> moments(5 * static_cast<std::size_t>(f.limbs()));
+    for (const long exponent : {-700L, -1000L, -1060L, -2000L}) {
+        CAPTURE(exponent);
+        for (std::size_t j = 0; j < 5; ++j) f.put(&moments[j * static_cast<std::size_t>(f.limbs())], random_value(engine, f, exponent));
+        std::vector<double> near(5);
+        const double off = C.row(moments.data(), near.data());
+        CHECK(off < std::ldexp(1.0, -730));
+        for (std::size_t k = 0; k < 5; ++k) {
+            Ball nodal(0);
+            for (std::size_t j = 0; j < 5; ++j) {
+                const Ball c = 2 * ScalarTraits<Ball>::cos_pi(Ball(static_cast<long>(j * (2 * k + 1))) / Ball(10)) / Ball(5);
+                nodal += (j == 0 ? c / 2 : c) * value(f, &moments[j * static_cast<std::size_t>(f.limbs())]);
+            }
+            const Ball allowed = abs(nodal) * ScalarTraits<Ball>::power_of_two(-52) + Ball::exactly(off);
+            CHECK(certainly(less(abs(nodal - Ball::exactly(near[k])), allowed)));
+        }
+    }
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/certificate/text.hpp"
 
+#include "touchstone/scalar/floor.hpp"
 #include "touchstone/table/format.hpp"
 
 #include <fmt/format.h>
@@ -55,13 +56,7 @@ mpz_class units(const Ball& x, long bits)
 {
     Ball scaled;
     arb_mul_2exp_si(scaled.get(), x.get(), bits);
-    fmpz_t n;
-    fmpz_init(n);
-    arf_get_fmpz(n, arb_midref(scaled.get()), ARF_RND_FLOOR);
-    mpz_class r;
-    fmpz_get_mpz(r.get_mpz_t(), n);
-    fmpz_clear(n);
-    return r;
+    return floor_of_middle(scaled);
 }
 
 Rational rounded_up(double x)

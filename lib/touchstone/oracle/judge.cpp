@@ -239,7 +239,8 @@ void recheck_forced(const Quantity& q, const StoredTable& table, std::size_t i, 
     const auto forced = forced_ulps(q, row.inputs, *parse_rational(row.value));
     const std::string right = forced ? forced_text(forced->ulps) : "-1", found = row.forced ? forced_text(*row.forced) : "-1";
     if (right != found)
-        throw CorruptTable(fmt::format("{}: row {} ({}) says that rounded inputs force {} ulps; it is {}", file, i + 1, row_key(row.inputs), found, right));
+        throw CorruptTable(fmt::format("{}: row {} ({}) says that rounded inputs force {} ulps; it is {}", file, i + 1, row_key(row.inputs),
+                                       found, right));
 }
 
 Judgement judge(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Bound& bound,

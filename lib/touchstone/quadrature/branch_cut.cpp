@@ -80,8 +80,8 @@ bool divides_by_zero(const Expression& n, const std::function<ComplexBall(const 
 /// The argument of a node that has a cut.
 std::size_t cut_argument(const Expression& n) { return n.op == Op::power ? 0 : n.args.size() - 1; } // besselk(n, x)
 
-/// Whether the node has no value at this argument because of its cut: there it is not analytic, and a little above it is. A value may lack because
-/// it is too large, too; and a ball may meet the cut though no number of it is meant.
+/// Whether the node has no value at this argument because of its cut: there it is not analytic, and a little above it is. A value may lack
+/// because it is too large, too; and a ball may meet the cut though no number of it is meant.
 bool is_on_cut(const Expression& n, const ComplexBall& argument)
 {
     if (acb_is_zero(argument.get())) return true;

@@ -226,8 +226,8 @@ void require_shallow(const Expression& e, std::size_t depth)
     if (e.integrand) require_shallow(*e.integrand, depth);
 }
 
-/// The same of the text, before it is parsed: with each bracket, each sign before a sign and each power of a power the parser goes deeper, and a
-/// thread's stack has an end.
+/// The same of the text, before it is parsed: with each bracket, each sign before a sign and each power of a power the parser goes deeper,
+/// and a thread's stack has an end.
 void require_shallow(std::string_view text)
 {
     constexpr std::size_t most = 256;

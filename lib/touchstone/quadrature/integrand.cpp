@@ -3,6 +3,7 @@
 
 #include "touchstone/quadrature/compiled.hpp"
 #include "touchstone/quadrature/real_formula.hpp"
+#include "touchstone/scalar/floor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -206,18 +207,6 @@ bool Integrand::is_regular_at_ends() const
 namespace {
 
 constexpr std::size_t most_branches = 400;
-
-/// The largest integer up to the middle of a ball.
-Rational floor_of_middle(const Ball& x)
-{
-    fmpz_t whole;
-    fmpz_init(whole);
-    arf_get_fmpz(whole, arb_midref(x.get()), ARF_RND_FLOOR);
-    Integer r;
-    fmpz_get_mpz(r.get_mpz_t(), whole);
-    fmpz_clear(whole);
-    return r;
-}
 
 class Branches {
 public:

@@ -56,17 +56,16 @@ void Coefficients::of(const mp_limb_t* values, mp_limb_t* coefficients) const
 
 namespace {
 
-constexpr std::size_t words_taken = 3; ///< two and what the highest of them lacks
-constexpr long lowest_exponent = -800; ///< of what is taken: far above where binary64 numbers lose bits
+constexpr std::size_t words_taken = 3; ///< two, and what the highest of them lacks
+constexpr long least_exponent = -736; ///< far above where binary64 numbers lose bits or vanish
 
 bool negative(const mp_limb_t* number, std::size_t limbs) { return number[limbs - 1] >> 63; }
 
-/// One more than the highest word that any of the numbers has beyond its sign: |numbers| < 2^(64 top) units, and one of them is, or misses by
-/// less than a unit, at least 2^(64 (top - 1)), unless the words below would be too small for binary64.
+/// One more than the highest word that any of the numbers has beyond its sign, three at least: |numbers| < 2^(64 top) units, and if
+/// top > 3 one of them is, or misses by less than a unit, at least 2^(64 (top - 1)).
 std::size_t words_of(const mp_limb_t* numbers, std::size_t count, std::size_t limbs)
 {
-    const std::size_t fits = static_cast<std::size_t>(std::max(0L, 64 * static_cast<long>(limbs) - FixedFormat::headroom + lowest_exponent) + 63) / 64;
-    std::size_t top = std::min(limbs, fits + words_taken);
+    std::size_t top = std::min(limbs, words_taken);
     for (std::size_t k = 0; k < count; ++k) {
         const mp_limb_t* const number = numbers + k * limbs;
         const mp_limb_t sign = negative(number, limbs) ? ~mp_limb_t{0} : 0;
@@ -76,7 +75,8 @@ std::size_t words_of(const mp_limb_t* numbers, std::size_t count, std::size_t li
     return top;
 }
 
-/// A fixed-point number by the three words below `top`: off by less than 2^(64 (top - 3)) units and 2^-100 of itself.
+/// A fixed-point number by the three words below `top`: off by less than 2^(64 (top - 3)) units, at least a unit, 2^-100 of itself and
+/// what binary64 loses below 2^-1022.
 Real leading_words(const mp_limb_t* number, std::size_t limbs, std::size_t top)
 {
     const bool below_zero = negative(number, limbs);
@@ -110,7 +110,7 @@ double Coefficients::row(const mp_limb_t* moments, double* near) const
 
 double Coefficients::row_error(double most) const
 {
-    return std::ldexp(most, -80) + std::ldexp(1.0, static_cast<int>(2 - std::min(format_.fraction(), -lowest_exponent - 64)));
+    return std::ldexp(most, -80) + std::ldexp(1.0, static_cast<int>(2 + std::max(-format_.fraction(), least_exponent)));
 }
 
 } // namespace touchstone::transfer

@@ -39,8 +39,8 @@ Ball larger(const Ball& a, const Ball& b) { return certainly(less(a, b)) ? b : a
 } // namespace
 
 FixedFormat Discretisation::format_for(double accuracy) { return FixedFormat(static_cast<long>(accuracy / std::numbers::ln2 + 40 + 3 * std::log2(std::max(accuracy / 136, 1.0)))); }
-/// Moments are off by units of the format, whatever the load, and F is about x^(1/2): at x = e^-deepest half of deepest is needed on top of what
-/// F is wanted to relative to 1. A quarter is in the accuracy already, since what earlier levels are off by weighs x^(1/4) in a row.
+/// Moments are off by units of the format, whatever the load, and F is about x^(1/2): at x = e^-deepest half of deepest is needed on top of
+/// what F is wanted to relative to 1. A quarter is in the accuracy already, since what earlier levels are off by weighs x^(1/4) in a row.
 double Discretisation::accuracy_of_entries(double accuracy, double deepest) { return accuracy + deepest / 4; }
 
 slong Discretisation::bits_for(double accuracy, double deepest) { return format_for(accuracy_of_entries(accuracy, deepest)).fraction() + 24; }

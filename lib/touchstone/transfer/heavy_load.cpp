@@ -356,7 +356,8 @@ public:
             // the ellipse reaches less than twice as far as the wave
             [&](bool, double, double from_a) { return partial_kernel_end_bound(g, root_x, from_a, 2 * approximate(hi)); });
         const double start = upper_double(piece.from);
-        if (!is_dropped_below(g, approximate(x), start)) throw std::logic_error("full contact: what is left out below a partial wave's panels is too wide");
+        if (!is_dropped_below(g, approximate(x), start))
+            throw std::logic_error("full contact: what is left out below a partial wave's panels is too wide");
         moved[level + 1] += weight * dropped_below(g, start);
         // room is above 0.009, and finest below 0.01 G^(-5/2)
         if (!arb_equal(piece.to.get(), hi.get())) throw std::logic_error("full contact: the end of a partial wave is not reached");
