@@ -334,6 +334,21 @@ TEST_CASE("the hypergeometric function in a term of the power series is enclosed
         }
 }
 
+TEST_CASE("a geometric sum is that of its terms")
+{
+    const WorkingPrecision precision(80);
+    for (const char* ratio : {"0", "1/16", "1/2", "3/4"}) {
+        CAPTURE(ratio);
+        Ball sum(0), term(exactly("7/3"));
+        for (int k = 0; k < 300; ++k) { // the rest is below 2^-120
+            sum += term;
+            term = term * Ball(exactly(ratio));
+        }
+        const Ball closed = geometric_sum(Ball(exactly("7/3")), Ball(exactly(ratio)));
+        CHECK(certainly(less(abs(closed - sum), ScalarTraits<Ball>::power_of_two(-60))));
+    }
+}
+
 TEST_CASE("what the power series leaves out is T1 c G^-(n-1) Y^(s_I)/(1 - Y^(2^-(n-1)))")
 {
     for (const slong bits : {80L, 112L})
@@ -396,6 +411,9 @@ TEST_CASE("the exact power series, a route without quadrature or interpolation")
                 CHECK(series.overlaps(area(Scheme::force_weighted, n, at(load, G), wanted())));
                 CHECK(series.relative_bits() > 80);
             }
+    const Ball third = area_series(3, Ball(exactly("1e-3")), Ball(16));
+    CHECK(third.overlaps(area(Scheme::force_weighted, 3, at("1e-3", "16"), wanted())));
+    CHECK(third.relative_bits() > 80);
 }
 
 TEST_CASE("the same G, the same areas, digit for digit: (D, gamma) = (1.5, 16) and (1.25, 256)")
@@ -461,6 +479,28 @@ TEST_CASE("out of reach is said, not guessed")
         CHECK(e.note.find("no proof by the limit for n <= 200; no estimate") != std::string::npos);
     }
     CHECK_THROWS_AS(eval("contact.area", {{"n", -1}, {"load", 1}, {"G", 3}}, 10), DomainError);
+    for (const char* load : {"0", "-1", "2"})
+        CHECK_THROWS_WITH_AS(area(Scheme::area, 1, at(load, "3"), {10}), "load must be above 0 and at most 1", BeyondReach);
+    CHECK_THROWS_WITH_AS(area(Scheme::area, 1, at("1.5", "3"), {10}), "load must be at most 1", BeyondReach);
+}
+
+TEST_CASE("the most digits of an area are those that both schemes serve, and no fewer")
+{
+    const WorkingPrecision precision(128);
+    for (const char* load : {"1/2", "1e-12"}) // no lighter than e^-30: ten nats to spare, and no rows far down
+        for (const char* G : {"2.0001", "2.001", "2.01", "2.03", "2.1"}) {
+            CAPTURE(load);
+            CAPTURE(G);
+            const long most = most_digits_of_area(Ball(exactly(load)), Ball(exactly(G)));
+            const auto nodes = [&](long digits) {
+                const double nats = static_cast<double>(bits_for_digits(digits)) * std::numbers::ln2 + 10;
+                return std::max(Discretisation::size_for(Scheme::force_weighted, Ball(exactly(G)), nats, 0),
+                                Discretisation::size_for(Scheme::area, Ball(exactly(G)), nats, 0));
+            };
+            CHECK(most > 10);
+            CHECK(nodes(most) <= Discretisation::most_nodes);
+            CHECK(nodes(most + 1) > Discretisation::most_nodes);
+        }
 }
 
 TEST_CASE("threads share an operator and get the same digits")

@@ -23,6 +23,8 @@ Ball leading(const Ball& s, const Ball& G)
 
 } // namespace
 
+Ball geometric_sum(const Ball& first, const Ball& ratio) { return first / (1 - ratio); }
+
 /// By its series: once (1-s)/2 + k >= 0 the terms' ratio is below x.
 Ball hypergeometric(const Ball& s, const Ball& x)
 {
@@ -33,7 +35,7 @@ Ball hypergeometric(const Ball& s, const Ball& x)
         if (!certainly(less((1 - s) / 2 + k, Ball(0))) && certainly(less(abs(term), Traits::power_of_two(-WorkingPrecision::bits())))) break;
         if (k == 100'000) throw BeyondReach("the power series converges too slowly this near load = 1");
     }
-    arb_add_error(sum.get(), upper(abs(term) / (1 - x)).get());
+    arb_add_error(sum.get(), upper(geometric_sum(abs(term), x)).get());
     return sum;
 }
 
@@ -90,7 +92,8 @@ Ball area_series(long n, const Ball& load, const Ball& G)
         const Ball s = exponent + static_cast<long>(i) * largest;
         sum += d[i] * leading(s, G) * pow(load, (1 + s) / 2) * hypergeometric(s, load);
     }
-    Ball tail = 2 * asin(sqrt(load)) / Traits::pi() * magnitudes(G, m_last).back() * pow(Y, exponent + static_cast<long>(terms) * largest) / (1 - pow(Y, largest));
+    const Ball first_left_out = pow(Y, exponent + static_cast<long>(terms) * largest);
+    Ball tail = 2 * asin(sqrt(load)) / Traits::pi() * magnitudes(G, m_last).back() * geometric_sum(first_left_out, pow(Y, largest));
     for (long m = 0; m < m_last; ++m) tail /= G;
     arb_add_error(sum.get(), upper(tail).get());
     return sum;

@@ -35,4 +35,7 @@ double terms_of_area_series(long n, const Ball& load, const Ball& G, slong bits)
 /// \throws BeyondReach after 100 000 terms
 Ball hypergeometric(const Ball& s, const Ball& x);
 
+/// The sum of first ratio^k over k >= 0, for 0 <= ratio < 1: what terms that shrink so at least leave out from `first` on.
+Ball geometric_sum(const Ball& first, const Ball& ratio);
+
 } // namespace touchstone::transfer
