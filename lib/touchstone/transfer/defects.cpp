@@ -3,6 +3,7 @@
 
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/progress.hpp"
+#include "touchstone/transfer/step_defect.hpp"
 #include "touchstone/wave/lemmas.hpp"
 
 #include <algorithm>
@@ -15,9 +16,6 @@ using std::max, std::min;
 using namespace bounds;
 
 namespace {
-
-/// The larger, and infinite where v is not a number: nothing is known then.
-void raise(double& bound, double v) { bound = v <= infinite ? max(bound, v) : infinite; }
 
 /// Of a panel's width w: a part s w, where what increases is off by some s w, counts with the root of its width, (s w)^(3/2).
 double smallest_part_for(double tolerance)
@@ -81,9 +79,10 @@ void Defects::prove_first(const First& first, std::size_t i)
         if (!(D < infinite)) return;
         const auto [low, high] = waiting.back();
         waiting.pop_back();
-        const Real x = (low + high) * 0.5, half = (high - low) * (0.5 + 0x1p-30) + 2 * u * x;
+        const Interval J(low, high);
+        const Real x = J.x;
         const bool share = monotone;
-        const double x_ = double(x), h = size_of(half), r = h * check.spread, small = max(share ? smallest_part * width : 0, 2 * narrowest * x_);
+        const double x_ = double(x), h = J.h, r = h * check.spread, small = max(share ? smallest_part * width : 0, 2 * narrowest * x_);
         if (low < 1 && high > 1) { // what is on either side need not be one analytic function
             waiting.emplace_back(low, Real(1));
             waiting.emplace_back(Real(1), high);
@@ -92,13 +91,13 @@ void Defects::prove_first(const First& first, std::size_t i)
         const auto local = [&](const Real& v) { return (v * v - p.centre) / p.half; };
         const auto value = [&](const Real& v) { return first.value(v); };
         const auto [of_value, of_complement] = first.on_disc(low, high, x, r);
-        const double rho = ellipse_of_distance((2 * x_ * r + r * r) / half_z), from_one = size_of(V.coefficients[V.row(i, 0)] - 1);
+        const double rho = ellipse_of_distance(square_moves(x_, r) / half_z), from_one = size_of(V.coefficients[V.row(i, 0)] - 1);
         const double bound = margin * min(of_value + V.growth_at(i, 0, rho), of_complement + from_one + V.growth_at(i, 0, rho, 1)) * check.tail;
         double most = infinite;
         if (bound <= (h > small || !share ? max(tolerance / 16, negligible) : infinite) && bound < infinite && h >= narrowest * x_) {
             most = 0;
             for (std::size_t n = 0; n < check.points.at.size() && most < infinite; ++n) {
-                const Real at = x + half * check.points.at[n];
+                const Real at = x + J.half * check.points.at[n];
                 const auto [v, error] = value(at);
                 raise(most, size_of(v - V.value(i, 0, local(at))) + error);
             }
@@ -110,22 +109,26 @@ void Defects::prove_first(const First& first, std::size_t i)
         }
         else if (!share) add_hole(0, low, high, first.weight_on(double(low), double(high - low), V.size[i * columns]), Known::on_average);
         else { // increasing, between its ends
-            double change = 0;
-            for (int k = 1; k < rules.orders.terms; ++k) change += V.magnitude(i, k, 0) * k * k;
-            change = margin * min(change * double(high * high - low * low) / half_z, 2 * V.size[i * columns]);
             const Real v = V.value(i, 0, local(low));
             const auto [least, least_error] = value(low * Real{1, -4 * u});
             const auto [most, most_error] = value(high * Real{1, 4 * u});
-            found(0, low, high, i, margin * (size_of(most - v) + size_of(v - least) + least_error + most_error + change + 2 * rounding));
+            found(0, low, high, i, margin * (size_of(most - v) + size_of(v - least) + least_error + most_error + change_of(V, i, 0, double(high * high - low * low)) + 2 * rounding));
         }
     }
 }
 
-std::vector<double> Defects::overlaps() const
+double change_of(const Layer& V, std::size_t panel, int m, double dz)
 {
-    // how far the polynomial of a panel is from its neighbours' on their side of the edge: polynomials of terms - 1, so nodes suffice
+    double slope = 0;
+    for (int k = 1; k < V.orders.terms; ++k) slope += V.magnitude(panel, k, m) * k * k; // |T_k'| <= k^2
+    return margin * min(slope * dz / double(V.panels[panel].half), 2 * V.size[V.at(panel, m)]);
+}
+
+std::vector<double> overlap_defects(const Rules& rules, const Layer& V, int levels)
+{
+    // polynomials of terms - 1, so nodes suffice
     const auto& panels = V.panels;
-    std::vector<double> overlap_defect(panels.size() * columns);
+    std::vector<double> overlap_defect(panels.size() * V.count);
     const double lebesgue = 1.01 * (1 + 2 / pi_below * std::log(rules.orders.terms));
     const int count = static_cast<int>(panels.size());
     in_parallel(panels.size(), [&](std::size_t e) {
@@ -145,7 +148,7 @@ std::vector<double> Defects::overlaps() const
                     for (int m = 0; m < levels; ++m) raise(most[m], size_of(mine.value[m] - its.value[m]));
                 }
                 for (int m = 0; m + 1 < levels; ++m) // T V of the last is not asked for
-                    raise(overlap_defect[at(e, m)], margin * lebesgue * (most[m] + V.rounding[at(e, m)] + V.rounding[at(n, m)]));
+                    raise(overlap_defect[V.at(e, m)], margin * lebesgue * (most[m] + V.rounding[V.at(e, m)] + V.rounding[V.at(n, m)]));
             }
     });
     return overlap_defect;
@@ -153,7 +156,7 @@ std::vector<double> Defects::overlaps() const
 
 void Defects::prove_steps()
 {
-    const std::vector<double> overlap_defect = overlaps();
+    const std::vector<double> overlap_defect = overlap_defects(rules, V, levels);
     const long count = static_cast<long>(V.panels.size());
     std::atomic<long> proven{0};
     in_parallel(V.panels.size(), [&](std::size_t i) {
@@ -220,8 +223,7 @@ double Defects::second_effect(int m, double reach) const
     return margin * least_sum(parts(m, reach), [&](const Part& p) { return largest_second_share(margin * double(V.G), p.width); });
 }
 
-/// At least mu_x([y0, y1]) for low <= x <= high, on one side of 1.
-static double share_of(const Real& G, const Real& low, const Real& high, const Real& y0, const Real& y1)
+double share_of(const Real& G, const Real& low, const Real& high, const Real& y0, const Real& y1)
 {
     const bool full = low >= 1;
     if (!full && high > 1) return infinite; // the two sides of 1 are not compared
@@ -249,10 +251,8 @@ double Defects::blur(int m, const Real& x) const
         const Panel& p = V.panels[i];
         const double share = share_of(V.G, low, high, p.y0, p.y1);
         if (share == 0) continue;
-        double slope = 0;
-        for (int k = 1; k < rules.orders.terms; ++k) slope += V.magnitude(i, k, m) * k * k;
         const double dy = min(std::sqrt(dz), dz / double(p.y0));
-        sum += share * min(slope * dz / double(p.half), 2 * V.size[i * columns + m])
+        sum += share * change_of(V, i, m, dz)
              + V.jump[i * columns + m] * share_of(V.G, low, high, p.y0 - Real(dy), p.y0 + Real(dy));
     }
     return margin * sum;

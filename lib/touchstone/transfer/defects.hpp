@@ -23,6 +23,9 @@ struct Check {
     }
 };
 
+/// The larger, and infinite where v is not a number: nothing is known then.
+inline void raise(double& bound, double v) { bound = v <= bounds::infinite ? std::max(bound, v) : bounds::infinite; }
+
 /// The rho of the Bernstein ellipse through focal sum 2(1 + d): what lies within d of [-1, 1] lies inside.
 inline double ellipse_of_distance(double d) { return 1 + d + std::sqrt(d * (2 + d)); }
 
@@ -51,6 +54,15 @@ double least_sum(const std::vector<Part>& parts, const Weight& weight)
 
 /// At least T^k 1 on 0 < x <= highest, k = 0 ... steps: wave::after_steps. \param G at most the true one
 std::vector<double> mass_after_steps(double G, double highest, int steps);
+
+/// At least what V_m's polynomial of a panel changes by on its interval, where z changes by dz.
+double change_of(const Layer&, std::size_t panel, int m, double dz);
+
+/// [panel * V.count + m], m + 1 < levels: at least |V_e - V_n|, the polynomials of a panel e and of any other n, on n's part of e's interval.
+std::vector<double> overlap_defects(const Rules&, const Layer& V, int levels);
+
+/// At least mu_x([y0, y1]) for low <= x <= high, on one side of 1.
+double share_of(const Real& G, const Real& low, const Real& high, const Real& y0, const Real& y1);
 
 class Defects {
 public:
@@ -94,7 +106,6 @@ private:
     /// The part of x that is proven with a panel: a thousandth of its width beyond it too.
     std::pair<Real, Real> domain_of(std::size_t panel) const;
     void prove_first(const First&, std::size_t panel);
-    std::vector<double> overlaps() const;
     void prove_panel(std::size_t panel, const std::vector<double>& overlap_defect);
     void add_hole(int m, const Real& low, const Real& high, double defect, Known = Known::by_values);
     /// What is known on a part of a panel: what is large is kept apart where the part is much narrower.

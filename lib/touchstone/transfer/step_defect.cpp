@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// |T V_(m-1) - V_m| on one panel, for all m: proven_levels.md, 4 and, for densities, 5.
+#include "touchstone/transfer/step_defect.hpp"
+
 #include "touchstone/transfer/defects.hpp"
 
 #include "touchstone/wave/lemmas.hpp"
@@ -15,13 +17,93 @@ using namespace bounds;
 
 namespace {
 
-/// The larger, and infinite where v is not a number: nothing is known then.
-void raise(double& bound, double v) { bound = v <= infinite ? max(bound, v) : infinite; }
+/// The most that f~ takes one polynomial on: 0.8 of 1 -+ c, which grows to less than 2.
+constexpr double end_part = 0.8;
+static_assert(end_part * wave::disc_full.grown < 2);
 
-/// The part of an end of the wave that f~ takes one polynomial on: 0.8 of 1 -+ c.
-constexpr double end_part = 0.8, largest_gap = 0.9;
+Real left_of(const Layer& V, int panel) { return max(V.panels[panel].left(), V.panels.front().z0); }
+
+/// The panel whose polynomial f~ may use furthest around y = z^(1/2), on its interval and above the first panel's left end: the half width of J is about a
+/// third of the way from y to the inner end of the polynomial's interval, and at most all of the way to its outer end.
+int end_panel(const Layer& V, const Real& z, bool upper)
+{
+    constexpr double thirds = 2.7; // 1 + 2.125/0.79, from rho = 4, is 3.7 from the other end of J
+    const auto& panels = V.panels;
+    const int j = V.find(z), last = static_cast<int>(panels.size()) - 1;
+    if (upper && j > 0 && (panels[j - 1].right() - z) * thirds > z - left_of(V, j)) return j - 1;
+    if (!upper && j < last && (z - left_of(V, j + 1)) * thirds > panels[j].right() - z) return j + 1;
+    return j;
+}
+
+/// Whether the images of the ends of J are on the interval of a panel's polynomial.
+bool on_interval(const Layer& V, int panel, const Real& z_low, const Real& z_high)
+{
+    return z_low >= left_of(V, panel) * Real{1, 8 * u} && z_high <= V.panels[panel].right() * Real{1, -8 * u};
+}
+
+/// At least the share of theta where V is another panel's polynomial on this one's interval.
+double overlap_share(const Layer& V, int panel)
+{
+    const Panel& p = V.panels[panel];
+    const auto share = [&](const Real& length) { return largest_share(double(V.G), size_of(positive_part(length))); };
+    return share(sqrt(p.right()) - p.y1) + share(p.y0 - sqrt(left_of(V, panel)));
+}
+
+Fit with_full_contact(const Layer& V, const Interval& J, double r, Continuation& f)
+{
+    const double G = double(V.G);
+    if (double(J.x - 1) <= r * margin) return Fit::no;
+    for (const bool upper : {false, true}) {
+        const auto image = [&](const Real& v) { return (upper ? v + 1 : v - 1) / V.G; };
+        const Real y = image(J.x), y_low = image(J.low), y_high = image(J.high);
+        if (y < V.panels.front().y0 * 1.3) return Fit::never;
+        const int e = end_panel(V, y * y, upper);
+        if (!on_interval(V, e, y_low * y_low, y_high * y_high)) return Fit::no;
+        const Panel& q = V.panels[e];
+        const Real inner = upper ? max(sqrt(left_of(V, e)), y - end_part / V.G) : min(sqrt(q.right()), y + end_part / V.G);
+        const double gap = double(upper ? 1 + J.x - V.G * inner : V.G * inner - J.x + 1);
+        if (r > wave::disc_full.reach * gap) return Fit::no;
+        f.ends[upper] = {e, inner, gap, end_share(wave::disc_full.grown * gap), square_moves(double(max(y, inner)), r / G) / double(q.half), overlap_share(V, e)};
+    }
+    f.middle = wave::disc_full.middle;
+    return Fit::yes;
+}
+
+Fit with_partial_contact(const Layer& V, const Interval& J, double r, Continuation& f)
+{
+    const double x = double(J.x), G = double(V.G);
+    if (r > wave::disc_partial.reach * double(1 - J.x) || r > 0.5 * x) return Fit::no;
+    const Kernel k(J.x, V.G, false);
+    const auto image = [&](const Real& v) { return 4 * v / k.G2; };
+    const Real z = image(J.x);
+    if (z < V.panels.front().z0 * 1.7) return Fit::never;
+    const int e = end_panel(V, z, true);
+    if (!on_interval(V, e, image(J.low), image(J.high))) return Fit::no;
+    const Real at_gap = positive_part((2 - Real(end_part)) * (2 * J.x - end_part)) / k.G2; // 1 - c = end_part
+    const Real inner = max(left_of(V, e), at_gap);
+    const double gap = double(k.one_minus_c(inner)), dc = wave::disc_partial.cosine_moves * r;
+    if (dc > wave::disc_full.reach * gap) return Fit::no;
+    f.ends[0] = {};
+    f.ends[1] = {e, sqrt(inner), gap, end_share(wave::disc_full.grown * gap), force_moves(x, r, dc) / (G * G) / double(V.panels[e].half), overlap_share(V, e)};
+    f.middle = wave::disc_partial.middle;
+    return Fit::yes;
+}
 
 } // namespace
+
+Fit continue_wave(const Layer& V, const Interval& J, double r, Continuation& f)
+{
+    if (J.low < 1 && J.high > 1) return Fit::no;
+    return J.low < 1 ? with_partial_contact(V, J, r, f) : with_full_contact(V, J, r, f);
+}
+
+double Continuation::bound(const Layer& V, int m) const
+{
+    double sum = middle * V.largest[static_cast<std::size_t>(m)];
+    for (const End& e : ends)
+        if (e.panel >= 0) sum += e.factor * V.growth_at(static_cast<std::size_t>(e.panel), m, ellipse_of_distance(e.distance));
+    return margin * sum;
+}
 
 /// Covers the panel with intervals J of x, each as wide as one of the proofs allows.
 class StepOnPanel {
@@ -34,37 +116,7 @@ public:
     void prove();
 
 private:
-    /// J, with a margin for the rounding of its ends.
-    struct Interval {
-        Real low, high, x, half;
-        double h;
-        Interval(const Real& low_, const Real& high_)
-            : low(low_), high(high_), x((low + high) * 0.5), half((high - low) * (0.5 + 0x1p-30) + 2 * u * x), h(size_of(half))
-        {
-        }
-    };
-    /// An end of the wave in f~, whose polynomial is that of one panel.
-    struct End {
-        int panel = -1;
-        double factor = 0;   ///< |the end's part of f~| per unit of |V_e|
-        double distance = 0; ///< of the arguments of V_e from its interval, in halves of that
-        double overlap = 0;  ///< share of theta where V is a neighbour's polynomial
-    };
-    /// f~ on a disc about the middle of J.
-    struct Continuation {
-        End ends[2];
-        double middle = 0; ///< |the middle part of f~| per unit of |V|
-    };
-    enum class Fit { yes, no, never }; ///< never: no narrower J would do
-
     double smallest(const Interval& J) const { return max(d.monotone ? d.smallest_part * width : 0, 2 * narrowest * double(J.x)); }
-    /// The panel whose polynomial f~ may use furthest around y = z^(1/2), on its interval and above the first panel's left end.
-    int end_panel(const Real& z, bool upper) const;
-    Real left_of(const Panel& q) const { return max(q.left(), V.panels.front().z0); }
-    double overlap_share(const Real& length) const { return length > 0 ? std::sqrt(G * size_of(length) / 2) : 0; }
-    Fit continuation(const Interval&, double r, Continuation&) const;
-    Fit with_full_contact(const Interval&, double r, Continuation&) const;
-    Fit with_partial_contact(const Interval&, double r, Continuation&) const;
     /// Bounds of f~ - V_m on the disc of a check, times what is left of it between the points; false where they are too large to be of use.
     bool bounded(const Interval&, const Check&, double r, const Continuation&, std::vector<double>&) const;
     /// The check with the fewest points that serves J.
@@ -72,8 +124,6 @@ private:
     void by_values(const Interval&, const Check&, const Continuation&, const std::vector<double>& between);
     void by_monotony(const Interval&);
     void as_hole(const Interval&);
-    /// At least what V_m changes by on J.
-    double change(const Interval&, int m) const;
 
     Defects& d;
     const Layer& V;
@@ -86,90 +136,25 @@ private:
     Result here, there;
 };
 
-/// The half width of J is about a third of the way from y to the inner end of the polynomial's interval, and at most all of the way to its outer end.
-int StepOnPanel::end_panel(const Real& z, bool upper) const
-{
-    constexpr double thirds = 2.7; // 1 + 2.125/0.79, from rho = 4, is 3.7 from the other end of J
-    const auto& panels = V.panels;
-    const int j = V.find(z), last = static_cast<int>(panels.size()) - 1;
-    if (upper && j > 0 && (panels[j - 1].right() - z) * thirds > z - left_of(panels[j])) return j - 1;
-    if (!upper && j < last && (z - left_of(panels[j + 1])) * thirds > panels[j].right() - z) return j + 1;
-    return j;
-}
-
-StepOnPanel::Fit StepOnPanel::with_full_contact(const Interval& J, double r, Continuation& f) const
-{
-    const wave::DiscFull disc;
-    if (double(J.x - 1) <= r * margin) return Fit::no;
-    for (const bool upper : {false, true}) {
-        const auto image = [&](const Real& v) { return (upper ? v + 1 : v - 1) / V.G; };
-        const Real y = image(J.x), y_low = image(J.low), y_high = image(J.high);
-        if (y < V.panels.front().y0 * 1.3) return Fit::never;
-        const int e = end_panel(y * y, upper);
-        const Panel& q = V.panels[e];
-        if (y_low * y_low < left_of(q) * Real{1, 8 * u} || y_high * y_high > q.right() * Real{1, -8 * u}) return Fit::no;
-        const Real q_low = sqrt(left_of(q)), q_high = sqrt(q.right());
-        const Real inner = upper ? max(q_low, y - end_part / V.G) : min(q_high, y + end_part / V.G); // any point of the polynomial's interval will do
-        const double gap = double(upper ? 1 + J.x - V.G * inner : V.G * inner - J.x + 1);
-        if (r > disc.reach * gap || gap > largest_gap) return Fit::no;
-        const double g = disc.grown * gap;
-        f.ends[upper] = {e, std::sqrt(g) * 2 / std::sqrt(2 - g) / pi_below, (2 * double(max(y, inner)) * r + r * r / G) / G / double(q.half),
-                         overlap_share(q_high - q.y1) + overlap_share(q.y0 - q_low)};
-    }
-    f.middle = disc.middle;
-    return Fit::yes;
-}
-
-StepOnPanel::Fit StepOnPanel::with_partial_contact(const Interval& J, double r, Continuation& f) const
-{
-    const wave::DiscPartial disc;
-    const double x = double(J.x);
-    if (r > disc.reach * double(1 - J.x) || r > 0.5 * x) return Fit::no;
-    const Kernel k(J.x, V.G, false);
-    const Real z = 4 * J.x / k.G2;
-    if (z < V.panels.front().z0 * 1.7) return Fit::never;
-    const int e = end_panel(z, true);
-    const Panel& q = V.panels[e];
-    if (4 * J.low / k.G2 < left_of(q) * Real{1, 8 * u} || 4 * J.high / k.G2 > q.right() * Real{1, -8 * u}) return Fit::no;
-    const Real at_gap = positive_part((2 - Real(end_part)) * (2 * J.x - end_part)) / k.G2; // 1 - c = end_part
-    const double gap = double(k.one_minus_c(max(left_of(q), at_gap))), dc = disc.cosine_moves * r;
-    if (dc > wave::disc_full.reach * gap || gap > largest_gap) return Fit::no;
-    const double g = wave::disc_full.grown * gap;
-    f.ends[0] = {};
-    f.ends[1] = {e, std::sqrt(g) * 2 / std::sqrt(2 - g) / pi_below, (2 * (2 * r + dc) + 2 * x * dc + dc * (2 * r + dc)) / (G * G) / double(q.half),
-                 overlap_share(sqrt(q.right()) - q.y1) + overlap_share(q.y0 - sqrt(left_of(q)))};
-    f.middle = disc.middle;
-    return Fit::yes;
-}
-
-StepOnPanel::Fit StepOnPanel::continuation(const Interval& J, double r, Continuation& f) const
-{
-    if (J.low < 1 && J.high > 1) return Fit::no;
-    return J.low < 1 ? with_partial_contact(J, r, f) : with_full_contact(J, r, f);
-}
-
 bool StepOnPanel::bounded(const Interval& J, const Check& check, double r, const Continuation& f, std::vector<double>& between) const
 {
-    const double own_rho = ellipse_of_distance((2 * double(J.x) * r + r * r) / half_z);
+    const double own_rho = ellipse_of_distance(square_moves(double(J.x), r) / half_z);
     const double negligible = d.monotone ? 0 : d.tolerance / 1024 / largest_second_share(G, width);
     const bool as_it_is = d.monotone && J.h <= 100 * smallest(J) && &check == &d.checks.back(); // monotony would bound it no better
     for (int m = 1; m < d.levels; ++m) {
-        double bound = V.growth_at(i, m, own_rho) + f.middle * V.largest[m - 1];
-        for (const End& e : f.ends)
-            if (e.panel >= 0) bound += e.factor * V.growth_at(e.panel, m - 1, ellipse_of_distance(e.distance));
-        between[m] = margin * bound * check.tail;
+        between[m] = margin * (V.growth_at(i, m, own_rho) + f.bound(V, m - 1)) * check.tail;
         if (!(between[m] <= max(d.tolerance_of(m) / 4, negligible) || (as_it_is && between[m] < infinite))) return false;
     }
     return true;
 }
 
-StepOnPanel::Fit StepOnPanel::choose(const Interval& J, const Check*& chosen, Continuation& f, std::vector<double>& between) const
+Fit StepOnPanel::choose(const Interval& J, const Check*& chosen, Continuation& f, std::vector<double>& between) const
 {
     Fit fit = Fit::no;
     if (J.h < narrowest * double(J.x)) return fit; // points that cannot be told apart
     for (const Check& check : d.checks) {
         const double r = J.h * check.spread;
-        fit = continuation(J, r, f);
+        fit = continue_wave(V, J, r, f);
         if (fit == Fit::never) return fit;
         if (fit == Fit::yes && bounded(J, check, r, f, between)) {
             chosen = &check;
@@ -177,13 +162,6 @@ StepOnPanel::Fit StepOnPanel::choose(const Interval& J, const Check*& chosen, Co
         }
     }
     return Fit::no;
-}
-
-double StepOnPanel::change(const Interval& J, int m) const
-{
-    double slope = 0;
-    for (int k = 1; k < d.rules.orders.terms; ++k) slope += V.magnitude(i, k, m) * k * k;
-    return margin * min(slope * double(J.high * J.high - J.low * J.low) / half_z, 2 * V.size[d.at(i, m)]);
 }
 
 void StepOnPanel::by_values(const Interval& J, const Check& check, const Continuation& f, const std::vector<double>& between)
@@ -197,7 +175,7 @@ void StepOnPanel::by_values(const Interval& J, const Check& check, const Continu
     }
     for (int m = 1; m < d.levels; ++m) {
         double overlap = 0;
-        for (const End& e : f.ends)
+        for (const Continuation::End& e : f.ends)
             if (e.panel >= 0) overlap += e.overlap * overlap_defect[d.at(e.panel, m - 1)];
         d.found(m, J.low, J.high, i, margin * (check.lebesgue * (most[m] + overlap) + overlap + between[m]));
     }
@@ -211,7 +189,7 @@ void StepOnPanel::by_monotony(const Interval& J)
     for (int m = 1; m < d.levels; ++m) {
         const Real v = V.value(i, m, (J.low * J.low - p.centre) / p.half);
         const double off = size_of(there.value[m - 1] - v) + size_of(v - here.value[m - 1]);
-        d.found(m, J.low, J.high, i, margin * (off + change(J, m) + here.error[m - 1] + there.error[m - 1] + 2 * V.rounding[d.at(i, m)]), Defects::Known::by_monotony);
+        d.found(m, J.low, J.high, i, margin * (off + change_of(V, i, m, double(J.high * J.high - J.low * J.low)) + here.error[m - 1] + there.error[m - 1] + 2 * V.rounding[d.at(i, m)]), Defects::Known::by_monotony);
     }
 }
 
@@ -222,7 +200,7 @@ void StepOnPanel::as_hole(const Interval& J)
     for (int m = 1; m < d.levels; ++m) {
         const Real v = V.value(i, m, (J.x * J.x - p.centre) / p.half);
         const double off = size_of(here.value[m - 1] - v) + here.error[m - 1] + std::sqrt(wave::shift * J.h) * V.largest[m - 1];
-        d.add_hole(m, J.low, J.high, margin * (off + change(J, m) + 2 * V.rounding[d.at(i, m)]));
+        d.add_hole(m, J.low, J.high, margin * (off + change_of(V, i, m, double(J.high * J.high - J.low * J.low)) + 2 * V.rounding[d.at(i, m)]));
     }
 }
 
