@@ -37,7 +37,7 @@ Defects::Defects(const Rules& rules_, const Layer& V_, int levels_, double toler
 void Defects::add_hole(int m, const Real& low, const Real& high, double defect_, Known known)
 {
     const std::lock_guard lock(holes_mutex);
-    holes[static_cast<std::size_t>(m)].push_back({low, high, double(high - low) * margin + 4 * u * double(high), defect_ <= infinite ? defect_ : infinite, known});
+    holes[static_cast<std::size_t>(m)].push_back({low, high, defect_ <= infinite ? defect_ : infinite, known});
 }
 
 void Defects::found(int m, const Real& low, const Real& high, std::size_t panel, double defect_, Known known)
@@ -102,7 +102,7 @@ void Defects::prove_first(const First& first, std::size_t i)
                 raise(most, size_of(v - V.value(i, 0, local(at))) + error);
             }
         }
-        if (most < infinite) found(0, low, high, i, margin * (check.lebesgue * (most + 2 * rounding) + bound));
+        if (most < infinite) found(0, low, high, i, check.anywhere(most + 2 * rounding, 0, bound));
         else if (h > small) {
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
@@ -199,9 +199,11 @@ std::vector<Part> Defects::parts(int m, double reach) const
     const auto& panels = V.panels;
     std::vector<Part> found;
     for (std::size_t i = 0; i < panels.size() && double(panels[i].y0) <= reach; ++i)
-        found.push_back({defect[i * columns + m], panels[i].width() + 4 * u * double(panels[i].y1), panels[i].y0, panels[i].y1, false});
-    for (const Hole& h : holes[m])
-        if (double(h.low) <= reach) found.push_back({h.defect, h.width, h.low * Real{1, -2 * u}, h.high * Real{1, 2 * u}, h.known == Known::on_average});
+        found.push_back({defect[i * columns + m], panels[i].width(), panels[i].y0, panels[i].y1, false});
+    for (const Hole& h : holes[m]) {
+        const Real y0 = h.low * Real{1, -2 * u}, y1 = h.high * Real{1, 2 * u};
+        if (double(y0) <= reach) found.push_back({h.defect, size_of(y1 - y0), y0, y1, h.known == Known::on_average});
+    }
     std::sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.defect > b.defect; });
     return found;
 }
@@ -252,8 +254,7 @@ double Defects::blur(int m, const Real& x) const
         const double share = share_of(V.G, low, high, p.y0, p.y1);
         if (share == 0) continue;
         const double dy = min(std::sqrt(dz), dz / double(p.y0));
-        sum += share * change_of(V, i, m, dz)
-             + V.jump[i * columns + m] * share_of(V.G, low, high, p.y0 - Real(dy), p.y0 + Real(dy));
+        sum += share * change_of(V, i, m, dz) + V.jump[i * columns + m] * share_of(V.G, low, high, p.y0 - Real(dy), p.y0 + Real(dy));
     }
     return margin * sum;
 }

@@ -21,6 +21,8 @@ struct Check {
     {
         tail = bounds::margin * 2 * (1 + lebesgue) / (power(rho, count - 1) * (rho - 1));
     }
+    /// At least a function that is within `apart` of an f with |f| <= between/tail on the ellipse, and at most `most` at the points.
+    double anywhere(double most, double apart, double between) const { return bounds::margin * (lebesgue * (most + apart) + apart + between); }
 };
 
 /// The larger, and infinite where v is not a number: nothing is known then.
@@ -96,7 +98,7 @@ private:
     /// Where |B_m - T V_(m-1)| is not bounded by `defect`. In all else a panel.
     struct Hole {
         Real low, high;
-        double width, defect;
+        double defect;
         Known known;
     };
 

@@ -105,11 +105,22 @@ double Continuation::bound(const Layer& V, int m) const
     return margin * sum;
 }
 
+double size_on_disc(const Layer& V, std::size_t panel, int m, const Interval& J, double r, const Continuation& f)
+{
+    const double rho = ellipse_of_distance(square_moves(double(J.x), r) / double(V.panels[panel].half));
+    return margin * (V.growth_at(panel, m, rho) + f.bound(V, m - 1));
+}
+
+double off(const Layer& V, const Result& next, std::size_t panel, int m, const Real& v)
+{
+    return margin * (size_of(next.value[m - 1] - v) + next.error[m - 1] + 2 * V.rounding[V.at(panel, m)]);
+}
+
 /// Covers the panel with intervals J of x, each as wide as one of the proofs allows.
 class StepOnPanel {
 public:
     StepOnPanel(Defects& proof, std::size_t panel, const std::vector<double>& overlap_defect_)
-        : d(proof), V(proof.V), i(panel), p(V.panels[panel]), overlap_defect(overlap_defect_), G(double(V.G)), half_z(double(p.half)), domain(d.domain_of(panel)),
+        : d(proof), V(proof.V), i(panel), p(V.panels[panel]), overlap_defect(overlap_defect_), G(double(V.G)), domain(d.domain_of(panel)),
           width(size_of(domain.second - domain.first))
     {
     }
@@ -124,13 +135,14 @@ private:
     void by_values(const Interval&, const Check&, const Continuation&, const std::vector<double>& between);
     void by_monotony(const Interval&);
     void as_hole(const Interval&);
+    double change(const Interval& J, int m) const { return change_of(V, i, m, double(J.high * J.high - J.low * J.low)); }
 
     Defects& d;
     const Layer& V;
     const std::size_t i;
     const Panel& p;
     const std::vector<double>& overlap_defect;
-    const double G, half_z;
+    const double G;
     const std::pair<Real, Real> domain;
     const double width;
     Result here, there;
@@ -138,11 +150,10 @@ private:
 
 bool StepOnPanel::bounded(const Interval& J, const Check& check, double r, const Continuation& f, std::vector<double>& between) const
 {
-    const double own_rho = ellipse_of_distance(square_moves(double(J.x), r) / half_z);
     const double negligible = d.monotone ? 0 : d.tolerance / 1024 / largest_second_share(G, width);
     const bool as_it_is = d.monotone && J.h <= 100 * smallest(J) && &check == &d.checks.back(); // monotony would bound it no better
     for (int m = 1; m < d.levels; ++m) {
-        between[m] = margin * (V.growth_at(i, m, own_rho) + f.bound(V, m - 1)) * check.tail;
+        between[m] = size_on_disc(V, i, m, J, r, f) * check.tail;
         if (!(between[m] <= max(d.tolerance_of(m) / 4, negligible) || (as_it_is && between[m] < infinite))) return false;
     }
     return true;
@@ -171,13 +182,13 @@ void StepOnPanel::by_values(const Interval& J, const Check& check, const Continu
         const Real x = J.x + J.half * check.points.at[n];
         V.apply(x, here);
         V.values(i, (x * x - p.centre) / p.half, there);
-        for (int m = 1; m < d.levels; ++m) raise(most[m], size_of(here.value[m - 1] - there.value[m]) + here.error[m - 1] + 2 * V.rounding[d.at(i, m)]);
+        for (int m = 1; m < d.levels; ++m) raise(most[m], off(V, here, i, m, there.value[m]));
     }
     for (int m = 1; m < d.levels; ++m) {
         double overlap = 0;
         for (const Continuation::End& e : f.ends)
             if (e.panel >= 0) overlap += e.overlap * overlap_defect[d.at(e.panel, m - 1)];
-        d.found(m, J.low, J.high, i, margin * (check.lebesgue * (most[m] + overlap) + overlap + between[m]));
+        d.found(m, J.low, J.high, i, check.anywhere(most[m], overlap, between[m]));
     }
 }
 
@@ -188,8 +199,7 @@ void StepOnPanel::by_monotony(const Interval& J)
     V.apply(J.high * Real{1, 4 * u}, there);
     for (int m = 1; m < d.levels; ++m) {
         const Real v = V.value(i, m, (J.low * J.low - p.centre) / p.half);
-        const double off = size_of(there.value[m - 1] - v) + size_of(v - here.value[m - 1]);
-        d.found(m, J.low, J.high, i, margin * (off + change_of(V, i, m, double(J.high * J.high - J.low * J.low)) + here.error[m - 1] + there.error[m - 1] + 2 * V.rounding[d.at(i, m)]), Defects::Known::by_monotony);
+        d.found(m, J.low, J.high, i, margin * (off(V, here, i, m, v) + off(V, there, i, m, v) + change(J, m)), Defects::Known::by_monotony);
     }
 }
 
@@ -199,8 +209,7 @@ void StepOnPanel::as_hole(const Interval& J)
     V.apply(J.x, here);
     for (int m = 1; m < d.levels; ++m) {
         const Real v = V.value(i, m, (J.x * J.x - p.centre) / p.half);
-        const double off = size_of(here.value[m - 1] - v) + here.error[m - 1] + std::sqrt(wave::shift * J.h) * V.largest[m - 1];
-        d.add_hole(m, J.low, J.high, margin * (off + change_of(V, i, m, double(J.high * J.high - J.low * J.low)) + 2 * V.rounding[d.at(i, m)]));
+        d.add_hole(m, J.low, J.high, margin * (off(V, here, i, m, v) + std::sqrt(wave::shift * J.h) * V.largest[m - 1] + change(J, m)));
     }
 }
 

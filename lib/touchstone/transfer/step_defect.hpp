@@ -39,6 +39,11 @@ enum class Fit { yes, no, never }; ///< never: no narrower J would do
 /// f~ on the disc of radius r about the middle of J, where that is known to be analytic.
 Fit continue_wave(const Layer&, const Interval&, double r, Continuation&);
 
+/// At least |f~ - V_m| on that disc, f~ of V_(m-1), V_m the polynomial of the panel J is on.
+double size_on_disc(const Layer&, std::size_t panel, int m, const Interval& J, double r, const Continuation&);
+/// At least |T V_(m-1) - V_m| at a point of a panel. \param next T V there \param v V_m there
+double off(const Layer& V, const Result& next, std::size_t panel, int m, const Real& v);
+
 /// At least |y'^2 - y^2| where |y' - y| <= r.
 inline double square_moves(double y, double r) { return (2 * y + r) * r; }
 /// At least what (1 + c)(2 x - 1 + c) moves by where x moves by r and c, no more than 1, by dc: attained at c = 1.
