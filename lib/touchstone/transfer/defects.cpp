@@ -96,7 +96,7 @@ void Defects::prove_first(const First& first, std::size_t i)
         double most = infinite;
         if (bound <= (h > small || !share ? max(tolerance / 16, negligible) : infinite) && bound < infinite && h >= narrowest * x_) {
             most = 0;
-            for (std::size_t n = 0; n < check.points.at.size() && most < infinite; ++n) {
+            for (std::size_t n = check.points.at.size(); n-- > 0 && most < infinite;) {
                 const Real at = x + J.half * check.points.at[n];
                 const auto [v, error] = value(at);
                 raise(most, size_of(v - V.value(i, 0, local(at))) + error);
@@ -141,7 +141,7 @@ std::vector<double> overlap_defects(const Rules& rules, const Layer& V, int leve
                 const Real short_of = 2 * narrowest * high - (high - low); // no narrower than points can be told apart
                 if (short_of > 0) low -= short_of * 0.5, high += short_of * 0.5;
                 std::vector<double> most(static_cast<std::size_t>(levels));
-                for (std::size_t i = 0; i < rules.own.at.size(); ++i) {
+                for (std::size_t i = rules.own.at.size(); i-- > 0;) {
                     const Real z = (low + high) * 0.5 + (high - low) * 0.5 * rules.own.at[i];
                     V.values(e, (z - p.centre) / p.half, mine);
                     V.values(static_cast<std::size_t>(n), (z - panels[n].centre) / panels[n].half, its);

@@ -178,7 +178,7 @@ Fit StepOnPanel::choose(const Interval& J, const Check*& chosen, Continuation& f
 void StepOnPanel::by_values(const Interval& J, const Check& check, const Continuation& f, const std::vector<double>& between)
 {
     std::vector<double> most(static_cast<std::size_t>(d.levels));
-    for (std::size_t n = 0; n < check.points.at.size(); ++n) {
+    for (std::size_t n = check.points.at.size(); n-- > 0;) {
         const Real x = J.x + J.half * check.points.at[n];
         V.apply(x, here);
         V.values(i, (x * x - p.centre) / p.half, there);
