@@ -774,6 +774,23 @@ TEST_CASE("the share of theta on an interval of y, at any ratio between two, is 
     CHECK(share_of(Real(2), Real(0.25), Real(0.25), Real(0.5 - 1e-9), Real(1)) > 0);
 }
 
+TEST_CASE("an interval that meets the end of a wave by a few roundings has a share")
+{
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto exact = [](const Real& v) -> Rational { return Rational(v.high) + Rational(v.low); };
+    int inside = 0;
+    for (int round = 0; round < 2000; ++round) {
+        const Real G = Real(1.1 + unit(random)) + Real(unit(random) * 0x1p-54), x = Real(100 + 300 * unit(random)) + Real(unit(random) * 0x1p-46), shift = Real{1, (unit(random) - 0.5) * 8 * bounds::u};
+        const Real at_end = (x + 1) / G * shift, at_begin = (x - 1) / G * shift;
+        const Rational end = exact(x) + 1 - exact(G) * exact(at_end), begin = exact(G) * exact(at_begin) - exact(x) + 1;
+        if (end > 0) CHECK(share_of(G, x, x, at_end, at_end + 1) > std::sqrt(2 * end.get_d()) / 4);
+        if (begin > 0) CHECK(share_of(G, x, x, at_begin - 1, at_begin) > std::sqrt(2 * begin.get_d()) / 4);
+        inside += (end > 0) + (begin > 0);
+    }
+    CHECK(inside > 1500);
+}
+
 TEST_CASE("the mass that is left after some waves: a power of the highest ratio, and never more than before")
 {
     for (const double G : {1.2, 3.0})

@@ -145,7 +145,7 @@ std::vector<double> overlap_defects(const Rules& rules, const Layer& V, int leve
                     const Real z = (low + high) * 0.5 + (high - low) * 0.5 * rules.own.at[i];
                     V.values(e, (z - p.centre) / p.half, mine);
                     V.values(static_cast<std::size_t>(n), (z - panels[n].centre) / panels[n].half, its);
-                    for (int m = 0; m < levels; ++m) raise(most[m], size_of(mine.value[m] - its.value[m]));
+                    for (int m = 0; m + 1 < levels; ++m) raise(most[m], size_of(mine.value[m] - its.value[m]));
                 }
                 for (int m = 0; m + 1 < levels; ++m) // T V of the last is not asked for
                     raise(overlap_defect[V.at(e, m)], margin * lebesgue * (most[m] + V.rounding[V.at(e, m)] + V.rounding[V.at(n, m)]));
