@@ -61,8 +61,10 @@ AREAS = {
     "operator": Area(["transfer/chain*", "transfer/coefficients*", "transfer/contact*", "transfer/discretisation*", "transfer/fixed*", "transfer/gauss.hpp",
                       "transfer/heavy_load*", "transfer/rule*", "transfer/series*", "transfer/wide_balls.hpp"], ["transfer", "heavy_load"]),
     # what proves levels on meshes with full contact; how these are found (collocation, piecewise) and estimates (graded, full_contact) prove nothing
-    "defects": Area(["transfer/defects*", "transfer/layer*", "transfer/level_zero*", "transfer/step_defect*", "transfer/wave.hpp", "transfer/wave_kernel*"],
+    "defects": Area(["transfer/defects*", "transfer/layer*", "transfer/level_zero*", "transfer/step_defect*", "transfer/wave_kernel*"],
                     ["layer", "proven_levels", "three_waves"]),
+    # one wave of the estimates with full contact, which no proof uses
+    "estimates": Area(["transfer/wave.hpp"], ["full_contact"], ["transfer/full_contact.cpp", "transfer/graded.cpp", "transfer/piecewise.cpp"]),
     "limit": Area(["limit/*"], ["limit", "rows"]),
     "disc": Area(["transfer/disc.hpp"], ["binary64"]),
 }
