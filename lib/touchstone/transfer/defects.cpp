@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/transfer/defects.hpp"
 
+#include "touchstone/transfer/level_bounds.hpp"
 #include "touchstone/transfer/parallel.hpp"
 #include "touchstone/transfer/progress.hpp"
 #include "touchstone/transfer/step_defect.hpp"
@@ -67,7 +68,7 @@ void Defects::prove_first(const First& first, std::size_t i)
 {
     const auto [left, right] = domain_of(i);
     const Panel& p = V.panels[i];
-    const double rounding = V.rounding[i * columns], half_z = double(p.half), width = size_of(right - left);
+    const double rounding = V.rounding[V.at(i, 0)], half_z = double(p.half), width = size_of(right - left);
     const Check& check = first_check;
     const WorkingPrecision precision(160);
     double& D = defect[at(i, 0)];
@@ -107,7 +108,7 @@ void Defects::prove_first(const First& first, std::size_t i)
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
         }
-        else if (!share) add_hole(0, low, high, first.weight_on(double(low), double(high - low), V.size[i * columns]), Known::on_average);
+        else if (!share) add_hole(0, low, high, first.weight_on(double(low), double(high - low), V.size[V.at(i, 0)]), Known::on_average);
         else { // increasing, between its ends
             const Real v = V.value(i, 0, local(low));
             const auto [least, least_error] = value(low * Real{1, -4 * u});
@@ -177,7 +178,7 @@ void Defects::add_up()
 {
     // where monotony of B_m was used, T V_{m-1} stood for T B_{m-1}
     double so_far = 0;
-    const std::vector<double> mass = mass_after_steps(double(V.G) / margin, double(V.panels.back().y1) * margin, levels);
+    const std::vector<double> mass = mass_after_steps(not_above(V.G), not_below(V.panels.back().y1), levels);
     std::vector<double> effects;
     for (int m = 0; m < levels; ++m) {
         if (m > 0 && monotone) {
@@ -216,7 +217,7 @@ double Defects::effect(int m, double reach) const
     double below;
     if (!monotone) below = m == 0 ? 0 : margin * (std::sqrt(y) * V.largest[m - 1] + sum_of_effects[m - 1]); // B_m = T B_{m-1}, T 1 <= x^(1/2)
     // B_m(x) <= B_m(y) <= T^(m+1) 1, for B_0(y) <= y^(1/2) as T 1 is
-    else below = m == 0 ? std::sqrt(y) : min(mass_after_steps(double(V.G) / margin, y * margin, m + 1).back(), margin * (V.size[m] + defect[m] + sum_of_effects[m - 1]));
+    else below = m == 0 ? std::sqrt(y) : min(mass_after_steps(not_above(V.G), not_below(V.panels.front().y0), m + 1).back(), margin * (V.size[m] + defect[m] + sum_of_effects[m - 1]));
     return margin * (best + below * largest_share(double(V.G), y));
 }
 
