@@ -90,7 +90,10 @@ void Defects::prove_first(const First& first, std::size_t i)
             continue;
         }
         const auto local = [&](const Real& v) { return (v * v - p.centre) / p.half; };
-        const auto value = [&](const Real& v) { return first.value(v); };
+        const auto off = [&](const Real& at, const Real& v) { // at least |B_0 there - v|, v a value of V_0
+            const auto [nearest, error] = first.value(at);
+            return size_of(nearest - v) + error + 2 * rounding;
+        };
         const auto [of_value, of_complement] = first.on_disc(low, high, x, r);
         const double rho = ellipse_of_distance(square_moves(x_, r) / half_z), from_one = size_of(V.coefficients[V.row(i, 0)] - 1);
         const double bound = margin * min(of_value + V.growth_at(i, 0, rho), of_complement + from_one + V.growth_at(i, 0, rho, 1)) * check.tail;
@@ -99,11 +102,10 @@ void Defects::prove_first(const First& first, std::size_t i)
             most = 0;
             for (std::size_t n = check.points.at.size(); n-- > 0 && most < infinite;) {
                 const Real at = x + J.half * check.points.at[n];
-                const auto [v, error] = value(at);
-                raise(most, size_of(v - V.value(i, 0, local(at))) + error);
+                raise(most, off(at, V.value(i, 0, local(at))));
             }
         }
-        if (most < infinite) found(0, low, high, i, check.anywhere(most + 2 * rounding, 0, bound));
+        if (most < infinite) found(0, low, high, i, check.anywhere(most, 0, bound));
         else if (h > small) {
             waiting.emplace_back(low, x);
             waiting.emplace_back(x, high);
@@ -111,9 +113,7 @@ void Defects::prove_first(const First& first, std::size_t i)
         else if (!share) add_hole(0, low, high, first.weight_on(double(low), double(high - low), V.size[V.at(i, 0)]), Known::on_average);
         else { // increasing, between its ends
             const Real v = V.value(i, 0, local(low));
-            const auto [least, least_error] = value(low * Real{1, -4 * u});
-            const auto [most, most_error] = value(high * Real{1, 4 * u});
-            found(0, low, high, i, margin * (size_of(most - v) + size_of(v - least) + least_error + most_error + change_of(V, i, 0, double(high * high - low * low)) + 2 * rounding));
+            found(0, low, high, i, margin * (off(low * Real{1, -4 * u}, v) + off(high * Real{1, 4 * u}, v) + change_of(V, i, 0, double(high * high - low * low))));
         }
     }
 }
@@ -231,7 +231,7 @@ double share_of(const Real& G, const Real& low, const Real& high, const Real& y0
     const bool full = low >= 1;
     if (!full && high > 1) return infinite; // the two sides of 1 are not compared
     const Kernel a(high, G, full), b(low, G, full); // c falls with x and rises with y
-    const double slack = 64 * u * (1 + double(high)), width = double(y1 - y0) * margin + slack;
+    const double slack = 64 * u * (1 + double(high)), width = size_of(y1 - y0) + slack;
     if (full ? double(G * y0 - 1 - high) > slack || double(low - 1 - G * y1) > slack : double(y0 * y0 / a.end - 1) > slack) return 0;
     const double g = double(G), any = largest_share(g, width);
     const double to_end = double(b.one_minus_c(y1 * y1)) - slack, to_begin = double(a.one_plus_c(y0 * y0)) - slack;

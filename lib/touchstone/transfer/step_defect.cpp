@@ -217,7 +217,7 @@ void StepOnPanel::prove()
 {
     constexpr double narrower = 0.7, wider = 1.6, remainder = 1.3; // a search: any J that cover the panel will do
     constexpr double wide_enough = 0.02;                           // of the panel's width, where no narrower J would do
-    std::vector<double> between(static_cast<std::size_t>(d.levels));
+    std::vector<double> between(static_cast<std::size_t>(d.levels), infinite);
     double next = width;
     int intervals = 0;
     for (Real low = domain.first; low < domain.second;) {
