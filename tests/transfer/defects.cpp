@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// D_m >= |T V_(m-1) - V_m| at random ratios, for V_m that jump at every edge of the mesh: whether the intervals of the proof leave none out, and whether
-/// what it takes from finitely many points holds between them. The values of T V are those of layer.hpp, which has a test of its own.
+/// D_m >= |T V_(m-1) - V_m| at random ratios, for V_m that jump at every edge of the mesh: whether the intervals of the proof leave none
+/// out, and whether what it takes from finitely many points holds between them; and all that it is made of by itself, on meshes and with
+/// levels made by hand. The values of T V are those of layer.hpp, which has a test of its own.
 #include "touchstone/transfer/defects.hpp"
 #include "touchstone/transfer/step_defect.hpp"
 
@@ -57,7 +58,8 @@ Seen look(double G_, double jumps, double highest)
                 const Real x = p.y0 + (p.y1 - p.y0) * unit(random);
                 if ((x + 1) / G * ((x + 1) / G) > V->panels.back().z1) continue; // sees beyond the mesh
                 V->apply(x, there);
-                const double difference = std::fabs(double(there.value[m - 1] - V->value(i, m, (x * x - p.centre) / p.half))) - there.error[m - 1];
+                const double difference = std::fabs(double(there.value[m - 1] - V->value(i, m, (x * x - p.centre) / p.half)))
+                    - there.error[m - 1];
                 INFO("G = ", G_, ", level ", m, ", x = ", double(x), ": ", difference, " <= ", defect_at(parts, x));
                 REQUIRE(difference <= defect_at(parts, x));
                 seen.closest = std::max(seen.closest, difference / defect_at(parts, x));
@@ -214,7 +216,8 @@ TEST_CASE("V continued at the ends of the wave: on the disc that is admitted, an
             CHECK(f.ends[0].panel >= (full ? 0 : -1));
             if (!full) CHECK(f.ends[0].panel == -1);
             for (const double of_most : {1., 0.3}) {
-                const double most = largest(full ? x - 1 : 1 - x, [&](double r) { return continue_wave(V, about(1e-12), r, f) == Fit::yes; }), r = of_most * most;
+                const double most = largest(full ? x - 1 : 1 - x,
+                    [&](double r) { return continue_wave(V, about(1e-12), r, f) == Fit::yes; }), r = of_most * most;
                 REQUIRE(continue_wave(V, about(1e-12), r, f) == Fit::yes);
                 const WaveAt here{x, G_, full};
                 double may = full ? (x - 1) / bounds::margin : std::min(0.24 * (1 - x), 0.5 * x);
@@ -222,7 +225,8 @@ TEST_CASE("V continued at the ends of the wave: on the disc that is admitted, an
                     const Continuation::End& e = f.ends[upper];
                     if (e.panel < 0) continue;
                     const Panel& q = V.panels[static_cast<std::size_t>(e.panel)];
-                    const double inner = double(e.inner), left = std::sqrt(std::max(double(q.left()), lowest)), right = std::sqrt(double(q.right()));
+                    const double inner = double(e.inner), left = std::sqrt(std::max(double(q.left()), lowest)),
+                        right = std::sqrt(double(q.right()));
                     first_panel += e.panel == 0;
                     CHECK(inner >= left * (1 - 1e-12));
                     CHECK(inner <= right * (1 + 1e-12));
@@ -238,14 +242,17 @@ TEST_CASE("V continued at the ends of the wave: on the disc that is admitted, an
                         const WaveAt there{v, G_, full};
                         CHECK(end_mass(gap(there, inner)) <= e.factor);
                         for (const double t : {0., 0.3, 0.6, 1.}) {
-                            const Complex w = t * gap(there, inner), local = (there.square(upper ? 1. - w : w - 1.) - double(q.centre)) / double(q.half);
+                            const Complex w = t * gap(there, inner),
+                                local = (there.square(upper ? 1. - w : w - 1.) - double(q.centre)) / double(q.half);
                             CHECK((std::abs(local - 1.) + std::abs(local + 1.)) / 2 - 1 <= e.distance * (1 + 1e-9));
                         }
                     }
                     CHECK(e.factor == doctest::Approx(end_share(1.8 * e.gap)).scale(0).epsilon(1e-12));
-                    const double z_moves = full ? square_moves(upper ? (x + 1) / G_ : inner, r / G_) : force_moves(x, r, 2.36 * r) / (G_ * G_);
+                    const double z_moves = full ? square_moves(upper ? (x + 1) / G_ : inner, r / G_)
+                        : force_moves(x, r, 2.36 * r) / (G_ * G_);
                     CHECK(e.distance == doctest::Approx(z_moves / double(q.half)).scale(0).epsilon(1e-9));
-                    CHECK(e.overlap == doctest::Approx(largest_share(G_, std::max(0., double(q.y0) - left)) + largest_share(G_, std::max(0., right - double(q.y1)))).scale(1e-6).epsilon(2e-3));
+                    CHECK(e.overlap == doctest::Approx(largest_share(G_, std::max(0., double(q.y0) - left))
+                        + largest_share(G_, std::max(0., right - double(q.y1)))).scale(1e-6).epsilon(2e-3));
                 }
                 if (of_most == 1) {
                     CHECK(r <= may * (1 + 1e-9));
@@ -270,7 +277,8 @@ TEST_CASE("V continued at the ends of the wave: on the disc that is admitted, an
                     CHECK(z <= right * (1 + 1e-12));
                     at_end = at_end || std::fabs(z - left) < 1e-6 || std::fabs(z - right) < 1e-6;
                     const double y = std::sqrt(z), inner = double(e.inner), y0 = double(q.y0), y1 = double(q.y1);
-                    const auto beyond = [&](double a, double b) { return upper ? there.share(std::max(a, inner), std::min(b, y)) : there.share(std::max(a, y), std::min(b, inner)); };
+                    const auto beyond = [&](double a, double b) { return upper ? there.share(std::max(a, inner), std::min(b, y))
+                        : there.share(std::max(a, y), std::min(b, inner)); };
                     const double share = beyond(0, y0) + beyond(y1, 1e9);
                     CHECK(share <= e.overlap);
                     overlap_used[upper] = std::max(overlap_used[upper], share / e.overlap);
@@ -337,7 +345,8 @@ TEST_CASE("between the points of a check a function is no larger than the check 
             for (int i = 0; i < count; ++i) {
                 double product = 1;
                 for (int j = 0; j < count; ++j)
-                    if (j != i) product *= (x - double(check.points.at[static_cast<std::size_t>(j)])) / double(check.points.at[static_cast<std::size_t>(i)] - check.points.at[static_cast<std::size_t>(j)]);
+                    if (j != i) product *= (x - double(check.points.at[static_cast<std::size_t>(j)]))
+                        / double(check.points.at[static_cast<std::size_t>(i)] - check.points.at[static_cast<std::size_t>(j)]);
                 sum += std::fabs(product);
             }
             lebesgue = std::max(lebesgue, sum);
@@ -363,7 +372,8 @@ TEST_CASE("what parts add up to is the least that a level of defects between the
     int by_all = 0, by_some = 0;
     for (int round = 0; round < 200; ++round) {
         std::vector<Part> parts;
-        for (int k = 0; k < 5; ++k) parts.push_back({std::pow(10, -3 * unit(random)), unit(random) * (round % 2 ? 1 : 0.3), Real(0), Real(1), unit(random) < 0.3});
+        for (int k = 0; k < 5; ++k) parts.push_back({std::pow(10, -3 * unit(random)), unit(random) * (round % 2 ? 1 : 0.3), Real(0),
+            Real(1), unit(random) < 0.3});
         std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.defect > b.defect; });
         double best = bounds::infinite, rest = 0;
         for (const Part& p : parts)
@@ -525,7 +535,8 @@ TEST_CASE("at x = 1, where nothing is analytic, a level that increases is betwee
         for (std::size_t i = 0; i < found.holes.size(); ++i) {
             const Part& p = found.holes[i];
             const bool next_to_one = std::fabs(double(p.y1 - 1)) < 1e-20 || std::fabs(double(p.y0 - 1)) < 1e-20;
-            const auto again = std::find_if(all.holes.begin(), all.holes.end(), [&](const Part& q) { return q.y0 == p.y0 && q.y1 == p.y1; });
+            const auto again = std::find_if(all.holes.begin(), all.holes.end(),
+                [&](const Part& q) { return q.y0 == p.y0 && q.y1 == p.y1; });
             REQUIRE(again != all.holes.end());
             CHECK_FALSE(p.on_average);
             CHECK(p.width >= double(p.y1 - p.y0));
@@ -552,7 +563,8 @@ TEST_CASE("at x = 1, where nothing is analytic, a level that increases is betwee
             V.apply(p.y0, low);
             V.apply(p.y1, high);
             const auto value = [&](const Real& x) { return V.value(own, 1, (x * x - q.centre) / q.half); };
-            const double known = std::fabs(double(low.value[0] - value(p.y0))) + std::fabs(double(high.value[0] - value(p.y0))) + change_of(V, own, 1, double(p.y1 * p.y1 - p.y0 * p.y0)) + low.error[0] + high.error[0];
+            const double known = std::fabs(double(low.value[0] - value(p.y0))) + std::fabs(double(high.value[0] - value(p.y0)))
+                + change_of(V, own, 1, double(p.y1 * p.y1 - p.y0 * p.y0)) + low.error[0] + high.error[0];
             CHECK(p.defect == nearly(known, 5e-3));
             CHECK(p.defect >= known);
         }
@@ -563,7 +575,7 @@ TEST_CASE("at x = 1, where nothing is analytic, a level that increases is betwee
             CAPTURE(size);
             CAPTURE(i);
             if (size == 0 && (i == at_one || i == at_one + 1)) CHECK(all.panels[i].defect - found.panels[i].defect == nearly(before, 3e-3));
-            else CHECK(all.panels[i].defect == found.panels[i].defect); // to the right of these the lower end of the wave is on a panel, too
+            else CHECK(all.panels[i].defect == found.panels[i].defect); // to the right of these the lower end of the wave is on a panel
         }
     }
 }
@@ -583,7 +595,8 @@ TEST_CASE("where V is a neighbour's polynomial that is far off, this counts with
     for (const Part& p : Found(D, V, 1).holes) {
         const Interval J(p.y0, p.y1);
         Continuation f;
-        if (continue_wave(V, J, 5 * J.h, f) == Fit::yes || continue_wave(V, J, J.h * check.spread * (1 + 1e-9), f) != Fit::yes) continue; // another check
+        // else it was another check
+        if (continue_wave(V, J, 5 * J.h, f) == Fit::yes || continue_wave(V, J, J.h * check.spread * (1 + 1e-9), f) != Fit::yes) continue;
         double most = 0, share = 0;
         for (std::size_t n = 0; n < check.points.at.size(); ++n) {
             Result there;
@@ -618,7 +631,8 @@ TEST_CASE("at x = 1 a level that need not increase is off by what the two laws o
         for (const Part& p : Found(D, V, 1).holes) {
             if (!(std::fabs(double(p.y1 - 1)) < 1e-28 || std::fabs(double(p.y0 - 1)) < 1e-28)) continue;
             ++seen;
-            CHECK((p.y1 < Real(1.5) && p.y0 < Real(1) ? p.y1 >= Real(1) + Real(1.5 * bounds::u) || p.y0 <= Real(1) - Real(1.5 * bounds::u) : false));
+            CHECK((p.y1 < Real(1.5) && p.y0 < Real(1) ? p.y1 >= Real(1) + Real(1.5 * bounds::u) || p.y0 <= Real(1) - Real(1.5 * bounds::u)
+                : false));
             const double h = double(p.y1 - p.y0) / 2;
             CHECK(h >= 0.9 * narrowest);
             CHECK(h <= 2.1 * narrowest);
@@ -626,7 +640,8 @@ TEST_CASE("at x = 1 a level that need not increase is off by what the two laws o
             Result there;
             V.apply(x, there);
             const Real v = V.value(at_one, 1, (x * x - V.panels[at_one].centre) / V.panels[at_one].half);
-            const double known = std::fabs(double(there.value[0] - v)) + there.error[0] + std::sqrt(32 * h) * size + 3 * double(p.y1 * p.y1 - p.y0 * p.y0) / double(V.panels[at_one].half);
+            const double known = std::fabs(double(there.value[0] - v)) + there.error[0] + std::sqrt(32 * h) * size
+                + 3 * double(p.y1 * p.y1 - p.y0 * p.y0) / double(V.panels[at_one].half);
             CAPTURE(size);
             CHECK(p.defect == nearly(known, 5e-3));
             CHECK(p.defect >= known);
@@ -668,7 +683,8 @@ TEST_CASE("a first level: what its points, its bounds on a disc and its errors m
         return Found(D, V, 0);
     };
     for (const bool monotone : {true, false})
-        for (const auto& [error, value, complement] : {std::array{1e-3, 1., bounds::infinite}, {1e-3, 1e3, 1e9}, {0., 1e3, 1.}, {0., 1e9, 1e3}}) {
+        for (const auto& [error, value, complement] : {std::array{1e-3, 1., bounds::infinite}, {1e-3, 1e3, 1e9}, {0., 1e3, 1.},
+            {0., 1e9, 1e3}}) {
             Known first;
             first.error = error;
             first.bounds_ = {value, complement};
@@ -678,14 +694,16 @@ TEST_CASE("a first level: what its points, its bounds on a disc and its errors m
             for (std::size_t i = 0; i < V.panels.size(); ++i) {
                 if (V.panels[i].y0 < Real(1) && Real(1) < V.panels[i].y1) continue;
                 const Panel& p = V.panels[i];
-                const double slack = double(p.y1 - p.y0) * 1e-3, low = i == 0 ? double(p.y0) : double(p.y0) - slack, high = double(p.y1) + slack, x = (low + high) / 2, r = (high - low) / 2 * check.spread;
+                const double slack = double(p.y1 - p.y0) * 1e-3, low = i == 0 ? double(p.y0) : double(p.y0) - slack, high = double(p.y1)
+                    + slack, x = (low + high) / 2, r = (high - low) / 2 * check.spread;
                 const double d = (2 * x * r + r * r) / double(p.half), rho = 1 + d + std::sqrt(d * (2 + d));
                 double most = 0;
                 for (std::size_t n = 0; n < check.points.at.size(); ++n) {
                     const Real at = Real(x) + Real((high - low) / 2) * check.points.at[n];
                     most = std::max(most, std::fabs(0.5 - double(V.value(i, 0, (at * at - p.centre) / p.half))));
                 }
-                const double grown = 0.03 * rho + 0.01 * rho * rho, between = std::min(value + 0.4 + grown, complement + 0.6 + grown) * check.tail;
+                const double grown = 0.03 * rho + 0.01 * rho * rho,
+                    between = std::min(value + 0.4 + grown, complement + 0.6 + grown) * check.tail;
                 CAPTURE(monotone);
                 CAPTURE(i);
                 CAPTURE(value);
@@ -701,7 +719,8 @@ TEST_CASE("a first level that V is: what is left are the bound on a disc and rou
     constexpr double tolerance_ = 1e-5;
     Made made = made_for(tolerance_);
     const Layer& V = made.V;
-    made.set(0, [&](std::size_t i, int k) { return k == 0 ? Real(0.4) + V.panels[i].centre * 0.05 : k == 1 ? V.panels[i].half * 0.05 : Real(0); });
+    made.set(0, [&](std::size_t i, int k) { return k == 0 ? Real(0.4) + V.panels[i].centre * 0.05 : k == 1 ? V.panels[i].half * 0.05
+        : Real(0); });
     Known first;
     first.analytic = [](const Real& x) { return Real(0.4) + x * x * 0.05; };
     const Check check(made.rules.orders.terms + 7, 4);
@@ -712,8 +731,10 @@ TEST_CASE("a first level that V is: what is left are the bound on a disc and rou
         const Found found(D, V, 0);
         for (const std::size_t i : {1u, 2u, 3u, 6u, 7u, 8u}) {
             const Panel& p = V.panels[i];
-            const double slack = double(p.y1 - p.y0) * 1e-3, low = double(p.y0) - slack, high = double(p.y1) + slack, x = (low + high) / 2, r = (high - low) / 2 * check.spread;
-            const double rho = ellipse_of_distance((2 * x * r + r * r) / double(p.half)), mean = 0.4 + 0.05 * double(p.centre), grown = 0.05 * double(p.half) * rho;
+            const double slack = double(p.y1 - p.y0) * 1e-3, low = double(p.y0) - slack, high = double(p.y1) + slack, x = (low + high) / 2,
+                r = (high - low) / 2 * check.spread;
+            const double rho = ellipse_of_distance((2 * x * r + r * r) / double(p.half)), mean = 0.4 + 0.05 * double(p.centre),
+                grown = 0.05 * double(p.half) * rho;
             const double between = std::min(value + mean + grown, complement + std::fabs(mean - 1) + grown) * check.tail;
             CAPTURE(i);
             CAPTURE(value);
@@ -727,7 +748,8 @@ TEST_CASE("a first level that V is: what is left are the bound on a disc and rou
     first.bounds_ = {100, 0};
     Defects D(made.rules, V, 1, tolerance_, true);
     D.prove_level_zero(first);
-    for (const Part& p : Found(D, V, 0).panels) CHECK(p.defect == nearly(check.lebesgue * 2 * V.rounding[V.at(static_cast<std::size_t>(V.find(p.y0 * p.y0 * Real{1, 1e-20})), 0)], 1e-2));
+    for (const Part& p : Found(D, V, 0).panels) CHECK(p.defect
+        == nearly(check.lebesgue * 2 * V.rounding[V.at(static_cast<std::size_t>(V.find(p.y0 * p.y0 * Real{1, 1e-20})), 0)], 1e-2));
 }
 
 TEST_CASE("a first level that is not analytic at a point is there between its ends, or counts on an average")
@@ -757,7 +779,8 @@ TEST_CASE("a first level that is not analytic at a point is there between its en
                 const double width = double(p.y1 - p.y0) * 1.002;
                 CHECK((high - low) / 2 <= std::pow(tolerance_ / 64, 2. / 3) * width * 1.01);
                 const double v = double(V.value(i, 0, (h.y0 * h.y0 - p.centre) / p.half));
-                const double known = std::fabs(0.5 - v) + std::fabs(0.625 - v) + 2 * 0.0078125 + 0.25 * (high * high - low * low) / double(p.half);
+                const double known = std::fabs(0.5 - v) + std::fabs(0.625 - v) + 2 * 0.0078125
+                    + 0.25 * (high * high - low * low) / double(p.half);
                 CHECK(h.defect == nearly(known, 3e-3));
                 CHECK(h.defect >= known);
             }
@@ -777,7 +800,8 @@ TEST_CASE("a first level that is not analytic at a point is there between its en
         Defects D(made.rules, V, 1, tolerance_, true);
         D.prove_level_zero(first);
         const Found found(D, V, 0);
-        CHECK(std::count_if(found.holes.begin(), found.holes.end(), [&](const Part& h) { return h.y0 <= Real(singular) && Real(singular) <= h.y1; }) >= 2);
+        CHECK(std::count_if(found.holes.begin(), found.holes.end(),
+            [&](const Part& h) { return h.y0 <= Real(singular) && Real(singular) <= h.y1; }) >= 2);
     }
     // at 1, where intervals end, it is on either side of them; V is steep there
     const Real local_one = (Real(1) - V.panels[4].centre) / V.panels[4].half;
@@ -791,7 +815,8 @@ TEST_CASE("a first level that is not analytic at a point is there between its en
         ++seen;
         const Panel& q = V.panels[4];
         const double v = double(V.value(4, 0, (h.y0 * h.y0 - q.centre) / q.half));
-        const double known = std::fabs(0.5 - v) + std::fabs(0.625 - v) + 2 * 0.0078125 + 1e3 * double(h.y1 * h.y1 - h.y0 * h.y0) / double(q.half);
+        const double known = std::fabs(0.5 - v) + std::fabs(0.625 - v) + 2 * 0.0078125
+            + 1e3 * double(h.y1 * h.y1 - h.y0 * h.y0) / double(q.half);
         CHECK(h.defect == nearly(known, 3e-3));
         CHECK(h.defect >= known);
     }
@@ -809,7 +834,8 @@ TEST_CASE("neighbours' polynomials differ by no more than is taken, on the part 
     const Layer& V = made.V;
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (const int m : {0, 1}) made.set(m, [&](std::size_t i, int k) { return k == 0 || k > 3 ? 0 : std::pow(0.3, static_cast<double>(i)) * unit(random); });
+    for (const int m : {0, 1}) made.set(m, [&](std::size_t i, int k) { return k == 0 || k > 3 ? 0
+        : std::pow(0.3, static_cast<double>(i)) * unit(random); });
     const std::vector<double> bound = overlap_defects(made.rules, V, 3);
     REQUIRE(bound.size() == V.panels.size() * static_cast<std::size_t>(V.count));
     double closest = 1e9;
@@ -818,7 +844,8 @@ TEST_CASE("neighbours' polynomials differ by no more than is taken, on the part 
             double most = 0;
             for (std::size_t n = 0; n < V.panels.size(); ++n) {
                 if (n == e) continue;
-                const double low = std::max(double(V.panels[e].left()), double(V.panels[n].z0)), high = std::min(double(V.panels[e].right()), double(V.panels[n].z1));
+                const double low = std::max(double(V.panels[e].left()), double(V.panels[n].z0)),
+                    high = std::min(double(V.panels[e].right()), double(V.panels[n].z1));
                 for (int k = 0; k <= 40 && low < high; ++k) {
                     const double z = low + (high - low) * k / 40;
                     most = std::max(most, std::abs(value_of(V, e, static_cast<int>(m), z) - value_of(V, n, static_cast<int>(m), z)));
@@ -842,7 +869,8 @@ TEST_CASE("neighbours' polynomials differ by no more than is taken, on the part 
         CAPTURE(e);
         if (sees) CHECK(seen[narrow.V.at(e, 0)] == nearly(lebesgue, 3e-3));
         else if (e == 0) CHECK(seen[narrow.V.at(e, 0)] == 0);
-        else CHECK(seen[narrow.V.at(e, 0)] == nearly(lebesgue * (narrow.V.rounding[narrow.V.at(1, 0)] + narrow.V.rounding[narrow.V.at(0, 0)]), 1e-2));
+        else CHECK(seen[narrow.V.at(e, 0)] == nearly(lebesgue * (narrow.V.rounding[narrow.V.at(1, 0)]
+            + narrow.V.rounding[narrow.V.at(0, 0)]), 1e-2));
     }
 }
 
@@ -851,7 +879,8 @@ TEST_CASE("the last panel's neighbours are looked at as far as its interval reac
     Made made(1e-5, Real(G_made), panels_at({0.5, 1, 1.01, 1.02, 2}), 2);
     made.set(0, [](std::size_t i, int k) { return k == 0 ? (i == 1 ? 2. : 1.) : 0; });
     const std::vector<double> seen = overlap_defects(made.rules, made.V, 2);
-    for (std::size_t e = 1; e < 4; ++e) CHECK(seen[made.V.at(e, 0)] == nearly(1.01 * (1 + 2 / pi_ * std::log(made.rules.orders.terms)), 3e-3));
+    for (std::size_t e = 1; e < 4; ++e) CHECK(seen[made.V.at(e, 0)]
+        == nearly(1.01 * (1 + 2 / pi_ * std::log(made.rules.orders.terms)), 3e-3));
 }
 
 TEST_CASE("the share of theta on an interval of y, at any ratio between two, is no more than is taken, and nearly that much")
@@ -862,8 +891,10 @@ TEST_CASE("the share of theta on an interval of y, at any ratio between two, is 
     double slack[2] = {1e9, 1e9};
     for (int round = 0; round < 4000; ++round) {
         const bool full = round % 2;
-        const double G = 1.1 + 3 * unit(random), low = full ? 1 + 3 * unit(random) * unit(random) : unit(random), high = round % 4 < 2 ? low : full ? low + 0.1 * unit(random) : low + (1 - low) * unit(random);
-        const double end = (full ? low + 1 : 2 * std::sqrt(low)) / G, begin = full ? (low - 1) / G : 0, at = round % 8 < 4 ? end + 0.1 * (unit(random) - 0.5) : begin + (end - begin) * unit(random);
+        const double G = 1.1 + 3 * unit(random), low = full ? 1 + 3 * unit(random) * unit(random) : unit(random), high = round % 4 < 2
+            ? low : full ? low + 0.1 * unit(random) : low + (1 - low) * unit(random);
+        const double end = (full ? low + 1 : 2 * std::sqrt(low)) / G, begin = full ? (low - 1) / G : 0, at = round % 8 < 4 ? end
+            + 0.1 * (unit(random) - 0.5) : begin + (end - begin) * unit(random);
         const double y0 = std::max(1e-3, at), y1 = y0 + std::pow(10, -4 * unit(random));
         const double bound = share_of(Real(G), Real(low), Real(high), Real(y0), Real(y1));
         double most = 0;
@@ -906,7 +937,8 @@ TEST_CASE("an interval that meets the end of a wave by a few roundings has a sha
     const auto exact = [](const Real& v) -> Rational { return Rational(v.high) + Rational(v.low); };
     int inside = 0;
     for (int round = 0; round < 2000; ++round) {
-        const Real G = Real(1.1 + unit(random)) + Real(unit(random) * 0x1p-54), x = Real(100 + 300 * unit(random)) + Real(unit(random) * 0x1p-46), shift = Real{1, (unit(random) - 0.5) * 8 * bounds::u};
+        const Real G = Real(1.1 + unit(random)) + Real(unit(random) * 0x1p-54), x = Real(100 + 300 * unit(random))
+            + Real(unit(random) * 0x1p-46), shift = Real{1, (unit(random) - 0.5) * 8 * bounds::u};
         const Real at_end = (x + 1) / G * shift, at_begin = (x - 1) / G * shift;
         const Rational end = exact(x) + 1 - exact(G) * exact(at_end), begin = exact(G) * exact(at_begin) - exact(x) + 1;
         if (end > 0) CHECK(share_of(G, x, x, at_end, at_end + 1) > std::sqrt(2 * end.get_d()) / 4);
@@ -923,7 +955,8 @@ TEST_CASE("the mass that is left after some waves: a power of the highest ratio,
             const std::vector<double> mass = mass_after_steps(G, highest, 3);
             REQUIRE(mass.size() == 4);
             CHECK(mass[0] == 1);
-            const double powers[] = {std::sqrt(highest), std::pow(highest, 0.75) / std::sqrt(G), std::pow(highest, 0.875) / std::pow(G, 1.25)};
+            const double powers[] = {std::sqrt(highest), std::pow(highest, 0.75) / std::sqrt(G),
+                std::pow(highest, 0.875) / std::pow(G, 1.25)};
             double least = 1;
             for (std::size_t k = 0; k < 3; ++k) {
                 CHECK(mass[k + 1] >= std::min(least, powers[k]));
@@ -942,12 +975,14 @@ TEST_CASE("what a level's defects add up to: its parts within reach, what is bel
         double top = 9;            ///< of the mesh, in y^2; below 1 waves lose mass, and nothing is proven
         bool steps = size > 1e-3 && top > 1;
     };
-    for (const Case& c : {Case{true, 0.1, 0.5, 1e-6}, {false, 0.1, 0.5, 1e-6}, {true, 0.1, 0.4, 1e-3}, {true, 0.01, 1e-9, 0}, {false, 0.1, 0.4, 1e-3}, {false, 0.01, 0.7, 0}, {false, 0.01, 0.7, 1e-3, 0.25}, {true, 0.01, 1e-9, 0, 0.25}}) {
+    for (const Case& c : {Case{true, 0.1, 0.5, 1e-6}, {false, 0.1, 0.5, 1e-6}, {true, 0.1, 0.4, 1e-3}, {true, 0.01, 1e-9, 0},
+        {false, 0.1, 0.4, 1e-3}, {false, 0.01, 0.7, 0}, {false, 0.01, 0.7, 1e-3, 0.25}, {true, 0.01, 1e-9, 0, 0.25}}) {
         std::vector<Panel> panels;
         for (double z = c.first * c.first; z < c.top; z *= 2.5) panels.push_back(panel(Real(z), Real(2.5 * z), panels.empty()));
         Made made{tolerance_, Real(G_made), panels, 3};
         const Layer& V = made.V;
-        for (const int m : {0, 1, 2}) made.set(m, [&](std::size_t i, int k) { return k == 0 ? c.size * (1 + 0.01 * static_cast<double>(i) * m) + (c.size == 0.5 && m == 0 && i == 3 ? 0.3 : 0) : 0; });
+        for (const int m : {0, 1, 2}) made.set(m, [&](std::size_t i, int k) { return k == 0
+            ? c.size * (1 + 0.01 * static_cast<double>(i) * m) + (c.size == 0.5 && m == 0 && i == 3 ? 0.3 : 0) : 0; });
         Defects D(made.rules, V, 3, tolerance_, c.monotone);
         Known first;
         first.error = c.error;
@@ -966,7 +1001,8 @@ TEST_CASE("what a level's defects add up to: its parts within reach, what is bel
             if (m > 0) {
                 const auto before = static_cast<std::size_t>(m - 1);
                 const Found found(D, V, m);
-                below = c.monotone ? std::min(low_mass[static_cast<std::size_t>(m + 1)], V.size[V.at(0, m)] + found.panels[0].defect + sums[before]) : std::sqrt(y) * V.largest[before] + sums[before];
+                below = c.monotone ? std::min(low_mass[static_cast<std::size_t>(m + 1)], V.size[V.at(0, m)] + found.panels[0].defect
+                    + sums[before]) : std::sqrt(y) * V.largest[before] + sums[before];
             }
             const double known = best + below * largest_share(G_made, y);
             CHECK(D.effect(m, bounds::infinite) >= known);
@@ -983,7 +1019,8 @@ TEST_CASE("what a level's defects add up to: its parts within reach, what is bel
             else CHECK(D.second_effect(m, 1.2) == 0);
             for (const double reach : {0.2, 0.5, 0.60001, 1.1, 2.5}) {
                 const std::vector<Part> parts = D.parts(m, reach), all = D.parts(m, bounds::infinite);
-                CHECK(parts.size() == static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Part& p) { return double(p.y0) <= reach; })));
+                CHECK(parts.size() == static_cast<std::size_t>(std::count_if(all.begin(), all.end(),
+                    [&](const Part& p) { return double(p.y0) <= reach; })));
                 for (std::size_t i = 0; i < parts.size(); ++i) {
                     CHECK(double(parts[i].y0) <= reach);
                     CHECK(parts[i].width >= double(parts[i].y1 - parts[i].y0));
@@ -993,7 +1030,8 @@ TEST_CASE("what a level's defects add up to: its parts within reach, what is bel
             }
         }
         for (const auto& [low, high] : {std::pair{0.3, 0.3}, {0.5, 0.6}, {1.2, 1.2}, {2.0, 2.1}}) {
-            const double there = least_sum(D.parts(0, bounds::infinite), [&](const Part& p) { return share_of(Real(G_made), Real(low), Real(high), p.y0, p.y1); });
+            const double there = least_sum(D.parts(0, bounds::infinite),
+                [&](const Part& p) { return share_of(Real(G_made), Real(low), Real(high), p.y0, p.y1); });
             CHECK(D.effect_at(Real(low), Real(high)) >= there);
             CHECK((D.effect_at(Real(low), Real(high)) == there || D.effect_at(Real(low), Real(high)) == nearly(there, 2e-3)));
         }
@@ -1005,7 +1043,8 @@ TEST_CASE("what a load's rounding changes: the slope of V where the ratios are, 
     constexpr double u = bounds::u;
     Made made = made_for(1e-5);
     const Layer& V = made.V;
-    made.set(0, [](std::size_t i, int k) { return k == static_cast<int>(i) ? 0.1 : 0; });                      // steeper from panel to panel, and jumps
+    // steeper from panel to panel, and jumps
+    made.set(0, [](std::size_t i, int k) { return k == static_cast<int>(i) ? 0.1 : 0; });
     made.set(1, [](std::size_t i, int k) { return k == 0 ? i < 4 ? Real(0.5) : Real(1) : Real(0); }); // one jump at y^2 = 0.5
     const Defects D(made.rules, V, 2, 1e-5, false);
     for (const double x : {0.05, 0.3, 0.781251, 0.9, 1.2, 1.768, 3.0}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// B_0, the first level of what is proven level by level: its values beside their definitions, and its bounds on discs beside complex ratios.
+/// B_0, the first level of what is proven level by level: its values beside their definitions, and its bounds on discs beside complex
+/// ratios.
 #include "touchstone/transfer/level_zero.hpp"
 
 #include <doctest/doctest.h>
@@ -115,7 +116,8 @@ TEST_CASE("the share of one wave in contact, and above a pressure: to all bits o
                 const Ball y = Ball::exactly(v), p = Ball::exactly(P);
                 const Ball c = v >= 1 ? p - y : sqrt((1 - y) * (1 - y) + p * p) - y;
                 if (v < ends(P).first) CHECK(double(above->value(Real(v)).first) == 0);
-                else if (std::fabs(v - ends(P).first) > 1e-9 && std::fabs(v - ends(P).second) > 1e-9) close_to(*above, Real(v), acos(clamped(c)) / pi<Ball>());
+                else if (std::fabs(v - ends(P).first) > 1e-9 && std::fabs(v - ends(P).second) > 1e-9)
+                    close_to(*above, Real(v), acos(clamped(c)) / pi<Ball>());
                 else CHECK(std::fabs(double(above->value(Real(v)).first) - angle_above(v, P) / pi_) < 1e-7);
             }
         }
@@ -136,7 +138,8 @@ TEST_CASE("the force that one wave carries above a pressure is the mean of the p
             if (x < ends(P).first) CHECK(double(value) == 0);
             if (x >= ends(P).second) CHECK(double(value) == x);
         }
-        const double next = std::nextafter(1., 0.), before = double(force->value(Real(next)).first), at_one = double(force->value(Real(1)).first);
+        const double next = std::nextafter(1., 0.), before = double(force->value(Real(next)).first),
+            at_one = double(force->value(Real(1)).first);
         CHECK(before == doctest::Approx(at_one).scale(1).epsilon(1e-7));
     }
 }
@@ -178,7 +181,8 @@ TEST_CASE("what is above a pressure is bounded on discs on which it is analytic,
             const bool full = x > 1;
             CAPTURE(P);
             CAPTURE(x);
-            const double may = full ? std::min(x - first, last - x) : std::min({x - first, x, std::hypot(1 - x, P)}), most = largest_radius(*above, x);
+            const double may = full ? std::min(x - first, last - x) : std::min({x - first, x, std::hypot(1 - x, P)}),
+                most = largest_radius(*above, x);
             CHECK(most == nearly(may));
             CHECK(most < may);
             CHECK(largest_radius(*force, x) == nearly(most, 1e-6));
@@ -196,7 +200,8 @@ TEST_CASE("what is above a pressure is bounded on discs on which it is analytic,
                 CHECK(of_force.value >= most_on(x, r, [&](Complex v) { return force_at(v, P, full); })[0]);
                 CHECK(of_force.complement == bounds::infinite);
                 const double v = 2 + P * P / (2 * (x - bounds::margin * r));
-                const double bound = full ? ((x + r) * either + 1 + w) / pi_ : 2 * (x + r) / pi_ * (std::hypot(pi_ / 2, std::log(2 * std::sqrt(v) + 2)) + std::sqrt(v * (1 + v)));
+                const double bound = full ? ((x + r) * either + 1 + w) / pi_
+                    : 2 * (x + r) / pi_ * (std::hypot(pi_ / 2, std::log(2 * std::sqrt(v) + 2)) + std::sqrt(v * (1 + v)));
                 CHECK(of_force.value == nearly(bound, 5e-3));
                 CHECK(of_force.value >= bound);
             }
@@ -205,7 +210,8 @@ TEST_CASE("what is above a pressure is bounded on discs on which it is analytic,
             CHECK(beyond.complement == bounds::infinite);
         }
         // on either side of where it rises it is constant, or the force itself, however large the disc
-        const auto on = [](const First& f, double low, double high) { return f.on_disc(Real(low), Real(high), Real((low + high) / 2), 0.25); };
+        const auto on = [](const First& f, double low, double high) { return f.on_disc(Real(low), Real(high), Real((low + high) / 2),
+            0.25); };
         CHECK(on(*above, 0.5 * first, first * (1 - 1e-15)).value == 0);
         CHECK(on(*above, 0.5 * first, first * (1 - 1e-15)).complement == 1);
         CHECK(on(*above, last * (1 + 1e-15), 2 * last).value == 1);
@@ -216,7 +222,8 @@ TEST_CASE("what is above a pressure is bounded on discs on which it is analytic,
         for (const First* f : {above.get(), force.get()}) {
             CHECK(on(*f, 0.5 * first, first).value == bounds::infinite);
             CHECK(on(*f, last * (1 - 1e-15), 2 * last).value == bounds::infinite);
-            CHECK(f->on_disc(Real(0.999), Real(1.001), Real(0.9995), 1e-9).value == (first > 1.001 ? 0 : bounds::infinite)); // two functions
+            CHECK(f->on_disc(Real(0.999), Real(1.001), Real(0.9995), 1e-9).value == (first > 1.001 ? 0 : bounds::infinite));
+                // two functions
         }
     }
 }
