@@ -228,6 +228,20 @@ TEST_CASE("what is above a pressure is bounded on discs on which it is analytic,
     }
 }
 
+TEST_CASE("within two roundings of where a pressure's share rises or is all, neither is known")
+{
+    for (const auto& f : {exceeding(Ball::exactly(2.5)), force_above(Ball::exactly(2.5))}) { // from 1.5 to 3.5
+        const auto on = [&](const Real& low, const Real& high) { return f->on_disc(low, high, (low + high) * 0.5, 0.25).value; };
+        constexpr double u = bounds::u;
+        CHECK(on(Real(1.25), Real(1.5) * Real{1, 2 * u}) == bounds::infinite);
+        CHECK(on(Real(1.25), Real(1.5) * Real{1, -2 * u}) == bounds::infinite);
+        CHECK(on(Real(1.25), Real(1.5) * Real{1, -8 * u}) == 0);
+        CHECK(on(Real(3.5) * Real{1, -2 * u}, Real(4)) == bounds::infinite);
+        CHECK(on(Real(3.5) * Real{1, 2 * u}, Real(4)) == bounds::infinite);
+        CHECK(on(Real(3.5) * Real{1, 8 * u}, Real(4)) < 5);
+    }
+}
+
 TEST_CASE("where a pressure's share rises, and the images where the density after two waves is singular")
 {
     for (const double P : pressures) {
