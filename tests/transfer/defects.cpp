@@ -491,6 +491,10 @@ TEST_CASE("T V on a disc, V continued at the ends of the wave, and V_1 there, ar
         }
     CHECK(seen[0] > 3);
     CHECK(seen[1] > 3);
+    Continuation first; // of the first panel, where V_0 is 1
+    first.ends[1].panel = 0;
+    first.ends[1].factor = 2;
+    CHECK(first.bound(V, 0) == nearly(2, 5e-3));
     Result there;
     V.apply(Real(1.7), there);
     const double rest = there.error[0] + 2 * V.rounding[V.at(5, 1)];
