@@ -27,40 +27,78 @@ int add_clusters(std::vector<Cluster>& all, const std::vector<Panel>& panels, in
     return mine;
 }
 
-struct ClusterError {
-    double total;   ///< per unit of |V|
-    double measure; ///< per unit of an error of V on average
-};
+} // namespace
 
-/// Bounds on a cluster, interpolation of dtheta/dz and every rounding, per unit of |V|. Infinite where the cluster will not do.
+double largest_density(const Kernel& k, const Cluster& c, double axis)
+{
+    const double half = size_of(c.half), from_begin = double(c.mid - k.begin) - half * axis, from_end = double(k.end - c.mid) - half * axis;
+    const double begin = double(k.begin), end = double(k.end), far = end - from_end, G2 = double(k.G2), x = double(k.x);
+    if (k.full) return margin * std::sqrt((std::sqrt(end) + std::sqrt(far)) * (std::sqrt(far) + std::sqrt(begin)) / (from_begin * from_end)) / (2 * std::sqrt(begin + from_begin));
+    const double one_minus_x = double(1 - k.x), least = double(k.G) * std::sqrt(from_begin), most = std::sqrt(one_minus_x * one_minus_x + G2 * far);
+    return margin * G2 / (2 * least) * std::sqrt((1 + x + most) / (G2 * from_end * least));
+}
+
+double cancellation(const Kernel& k, const Cluster& c)
+{
+    if (!k.full) return double(k.end) / double(k.end - c.b);
+    // 1 - c = G (end - z)/(end^(1/2) + z^(1/2)) at the one end of the cluster, 1 + c by the distance from the wave's begin at the other
+    const double one_minus_c = double(k.end - c.b) / (std::sqrt(double(k.end)) + std::sqrt(double(c.b)));
+    const double one_plus_c = double(c.a - k.begin) / (std::sqrt(double(c.a)) + std::sqrt(double(k.begin)));
+    return (1 + double(k.x)) / (double(k.G) * min(one_minus_c, one_plus_c));
+}
+
 ClusterError cluster_error(const Kernel& k, const Cluster& c, int terms, double affordable)
 {
-    const double half = size_of(c.half), to_begin = double(c.mid - k.begin), to_end = double(k.end - c.mid), e = min(to_begin, to_end) / half;
+    const double half = size_of(c.half), e = min(double(c.mid - k.begin), double(k.end - c.mid)) / half;
     if (!(e > 1.3)) return {infinite, infinite};
     const double axis = 1 + 0.8 * (e - 1), rho = axis + std::sqrt(axis * axis - 1);
-    const double from_begin = to_begin - half * axis, from_end = to_end - half * axis;
-    const double begin = double(k.begin), end = double(k.end), far = end - from_end, G = double(k.G), G2 = double(k.G2), x = double(k.x);
-    double bound, cancellation;
-    if (k.full) {
-        bound = std::sqrt((std::sqrt(end) + std::sqrt(far)) * (std::sqrt(far) + std::sqrt(begin)) / (from_begin * from_end)) / (2 * std::sqrt(begin + from_begin));
-        // 1 - c = G (end - z)/(end^(1/2) + z^(1/2)) at the one end of the cluster, 1 + c by the distance from the wave's begin at the other
-        const double one_minus_c = double(k.end - c.b) / (std::sqrt(end) + std::sqrt(double(c.b))), one_plus_c = double(c.a - k.begin) / (std::sqrt(double(c.a)) + std::sqrt(begin));
-        cancellation = (1 + x) / (G * min(one_minus_c, one_plus_c));
-    }
-    else {
-        const double one_minus_x = double(1 - k.x), least = G * std::sqrt(from_begin), most = std::sqrt(one_minus_x * one_minus_x + G2 * far);
-        bound = G2 / (2 * least) * std::sqrt((1 + x + most) / (G2 * from_end * least));
-        cancellation = end / double(k.end - c.b);
-    }
     const double interpolation = 4 / (power(rho, terms - 1) * (rho - 1));
     // the moments of V meet the kernel's Chebyshev coefficients, which fall like rho^-k; they are sums over the panels
-    const double roundings = u * (4 * terms * terms + 500 + 2 * terms * c.panels() * rho / (rho - 1) + 48 * cancellation);
-    const double scale = margin * bound * 2 * half / pi_below;
+    const double roundings = u * (4 * terms * terms + 500 + 2 * terms * c.panels() * rho / (rho - 1) + 48 * cancellation(k, c));
+    const double scale = largest_density(k, c, axis) * 2 * half / pi_below;
     if (scale * interpolation > affordable || scale * roundings > max(affordable, 4000 * u)) return {infinite, infinite};
     return {scale * (interpolation + roundings), 4 * scale}; // Lebesgue constant of up to 60 points below 4
 }
 
-} // namespace
+RuleDisc disc_about(const Kernel& k, const Panel& p, Substitution variable, const Real& mid, const Real& width)
+{
+    constexpr double largest_local = 2.916;
+    const Real& x = k.x;
+    Real A = 0, B = 0;
+    if (variable == Substitution::sine) A = k.full ? (x + 1) * (x + 1) : 4 * x, B = -4 * (x + 1);
+    if (variable == Substitution::cosine) A = k.full ? (x - 1) * (x - 1) : Real(0), B = k.full ? 4 * (x - 1) : -4 * (1 - x);
+    const Real q = mid * mid; // z G^2 = A + B t^2 + 4 t^4 about t = mid
+    const bool square = variable == Substitution::square;
+    const double half = size_of(width), middle = double(mid), G2 = double(k.G2), unit = double(p.half);
+    const double off = size_of(square ? mid - p.centre : (A + B * q + 4 * q * q) / k.G2 - p.centre);
+    const double a1 = size_of((2 * B + 16 * q) * mid) / G2, a2 = size_of(B + 24 * q) / G2, a3 = 16 * middle / G2, a4 = 4 / G2;
+    const auto reach = [&](double d) { return margin * (off + (square ? d : d * (a1 + d * (a2 + d * (a3 + d * a4))))) / unit; };
+    double d = 0, cannot = min(20 * half, square ? 0.9 * middle : 0.95 - middle);
+    if (square) cannot = min(cannot, 0.9 * double(k.end - mid));
+    if (reach(cannot) <= largest_local) d = cannot;
+    else
+        for (int step = 0; step < 12; ++step) {
+            const double between = (d + cannot) / 2;
+            (reach(between) <= largest_local ? d : cannot) = between;
+        }
+    if (!square) return {d, margin * 2 / std::sqrt(1 - (middle + d) * (middle + d))};
+    const double least = double(k.root(mid - d)), most = double(k.root(mid + d));
+    return {d, margin * G2 / (2 * least) * std::sqrt((1 + double(x) + most) / (G2 * double(k.end - (mid + d)) * (0.7 * least + double(1 - x))))};
+}
+
+double quadrature_error(const RuleDisc& disc, double half, int points)
+{
+    if (!(disc.radius > 1.02 * half)) return infinite;
+    const double axis = disc.radius / half, rho = axis + std::sqrt(axis * axis - 1);
+    return 64.0 / 15 * half * disc.largest / pi_below / (power(rho, 2 * points - 2) * (1 - 1 / (rho * rho)));
+}
+
+double share_moved(const Kernel& k, const Real& z, double moved)
+{
+    const double to_end = double(k.one_minus_c(z)), to_begin = double(k.one_plus_c(z));
+    if (min(to_end, to_begin) < 2 * moved) return std::sqrt(moved);
+    return margin * 2 * moved / (pi_below * std::sqrt(min(to_end, 2.0) * min(to_begin, 2.0))); // 1 -+ c at least halve
+}
 
 ChebyshevPoints::ChebyshevPoints(int count) : at(count), T(static_cast<std::size_t>(count) * count)
 {
@@ -92,7 +130,7 @@ namespace {
 class AtPoint {
 public:
     AtPoint(const Layer& layer_, const Real& x_, Result& out_)
-        : layer(layer_), x(x_), out(out_), k(x_, layer_.G, x_ >= 1), moved(16 * u * (1 + double(x_))), strip(std::sqrt(moved)),
+        : layer(layer_), x(x_), out(out_), k(x_, layer_.G, x_ >= 1), moved(edge_moves(x_)), strip(std::sqrt(moved)),
           begin(max(k.full ? k.begin : Real(0), layer_.panels.front().z0))
     {
     }
@@ -103,68 +141,27 @@ private:
     {
         for (int m = 0; m < layer.count; ++m) out.error[m] += share * per_unit[m];
     }
-    /// At least the share of theta between an edge and where rounding puts it, `moved` in c at most: next to an end of the kernel, that of an
-    /// interval there, md (2).
-    double sliver(const Real& z) const
-    {
-        const double to_end = double(k.one_minus_c(z)), to_begin = double(k.one_plus_c(z));
-        if (min(to_end, to_begin) < 2 * moved) return strip;
-        return margin * 2 * moved / (pi_below * std::sqrt(min(to_end, 2.0) * min(to_begin, 2.0))); // 1 -+ c at least halve
-    }
     /// The same edge, rounded differently on its two sides: a share is missing, or there twice.
-    void seam(const Real& z) { charge(sliver(z), layer.largest.data()); }
+    void seam(const Real& z) { charge(share_moved(k, z, moved), layer.largest.data()); }
     /// The same edge, rounded alike on its two sides: on that share V is the neighbour's polynomial.
     void edge(std::size_t panel)
     {
         const Real& z = layer.panels[panel].z0;
         if (k.one_minus_c(z) == 1) seam(z); // one side may be seen from either end of the kernel
-        charge(sliver(z), &layer.step[layer.at(panel, 0)]);
+        charge(share_moved(k, z, moved), &layer.step[layer.at(panel, 0)]);
     }
     void cluster(int index, const ClusterError&);
     void direct(int panel, Real low, const Real& high);
     void piece(int panel, Substitution, const Real& low, const Real& high);
-    double quadrature_error(const Panel&, Substitution, const Real& mid, const Real& width) const;
 
     const Layer& layer;
     const Real& x;
     Result& out;
     const Kernel k;
-    const double moved; ///< what rounding moves an edge by at most, in c: 8 operations on numbers up to 1 + x, G's own error included
+    const double moved;
     const double strip;
     const Real begin;
 };
-
-/// Gauss-Legendre on mid -+ width of the variable, per unit of sum |c_k| 6^k: the largest disc about the middle where |local| <= 2.916, inside the ellipse of rho = 6.
-double AtPoint::quadrature_error(const Panel& p, Substitution variable, const Real& mid, const Real& width) const
-{
-    constexpr double largest_local = 2.916;
-    Real A = 0, B = 0;
-    if (variable == Substitution::sine) A = k.full ? (x + 1) * (x + 1) : 4 * x, B = -4 * (x + 1);
-    if (variable == Substitution::cosine) A = k.full ? (x - 1) * (x - 1) : Real(0), B = k.full ? 4 * (x - 1) : -4 * (1 - x);
-    const Real q = mid * mid; // z G^2 = A + B t^2 + 4 t^4 about t = mid
-    const bool square = variable == Substitution::square;
-    const double half = size_of(width), middle = double(mid), G2 = double(k.G2), unit = double(p.half);
-    const double off = size_of(square ? mid - p.centre : (A + B * q + 4 * q * q) / k.G2 - p.centre);
-    const double a1 = size_of((2 * B + 16 * q) * mid) / G2, a2 = size_of(B + 24 * q) / G2, a3 = 16 * middle / G2, a4 = 4 / G2;
-    const auto reach = [&](double d) { return margin * (off + (square ? d : d * (a1 + d * (a2 + d * (a3 + d * a4))))) / unit; };
-    double d = 0, cannot = min(20 * half, square ? 0.9 * middle : 0.95 - middle);
-    if (square) cannot = min(cannot, 0.9 * double(k.end - mid));
-    if (reach(cannot) <= largest_local) d = cannot;
-    else
-        for (int step = 0; step < 12; ++step) {
-            const double between = (d + cannot) / 2;
-            (reach(between) <= largest_local ? d : cannot) = between;
-        }
-    if (!(d > 1.02 * half)) return infinite;
-    const double axis = d / half, rho = axis + std::sqrt(axis * axis - 1);
-    double w;
-    if (square) {
-        const double least = double(k.root(mid - d)), most = double(k.root(mid + d));
-        w = G2 / (2 * least) * std::sqrt((1 + double(x) + most) / (G2 * double(k.end - (mid + d)) * (0.7 * least + double(1 - x))));
-    }
-    else w = 2 / std::sqrt(1 - (middle + d) * (middle + d));
-    return margin * 64 / 15 * half * w / pi_below / (power(rho, 2 * layer.orders.gauss - 2) * (1 - 1 / (rho * rho)));
-}
 
 /// Part of a panel; limits are sin(theta/2), cos(theta/2) or z.
 void AtPoint::piece(int j, Substitution variable, const Real& low, const Real& high)
@@ -176,7 +173,7 @@ void AtPoint::piece(int j, Substitution variable, const Real& low, const Real& h
     out.weight.resize(layer.gauss.nodes.size());
     const double measure = wave_nodes(k, variable, mid, width, layer.gauss.nodes, layer.gauss.weights, p.centre, p.half, out.local, out.weight);
     chebyshev_moments(out.local, out.weight, layer.orders.terms, static_cast<std::size_t>(layer.accurate[j]), out.moment);
-    const double quadrature = quadrature_error(p, variable, mid, width);
+    const double quadrature = quadrature_error(disc_about(k, p, variable, mid, width), size_of(width), layer.orders.gauss);
     for (int m = 0; m < layer.count; ++m) {
         const std::size_t at = layer.at(j, m);
         out.error[m] += (layer.growth[at] == 0 ? 0 : quadrature * layer.growth[at]) + margin * measure * (layer.rounding[at] + layer.late[at]);

@@ -60,6 +60,35 @@ struct ChebyshevPoints {
     explicit ChebyshevPoints(int count);
 };
 
+/// At least |dtheta/dz| where z is within the ellipse about c.mid with the half axis axis * c.half and c.a, c.b for its foci: short of the kernel's ends.
+double largest_density(const Kernel&, const Cluster&, double axis);
+/// How much more than its own rounding 1 - c or 1 + c loses on a cluster.
+double cancellation(const Kernel&, const Cluster&);
+
+/// Bounds on a cluster: interpolation of dtheta/dz and every rounding.
+struct ClusterError {
+    double total;   ///< per unit of |V|
+    double measure; ///< per unit of an error of V on average
+};
+/// Infinite where the cluster will not do.
+ClusterError cluster_error(const Kernel&, const Cluster&, int terms, double affordable);
+
+/// A disc about the middle of an interval of the variable of integration where |local| <= 2.916, inside the ellipse of rho = 6, and at least
+/// |dtheta/d(variable)| there.
+struct RuleDisc {
+    double radius, largest;
+};
+/// The largest that is found, for mid -+ width.
+RuleDisc disc_about(const Kernel&, const Panel&, Substitution, const Real& mid, const Real& width);
+/// Gauss-Legendre of so many points on the disc's middle -+ half, per unit of sum |c_k| 6^k. Infinite where the disc does not hold that.
+double quadrature_error(const RuleDisc&, double half, int points);
+
+/// What rounding moves an edge by at most, in c: 8 operations on numbers up to 1 + x, G's own error included.
+inline double edge_moves(const Real& x) { return 16 * bounds::u * (1 + double(x)); }
+/// At least the share of theta between an edge and where it may be moved to, by `moved` in c at most: next to an end of the kernel, that of an interval
+/// there, md (2).
+double share_moved(const Kernel&, const Real& z, double moved);
+
 /// Sizes of everything that follows from the tolerance.
 struct Orders {
     int terms, gauss, kernel;
