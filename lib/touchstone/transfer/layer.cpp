@@ -139,7 +139,7 @@ public:
 private:
     void charge(double share, const double* per_unit)
     {
-        for (int m = 0; m < layer.count; ++m) out.error[m] += share * per_unit[m];
+        for (double& e : out.error) e += share * *per_unit++;
     }
     /// The same edge, rounded differently on its two sides: a share is missing, or there twice.
     void seam(const Real& z) { charge(share_moved(k, z, moved), layer.largest.data()); }
@@ -189,7 +189,6 @@ void AtPoint::direct(int j, Real low, const Real& high)
         const Real cut = min(high, k.end * 0.25);
         piece(j, Substitution::square, low, cut);
         seam(cut);
-        if (high <= cut) return;
         low = cut;
     }
     const double root_half = std::sqrt(0.5);
@@ -212,7 +211,8 @@ void AtPoint::cluster(int index, const ClusterError& lost)
     if (layer.count == 1) out.value.set(0, out.value[0] + dot(layer.weights, first, out.kernel));
     else add_products(layer.weights, first, out.kernel, layer.count, out.value);
     const std::size_t here = static_cast<std::size_t>(index) * layer.count;
-    for (int m = 0; m < layer.count; ++m) out.error[m] += lost.total * layer.top[here + m] + lost.measure * layer.noise[here + m];
+    charge(lost.total, &layer.top[here]);
+    charge(lost.measure, &layer.noise[here]);
 }
 
 void AtPoint::run()
@@ -258,8 +258,8 @@ void AtPoint::run()
     }
     // which panel an end of the kernel is in is decided by rounded numbers: V may be the neighbour's on an interval there
     const std::size_t at_end = static_cast<std::size_t>(layer.find(k.end)), at_begin = static_cast<std::size_t>(layer.find(begin));
-    for (int m = 0; m < count; ++m)
-        out.error[m] += margin * (u * 2 * layer.orders.terms * visits * layer.largest[m] + strip * (layer.jump[layer.at(at_end, m)] + layer.jump[layer.at(at_begin, m)]));
+    for (const std::size_t panel : {at_end, at_begin}) charge(margin * strip, &layer.jump[layer.at(panel, 0)]);
+    charge(margin * u * 2 * layer.orders.terms * visits, layer.largest.data());
 }
 
 } // namespace
