@@ -15,7 +15,7 @@ int add_clusters(std::vector<Cluster>& all, const std::vector<Panel>& panels, in
 {
     const int mine = static_cast<int>(all.size());
     const Real a = panels[first].z0, b = panels[last].z1;
-    all.push_back({first, last, -1, -1, a, b, (a + b) * 0.5, (b - a) * 0.5});
+    all.push_back({.first = first, .last = last, .a = a, .b = b, .mid = (a + b) * 0.5, .half = (b - a) * 0.5});
     if (first < last) {
         const Real middle = (panels[first].y0 + panels[last].y1) * 0.5;
         int cut = first;
@@ -235,15 +235,12 @@ void AtPoint::run()
         waiting.pop_back();
         const Cluster& c = layer.clusters[index];
         if (c.b <= begin || c.a >= k.end) continue;
-        if (c.a >= begin && c.b <= k.end) {
-            const ClusterError lost = cluster_error(k, c, layer.orders.kernel, layer.affordable);
-            if (lost.total < infinite) {
-                if (before == by_piece) seam(c.a);
-                before = by_cluster;
-                ++visits;
-                cluster(index, lost);
-                continue;
-            }
+        if (const ClusterError lost = cluster_error(k, c, layer.orders.kernel, layer.affordable); lost.total < infinite) { // none that an end is in
+            if (before == by_piece) seam(c.a);
+            before = by_cluster;
+            ++visits;
+            cluster(index, lost);
+            continue;
         }
         if (c.left >= 0) {
             waiting.push_back(c.right);
