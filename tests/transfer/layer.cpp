@@ -294,8 +294,9 @@ double largest_on(double axis, bool ellipse, const F& f)
 
 const std::vector<Kernel>& some_kernels()
 {
-    static const std::vector<Kernel> all{{Real(1), Real(1.3), true}, {Real(1.0001), Real(2), true}, {Real(1.7), Real(1.2), true}, {Real(6), Real(3), true},
-                                         {Real(0.01), Real(2), false}, {Real(0.5), Real(1.5), false}, {Real(0.98), Real(3), false}};
+    static const std::vector<Kernel> all{{Real(1), Real(1.3), true},  {Real(1.0001), Real(2), true}, {Real(1.7), Real(1.2), true},
+                                         {Real(6), Real(3), true},    {Real(0.01), Real(2), false},  {Real(0.5), Real(1.5), false},
+                                         {Real(0.98), Real(3), false}};
     return all;
 }
 
@@ -306,7 +307,11 @@ struct Small {
     ChebyshevPoints points;
     Layer layer;
     Small(double digits_of, double tolerance, const Real& G, const std::vector<Real>& edges, int count)
-        : orders(digits_of), gauss(orders.gauss), exact(orders.terms), points(orders.kernel), layer(orders, gauss, points, exact, G, tolerance, panels_on(edges), count)
+        : orders(digits_of)
+        , gauss(orders.gauss)
+        , exact(orders.terms)
+        , points(orders.kernel)
+        , layer(orders, gauss, points, exact, G, tolerance, panels_on(edges), count)
     {
     }
     static std::vector<Panel> panels_on(const std::vector<Real>& edges)
@@ -336,7 +341,11 @@ std::vector<Real> even_edges(double from, double to, int panels)
 /// The sum of all that proven_levels.md, 2, has charged to T V_m at x.
 class Charged {
 public:
-    Charged(const Layer& V, const Real& x, int m) : V_(V), k_(x, V.G, x >= 1), m_(static_cast<std::size_t>(m)), begin_(std::max(k_.full ? k_.begin : Real(0), V.panels[0].z0))
+    Charged(const Layer& V, const Real& x, int m)
+        : V_(V)
+        , k_(x, V.G, x >= 1)
+        , m_(static_cast<std::size_t>(m))
+        , begin_(std::max(k_.full ? k_.begin : Real(0), V.panels[0].z0))
     {
         walk(0);
         const double strip = std::sqrt(edge_moves(x));
@@ -355,7 +364,8 @@ private:
         const Cluster& c = V_.clusters[static_cast<std::size_t>(index)];
         if (c.b <= begin_ || c.a >= k_.end) return;
         const bool whole = c.a >= begin_ && c.b <= k_.end;
-        const ClusterError lost = whole ? cluster_error(k_, c, V_.orders.kernel, V_.affordable) : ClusterError{bounds::infinite, bounds::infinite};
+        const ClusterError lost =
+            whole ? cluster_error(k_, c, V_.orders.kernel, V_.affordable) : ClusterError{bounds::infinite, bounds::infinite};
         if (lost.total < bounds::infinite) {
             if (last_ == 'p') sum_ += moved(c.a) * V_.largest[m_];
             last_ = 'c';
@@ -388,7 +398,8 @@ private:
         const auto from_below = [&](const Real& z) { return z <= k_.begin ? Real(0) : sqrt(k_.one_plus_c(z) * 0.5); };
         const double middle = std::acos(std::clamp(0.0, c_low, c_high));
         if (c_high > 0) piece(j, Substitution::sine, sine(high), c_low < 0 ? sqrt(Real(0.5)) : sine(low), middle - theta(high));
-        if (c_low < 0) piece(j, Substitution::cosine, from_below(low), c_high > 0 ? sqrt(Real(0.5)) : from_below(high), theta(low) - middle);
+        if (c_low < 0)
+            piece(j, Substitution::cosine, from_below(low), c_high > 0 ? sqrt(Real(0.5)) : from_below(high), theta(low) - middle);
     }
     void piece(int j, Substitution variable, const Real& low, const Real& high, double angle)
     {
@@ -446,7 +457,8 @@ TEST_CASE("on a cluster 1 - c and 1 + c lose as much as their distances from the
         const Real low = k.full ? k.begin : Real(0), length = k.end - low;
         for (const auto& [a, b] : {std::pair{0.001, 0.5}, {0.4, 0.9999}, {0.2, 0.7}}) {
             const Cluster c = cluster_on(low + length * a, low + length * b);
-            const double known = k.full ? (1 + double(k.x)) / std::min(double(k.one_minus_c(c.b)), double(k.one_plus_c(c.a))) : double(k.end) / double(k.end - c.b);
+            const double known = k.full ? (1 + double(k.x)) / std::min(double(k.one_minus_c(c.b)), double(k.one_plus_c(c.a)))
+                                        : double(k.end) / double(k.end - c.b);
             CHECK(cancellation(k, c) == doctest::Approx(known).epsilon(1e-9).scale(0));
         }
     }
@@ -464,15 +476,19 @@ TEST_CASE("a cluster is charged with its interpolation and with every rounding, 
                         const Cluster c = cluster_on(mid - h, mid + h, panels);
                         // with half a thousandth longer, as bounds are
                         const double axis = 1 + 0.8 * (e / bounds::margin - 1), rho = axis + std::sqrt(axis * axis - 1);
-                        const double mass = 2 * size_of(h) * largest_density(k, c, axis) / bounds::pi_below, interpolation = 4 * std::pow(rho, 1 - terms) / (rho - 1);
-                        const double damped = panels * rho / (rho - 1), roundings = bounds::u * (4.0 * terms * terms + 500 + 2 * terms * damped + 48 * cancellation(k, c));
+                        const double mass = 2 * size_of(h) * largest_density(k, c, axis) / bounds::pi_below,
+                                     interpolation = 4 * std::pow(rho, 1 - terms) / (rho - 1);
+                        const double damped = panels * rho / (rho - 1),
+                                     roundings = bounds::u * (4.0 * terms * terms + 500 + 2 * terms * damped + 48 * cancellation(k, c));
                         const ClusterError claimed = cluster_error(k, c, terms, 1e300);
                         CHECK(claimed.total == doctest::Approx(mass * (interpolation + roundings)).epsilon(1e-9).scale(0));
                         CHECK(claimed.measure == doctest::Approx(4 * mass).epsilon(1e-9).scale(0));
-                        const double least = std::max(1.01 * mass * interpolation, mass * roundings > 3990 * bounds::u ? 1.01 * mass * roundings : 0);
+                        const double least =
+                            std::max(1.01 * mass * interpolation, mass * roundings > 3990 * bounds::u ? 1.01 * mass * roundings : 0);
                         CHECK(cluster_error(k, c, terms, least).total < bounds::infinite);
                         CHECK_FALSE(cluster_error(k, c, terms, 0.98 * mass * interpolation).total < bounds::infinite);
-                        if (mass * roundings > 4010 * bounds::u) CHECK_FALSE(cluster_error(k, c, terms, 0.98 * mass * roundings).total < bounds::infinite);
+                        if (mass * roundings > 4010 * bounds::u)
+                            CHECK_FALSE(cluster_error(k, c, terms, 0.98 * mass * roundings).total < bounds::infinite);
                     }
     const auto near = [](const Real& from, const Real& unit, double e) { return cluster_on(from + unit * (e - 1), from + unit * (e + 1)); };
     CHECK_FALSE(cluster_error(full, near(full.begin, Real(1e-3), 1.29), 12, 1e300).total < bounds::infinite);
@@ -480,7 +496,8 @@ TEST_CASE("a cluster is charged with its interpolation and with every rounding, 
     CHECK(cluster_error(full, near(full.begin, Real(1e-3), 1.31), 12, 1e300).total < bounds::infinite);
 }
 
-TEST_CASE("in the disc about the nodes of a piece no polynomial of the panel grows further than is claimed, nor does the density of the angle")
+TEST_CASE(
+    "in the disc about the nodes of a piece no polynomial of the panel grows further than is claimed, nor does the density of the angle")
 {
     for (const Kernel& k : some_kernels()) {
         const Real low = k.full ? k.begin : Real(0), length = k.end - low;
@@ -512,7 +529,8 @@ TEST_CASE("in the disc about the nodes of a piece no polynomial of the panel gro
                         const double reached = largest_on(disc.radius, false, [&](const Complex& t) {
                             const Complex v = middle + t + tail, c = sine ? 1.0L - 2.0L * v * v : 2.0L * v * v - 1.0L;
                             const Complex z = square ? v : (k.full ? (x + c) * (x + c) : (1.0L + c) * (2 * x - 1 + c)) / (G * G);
-                            return static_cast<double>(std::abs((z - static_cast<long double>(double(p.centre))) / static_cast<long double>(double(p.half))));
+                            return static_cast<double>(
+                                std::abs((z - static_cast<long double>(double(p.centre))) / static_cast<long double>(double(p.half))));
                         });
                         const double known = largest_on(disc.radius, false, [&](const Complex& t) {
                             const Complex v = middle + t;
@@ -520,6 +538,12 @@ TEST_CASE("in the disc about the nodes of a piece no polynomial of the panel gro
                         });
                         if (width > 1e-8) CHECK(reached <= 2.916);
                         CHECK(disc.largest >= known);
+                        if (square) { // nor less than its factors are where each is largest
+                            const double one_minus_x = 1 - double(k.x), z = double(mid), d = disc.radius, G2 = double(k.G2);
+                            const double least = std::sqrt(one_minus_x * one_minus_x + G2 * (z - d)), most = std::sqrt(one_minus_x * one_minus_x + G2 * (z + d));
+                            const double far = (1 + double(k.x) + most) / ((4 * double(k.x) - G2 * (z + d)) * (one_minus_x + least));
+                            CHECK(disc.largest >= G2 / 2 / least * std::sqrt(far));
+                        }
                         CHECK(disc.largest <= known * (!square ? 1.0011 : width < 1e-3 ? 1.25 : 5));
                         // as far as one of these limits, but for terms of different signs
                         const bool limited = disc.radius > 0.999 * std::min(limit, 20 * double(half));
@@ -533,7 +557,8 @@ TEST_CASE("Gauss's rule is charged with its bound on the disc, which is none whe
 {
     for (const double ratio : {1.03, 1.5, 4.0})
         for (const int points : {4, 12}) {
-            const double rho = ratio + std::sqrt(ratio * ratio - 1), known = 64.0 / 15 * 0.3 / bounds::pi_below * 7 * std::pow(rho, 2 - 2 * points) / (1 - std::pow(rho, -2));
+            const double rho = ratio + std::sqrt(ratio * ratio - 1),
+                         known = 64.0 / 15 * 0.3 / bounds::pi_below * 7 * std::pow(rho, 2 - 2 * points) / (1 - std::pow(rho, -2));
             CHECK(quadrature_error({0.3 * ratio, 7}, 0.3, points) == doctest::Approx(known).epsilon(1e-12).scale(0));
         }
     CHECK(quadrature_error({0.3 * 1.01, 7}, 0.3, 4) == bounds::infinite);
@@ -541,7 +566,8 @@ TEST_CASE("Gauss's rule is charged with its bound on the disc, which is none whe
 
 TEST_CASE("an edge that rounding moves takes no larger share of the angle than is charged, nor much less")
 {
-    for (const double x : {0.01, 0.8, 1.0, 5.0}) CHECK(edge_moves(Real(x)) == doctest::Approx(16 * bounds::u * (1 + x)).epsilon(1e-12).scale(0));
+    for (const double x : {0.01, 0.8, 1.0, 5.0})
+        CHECK(edge_moves(Real(x)) == doctest::Approx(16 * bounds::u * (1 + x)).epsilon(1e-12).scale(0));
     const double moved = 1e-4;
     for (const Kernel& k : some_kernels())
         for (const double from_end : {0.0, 0.5, 1.9, 2.01, 2.5, 5.0, 100.0, 5000.0, 1e4})
@@ -550,7 +576,8 @@ TEST_CASE("an edge that rounding moves takes no larger share of the angle than i
                 if (!k.full && R < 1 - double(k.x)) continue; // no contact
                 const double G = double(k.G), z = k.full ? R * R / (G * G) : (1 + c) * (2 * double(k.x) - 1 + c) / (G * G);
                 const auto theta = [](double v) { return std::acos(std::clamp(v, -1.0, 1.0)); };
-                const double known = std::max(theta(c - moved) - theta(c), theta(c) - theta(c + moved)) / 3.14159265358979, claimed = share_moved(k, Real(z), moved);
+                const double known = std::max(theta(c - moved) - theta(c), theta(c) - theta(c + moved)) / 3.14159265358979,
+                             claimed = share_moved(k, Real(z), moved);
                 CAPTURE(double(k.x));
                 CAPTURE(from_end);
                 CHECK(claimed >= known * (1 - 1e-9));
@@ -628,9 +655,9 @@ TEST_CASE("V on a mesh: its values, and the bounds on it, on its roundings and o
     const int terms = small.orders.terms;
     const std::size_t count = V.panels.size();
     const auto coefficient = [](int m, std::size_t panel, int k) {
-        if (m == 0) return k == 0 ? Real(panel == 2 ? -3.0 : 1.0) : Real(0);                              // jumps at both edges of the third panel
-        if (m == 1) return k == 5 ? Real(0.5 + static_cast<double>(panel)) : Real(0);                     // one degree alone
-        if (m == 2) return Real(std::pow(0.4, k) * (k % 3 == 1 ? -1 : 1) * 1e-3);                         // small
+        if (m == 0) return k == 0 ? Real(panel == 2 ? -3.0 : 1.0) : Real(0);          // jumps at both edges of the third panel
+        if (m == 1) return k == 5 ? Real(0.5 + static_cast<double>(panel)) : Real(0); // one degree alone
+        if (m == 2) return Real(std::pow(0.4, k) * (k % 3 == 1 ? -1 : 1) * 1e-3);     // small
         return Real(std::pow(0.55, k) * std::cos(1.7 * k + static_cast<double>(panel)));
     };
     for (int m = 0; m < 4; ++m) small.set(m, [&](std::size_t panel, int k) { return coefficient(m, panel, k); });
@@ -668,7 +695,8 @@ TEST_CASE("V on a mesh: its values, and the bounds on it, on its roundings and o
             if (from_three > 0) CHECK(V.growth_at(j, m, 2.5, 3) == close(from_three));
             CHECK(V.growth_at(j, m, 2.5, 3) >= from_three);
             const Panel& p = V.panels[j];
-            const double position = 40 * double(p.right()) / double(p.half), known = bounds::u * ((position + 2) * squares + (40 + 4 * terms) * sum);
+            const double position = 40 * double(p.right()) / double(p.half),
+                         known = bounds::u * ((position + 2) * squares + (40 + 4 * terms) * sum);
             CHECK(V.rounding[at] == close(known));
             CHECK(V.rounding[at] >= known);
         }
@@ -677,8 +705,12 @@ TEST_CASE("V on a mesh: its values, and the bounds on it, on its roundings and o
         // jumps, with the roundings of both values
         std::vector<double> step;
         for (std::size_t j = 0; j <= count; ++j) {
-            const auto side = [&](std::size_t panel, const Real& z) { return value(panel, m, double(z - V.panels[panel].centre) / double(V.panels[panel].half)); };
-            const double known = j == 0 ? V.size[V.at(0, m)] : j == count ? V.size[V.at(count - 1, m)] : std::fabs(side(j - 1, V.panels[j].z0) - side(j, V.panels[j].z0));
+            const auto side = [&](std::size_t panel, const Real& z) {
+                return value(panel, m, double(z - V.panels[panel].centre) / double(V.panels[panel].half));
+            };
+            const double known = j == 0       ? V.size[V.at(0, m)]
+                                 : j == count ? V.size[V.at(count - 1, m)]
+                                              : std::fabs(side(j - 1, V.panels[j].z0) - side(j, V.panels[j].z0));
             step.push_back(V.step[V.at(j, m)]);
             CHECK(step[j] == doctest::Approx(known).epsilon(0.0021));
             if (j > 0 && j < count) CHECK(step[j] >= known * (1 - 1e-12) + V.rounding[V.at(j - 1, m)] + V.rounding[V.at(j, m)]);
@@ -706,7 +738,8 @@ TEST_CASE("V on a mesh: its values, and the bounds on it, on its roundings and o
     CHECK(V.step[V.at(1, 0)] >= V.rounding[V.at(0, 0)] + V.rounding[V.at(1, 0)]);
 }
 
-TEST_CASE("moments are taken in binary64 from the first degree on from which no V's coefficients make a share of the tolerance of their roundings")
+TEST_CASE("moments are taken in binary64 from the first degree on from which no V's coefficients make a share of the tolerance of their "
+          "roundings")
 {
     for (const double scale : {1.0, 1e-5, 100.0}) {
         Small small(1e-14, 1e-14, Real(2), {Real(0.5), Real(1), Real(1.5)}, 4);
@@ -714,7 +747,8 @@ TEST_CASE("moments are taken in binary64 from the first degree on from which no 
         const int terms = small.orders.terms;
         const auto lost = [&](std::size_t j, int m, int from) {
             double sum = 0;
-            for (int k = from; k < terms; ++k) sum += late_moment(static_cast<std::size_t>(k - from), small.gauss.nodes.size()) * V.magnitude(j, k, m);
+            for (int k = from; k < terms; ++k)
+                sum += late_moment(static_cast<std::size_t>(k - from), small.gauss.nodes.size()) * V.magnitude(j, k, m);
             return sum;
         };
         for (const int m : {0, 1}) {
@@ -770,7 +804,8 @@ TEST_CASE("a moment in binary64 is off by less than is claimed, which is what it
                 CAPTURE(k);
                 CAPTURE(accurate);
                 CAPTURE(count);
-                CHECK(off <= moduli * (k < accurate ? bounds::u * static_cast<double>(4 * k * k + 2 * count) : late_moment(k - accurate, count)));
+                CHECK(off <=
+                      moduli * (k < accurate ? bounds::u * static_cast<double>(4 * k * k + 2 * count) : late_moment(k - accurate, count)));
             }
         }
         for (const std::size_t terms_there : {1, 2}) {
@@ -841,7 +876,8 @@ TEST_CASE("a wave's kernel: its ends, 1 - c and 1 + c, its density and its nodes
             const double measure = wave_nodes(k, variable, t_mid, t_half, rule.nodes, rule.weights, centre, unit, local, weight);
             double sum = 0;
             for (std::size_t i = 0; i < 8; ++i) {
-                const Ball t = to_ball(t_mid) + to_ball(t_half) * to_ball(rule.nodes[i]), c = variable == Substitution::sine ? 1 - 2 * t * t : 2 * t * t - 1;
+                const Ball t = to_ball(t_mid) + to_ball(t_half) * to_ball(rule.nodes[i]),
+                           c = variable == Substitution::sine ? 1 - 2 * t * t : 2 * t * t - 1;
                 const Ball z = square ? t : (is_full ? (bx + c) * (bx + c) : (1 + c) * (2 * bx - 1 + c)) / (bG * bG);
                 const Ball slope = square ? density(z) : Ball(2) / sqrt(1 - t * t);
                 CHECK(off(local[i], (z - to_ball(centre)) / to_ball(unit)) < 1e-28);
@@ -857,7 +893,8 @@ TEST_CASE("the weights of a cluster integrate V times any polynomial")
 {
     Small small(1e-9, 1e-9, Real(2), {Real(0.5), Real(1), Real(1.5), Real(3), Real(3.1), Real(5)}, 4);
     Layer& V = small.layer;
-    for (int m = 0; m < 4; ++m) small.set(m, [&](std::size_t panel, int k) { return Real(std::pow(0.5, k) * std::cos(2.0 * k + static_cast<double>(panel) + m)); });
+    for (int m = 0; m < 4; ++m)
+        small.set(m, [&](std::size_t panel, int k) { return Real(std::pow(0.5, k) * std::cos(2.0 * k + static_cast<double>(panel) + m)); });
     const auto kernel = static_cast<std::size_t>(small.orders.kernel);
     for (std::size_t i = 0; i < V.clusters.size(); ++i)
         for (const int degree : {0, 1, 5, small.orders.kernel - 1})
@@ -881,7 +918,8 @@ TEST_CASE("the weights of a cluster integrate V times any polynomial")
             }
 }
 
-TEST_CASE("T V is charged with what each piece, each cluster, each edge and each sum may be off by, and no more; and a plan is the same sum")
+TEST_CASE(
+    "T V is charged with what each piece, each cluster, each edge and each sum may be off by, and no more; and a plan is the same sum")
 {
     struct Case {
         double digits, tolerance, x, G;
@@ -892,11 +930,13 @@ TEST_CASE("T V is charged with what each piece, each cluster, each edge and each
     const auto even = [](double digits, double tolerance, double x, double G, double to, int panels) {
         return Case{digits, tolerance, x, G, even_edges(0.01, to, panels), 2, panels - 3, tolerance > 1e-100};
     };
-    // V on one narrow panel alone, where few charges are made; edges at c = 0, or where z takes over from the sine next to the edge of contact
+    // V on one narrow panel alone, where few charges are made; edges at c = 0, or where z takes over from the sine next to the edge of
+    // contact
     const std::vector<Real> full{0.01, 0.2, 0.4, 0.6, 1, 1.01, 1.4, 1.8, 2.2, 3}, partial{1e-6, 0.1, 0.4, 0.8, 0.81, 1, 1.2, 2};
-    for (const Case& t : {even(1e-25, 1e-300, 2.25, 2, 4, 65), even(1e-25, 1e-300, 0.75, 1.5, 2, 64), even(1e-9, 1e-300, 2.25, 2, 4, 9), even(1e-9, 1e-300, 0.75, 1.5, 2, 9),
-                          even(1e-25, 1e-25, 2.25, 2, 4, 40), even(1e-25, 1e-25, 0.75, 1.5, 2, 40), even(1e-14, 1e-14, 3, 2, 4.5, 32), even(1e-25, 1e-300, 1, 2, 2, 24),
-                          Case{1e-25, 1e-300, 2, 2, full, 4, 4, false}, Case{1e-25, 1e-25, 2, 2, full, 4, 4, true}, Case{1e-25, 1e-300, 0.75, 1.5, partial, 3, 3, false},
+    for (const Case& t : {even(1e-25, 1e-300, 2.25, 2, 4, 65), even(1e-25, 1e-300, 0.75, 1.5, 2, 64), even(1e-9, 1e-300, 2.25, 2, 4, 9),
+                          even(1e-9, 1e-300, 0.75, 1.5, 2, 9), even(1e-25, 1e-25, 2.25, 2, 4, 40), even(1e-25, 1e-25, 0.75, 1.5, 2, 40),
+                          even(1e-14, 1e-14, 3, 2, 4.5, 32), even(1e-25, 1e-300, 1, 2, 2, 24), Case{1e-25, 1e-300, 2, 2, full, 4, 4, false},
+                          Case{1e-25, 1e-25, 2, 2, full, 4, 4, true}, Case{1e-25, 1e-300, 0.75, 1.5, partial, 3, 3, false},
                           Case{1e-25, 1e-25, 0.75, 1.5, partial, 3, 3, true}, Case{1e-25, 1e-300, 0.9, 1.5, partial, 3, 3, false}}) {
         CAPTURE(t.x);
         CAPTURE(t.digits);
