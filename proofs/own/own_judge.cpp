@@ -150,7 +150,10 @@ Check same(const OwnLedger& ledger, const ex& print, const ex& wanted)
             return {Verdict::verified, "the squares have the same normal form, and the sign is the same at the points"};
     } catch (const std::exception&) {
     }
-    return evaluates_at(print, wanted, at) ? Check{Verdict::verified, "the same in balls at the points, not by normal form"} : direct;
+    if (!evaluates_at(print, wanted, at)) return direct;
+    const WorkingPrecision closer(bits_of_a_closer_look);
+    if (const Check there = compare_at(print, wanted, at); there.verdict == Verdict::refuted) return there;
+    return {Verdict::verified, "the same in balls at the points, not by normal form"};
 }
 
 /// e with what its symbols stand for, down to those that have a range here.
@@ -195,9 +198,12 @@ Check printed(const OwnTable& t, std::size_t row, const std::string& digits)
     const long decimals = point == std::string::npos ? 0 : static_cast<long>(std::min(mark, digits.size()) - point - 1);
     const Ball unit = pow(Ball(10), Ball(exponent - decimals)), off = value - Ball(*number);
     const std::string says = "at " + where + " the value is " + value.to_string(12) + ", printed " + digits;
-    const Ball least = t.rounding == "down" ? Ball(0) : Ball(-unit / 2), most = t.rounding == "down" ? unit : Ball(unit / 2);
+    // cut off, towards 0: what is printed is no larger in modulus, of 0 either sign may have been cut off
+    const bool is_cut = t.rounding == "down";
+    const Ball least = is_cut ? (*number > 0 ? Ball(0) : -unit) : Ball(-unit / 2), most = is_cut ? (*number < 0 ? Ball(0) : unit) : Ball(unit / 2);
     if (certainly(less(off, least)) || certainly(less(most, off))) return {Verdict::refuted, says};
-    const bool inside = (certainly(less(least, off)) || (t.rounding == "down" && off.contains_zero())) && certainly(less(off, most));
+    const auto may_be_exact = [&](const Ball& end) { return is_cut && end.contains_zero() && off.contains_zero(); };
+    const bool inside = (certainly(less(least, off)) || may_be_exact(least)) && (certainly(less(off, most)) || may_be_exact(most));
     return inside ? Check{Verdict::verified, says} : Check{Verdict::undecided, says};
 }
 
@@ -238,6 +244,20 @@ Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e)
 
 } // namespace
 
+namespace {
+
+/// Read in balls of the usual width, and, where that decides, in much narrower ones: sides that agree to many bits may yet differ.
+Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    const Check usual = read_whole_as(p, meaning_of(ledger, e));
+    if (usual.verdict == Verdict::undecided) return usual;
+    const WorkingPrecision closer(bits_of_a_closer_look);
+    const Check narrow = read_whole_as(p, meaning_of(ledger, e));
+    return usual.verdict == Verdict::refuted || narrow.verdict == Verdict::refuted ? narrow : usual;
+}
+
+} // namespace
+
 Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     if (e.table) return judge_table(*e.table, p);
@@ -250,11 +270,7 @@ Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
         if (readable(ledger, e)) {
-            Check whole = read_whole_as(p, meaning_of(ledger, e));
-            if (whole.verdict == Verdict::refuted) { // sides that agree to many bits are taken for equal, which < does not allow
-                const WorkingPrecision closer(bits_of_a_closer_look);
-                whole = read_whole_as(p, meaning_of(ledger, e));
-            }
+            const Check whole = read_closely(ledger, e, p);
             // where a proof stands already, the reading only refutes
             if (whole.verdict == Verdict::refuted || (!e.follows && e.over.empty())) a.add("the whole print, each field", whole);
         } else if (!e.definition) {

@@ -4,6 +4,7 @@
 #include "proofs/enclosure/enclosure.hpp"
 #include "proofs/reading/whole.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -39,7 +40,8 @@ Holds relation_holds(const std::string& relation, const Ball& l, const Ball& r, 
     const bool less_is_asked = relation == "<" || relation == "<=";
     if (!less_is_asked && relation != ">" && relation != ">=") throw Unreadable("the relation " + relation);
     const Truth t = less_is_asked ? less(l, r) : less(r, l);
-    if (agree(l, r, equality_bits) && (agreeing_is_equal || !certainly(t))) return relation.size() == 2 ? Holds::yes : Holds::no;
+    const bool may_be_equal = agreeing_is_equal || l.overlaps(r);
+    if (agree(l, r, equality_bits) && may_be_equal) return relation.size() == 2 ? Holds::yes : Holds::no;
     return certainly(t) ? Holds::yes : possibly(t) ? Holds::undecided : Holds::no;
 }
 
@@ -372,7 +374,8 @@ std::optional<Check> read_whole(const Print& print)
 Check read_whole_as(const Print& print, const Meaning& says)
 {
     const Meaning* m = &says;
-    const WorkingPrecision precision(192);
+    constexpr slong usual_bits = 192; // unless the caller looks closer
+    const WorkingPrecision precision(std::max(usual_bits, WorkingPrecision::bits()));
     try {
         const std::vector<Part> parts = parts_of(print);
         for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -124,6 +124,15 @@ class Changed(unittest.TestCase):
             self.entry(ledger, "T1")["table"]["rounding"] = "down"
         self.assertEqual(self.judge(change, "T1").returncode, 1)  # 0.30028 cut off would be 0.3002
 
+    def test_numbers_below_zero_are_cut_off_towards_it(self):
+        def verdict(at, printed):
+            table = {"formula": "-y/3", "columns": ["y"], "rounding": "down", "rows": [[at, printed]]}
+            ledger = {"symbols": {"y": {"dimension": "1", "sign": "real"}}, "entries": [{"id": "T", "table": table}]}
+            return self.judge_text(json.dumps(ledger)).stdout.split()[0]
+        for at, printed, expected in (("1", "-0.333", "verified"), ("1", "-0.334", "refuted"), ("1", "-0.332", "refuted"), ("3/10", "-0.1", "verified"),
+                                      ("1/10000", "0.000", "verified"), ("-1", "0.333", "verified"), ("-1/10000", "0.000", "verified"), ("1", "0.000", "refuted")):
+            self.assertEqual(verdict(at, printed), expected, (at, printed))
+
     def test_a_bound_that_is_too_narrow_is_refuted(self):
         def change(ledger):
             self.entry(ledger, "S5")["says"] = "shear < 0.300"
@@ -148,7 +157,10 @@ class Changed(unittest.TestCase):
             ledger = {"symbols": {"w": {"dimension": "1"}, "u": {"dimension": "1", "is": symbol}}, "entries": [{"id": "A", "says": says}]}
             return self.judge_text(json.dumps(ledger)).stdout.split()[0]
         for says, symbol, expected in (("u > w", "w+1/10^18", "verified"), ("u > w", "w+1/10^200", "verified"), ("u < w", "w+1/10^200", "refuted"),
-                                       ("u > w", "w", "refuted"), ("u >= w", "w", "verified"), ("u > sqrt(w)", "w^(1/2)", "refuted")):
+                                       ("u > w", "w", "refuted"), ("u >= w", "w", "verified"), ("u > sqrt(w)", "w^(1/2)", "refuted"),
+                                       ("u <= w", "w*(1+1/10^30)", "refuted"), ("u <= w", "w*(1+1/10^1000)", "refuted"), ("u >= w", "w*(1-1/10^1000)", "refuted"),
+                                       ("u <= w", "w*(1-1/10^1000)", "verified"), ("u = w^2", "w^2", "verified"), ("u = w^2", "w^2+1/10^50", "refuted"),
+                                       ("u = w^2", "w^2*(1+exp(w)/10^500)", "refuted")):
             self.assertEqual(verdict(says, symbol), expected, (says, symbol))
 
     def test_formulas_that_differ_on_a_small_part_of_their_range_are_not_the_same(self):
@@ -161,6 +173,8 @@ class Changed(unittest.TestCase):
         self.assertEqual(verdict("abs(a-1001/1000)", "a-1001/1000"), "refuted")
         self.assertEqual(verdict("abs(a-3/2)+abs(a-39/25)", "abs(2*a-153/50)"), "refuted")
         self.assertEqual(verdict("abs(a-1)", "a-1"), "verified")
+        self.assertEqual(verdict("a^2", "a^2+sin(a)/10^50"), "refuted")
+        self.assertEqual(verdict("abs(a-1)+sin(a)/10^500", "a-1"), "refuted")
         # where the ranges do not fit together a side has no value, and that says nothing
         self.assertEqual(verdict("abs(sqrt(a^2-b^2))", "sqrt(a^2-b^2)", b={"dimension": "1", "range": ["1/2", "9/8"]}), "verified")
 
