@@ -503,6 +503,19 @@ TEST_CASE("the most digits of an area are those that both schemes serve, and no 
         }
 }
 
+TEST_CASE("where few digits do not last over all scales, more are taken")
+{
+    const WorkingPrecision precision(128);
+    const auto scaled = [](long n) { // A_n G^n tends to a constant
+        const Arguments a = at("1/2", "100000");
+        return area(Scheme::force_weighted, n, a, {10}) * pow(Ball(100000), n);
+    };
+    const Ball many = scaled(100);
+    CHECK(many.relative_bits() > 20);
+    CHECK(many.overlaps(scaled(60)));
+    CHECK(area_certificate(Scheme::force_weighted, 100, at("1/2", "100000"), {10}).size() > 100);
+}
+
 TEST_CASE("threads share an operator and get the same digits")
 {
     std::string value[4];

@@ -131,6 +131,17 @@ TEST_CASE("(1.5, 16) and (1.25, 256) give the same area, digit for digit")
     CHECK(a.value == b.value);
 }
 
+TEST_CASE("panels too narrow for binary64 numbers are refused")
+{
+    CHECK(heavy_load_has_panels(100, Ball(1000)));
+    CHECK(heavy_load_has_panels(140, Ball(5000))); // e^-(44 + 2 + 8.5) 5000^-70, some 10^-283
+    CHECK_FALSE(heavy_load_has_panels(141, Ball(5000))); // as 160
+    CHECK_FALSE(heavy_load_has_panels(150, Ball(10000)));
+    const Arguments a{[] { return Ball(2); }, [] { return Ball(10000); }};
+    CHECK_THROWS_WITH_AS(area_at_heavy_load(Scheme::area, 150, a, {15}),
+                         "for load > 1 panels about G^(-n/2) wide would be needed, too narrow for binary64 numbers", BeyondReach);
+}
+
 TEST_CASE("out of reach is said")
 {
     CHECK_THROWS_AS(area_at_heavy_load(Scheme::area, 1, at("10", "2"), wanted()), std::runtime_error);

@@ -116,11 +116,24 @@ Prepared prepare(Scheme scheme, const Arguments& a, Accuracy wanted)
     return p;
 }
 
-} // namespace
-
-Ball area(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
+/// f(accuracy), with more digits than are wanted where so few do not last over all scales.
+template <class F>
+auto accurate_over_all_scales(Accuracy wanted, F f)
 {
-    const Prepared p = prepare(scheme, a, wanted);
+    constexpr int most_attempts = 5;
+    for (int attempt = 1;; ++attempt) {
+        try {
+            return f(wanted);
+        }
+        catch (const ErrorsHaveOutgrown&) {
+            if (attempt == most_attempts) throw;
+        }
+        wanted.digits = 2 * wanted.digits + 10;
+    }
+}
+
+Ball area_of(const Prepared& p, long n)
+{
     const Ball F = p.on->force_share(n, p.load);
     const WorkingPrecision precision(p.on->bits());
     Ball scale;
@@ -128,9 +141,16 @@ Ball area(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
     return sqrt(p.load) * F / scale;
 }
 
+} // namespace
+
+Ball area(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
+{
+    return accurate_over_all_scales(wanted, [&](Accuracy accuracy) { return area_of(prepare(scheme, a, accuracy), n); });
+}
+
 std::string area_certificate(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
 {
-    return prepare(scheme, a, wanted).on->certificate(n);
+    return accurate_over_all_scales(wanted, [&](Accuracy accuracy) { return prepare(scheme, a, accuracy).on->certificate(n); });
 }
 
 long most_digits_of_area(const Ball& load, const Ball& G)

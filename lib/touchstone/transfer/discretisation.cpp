@@ -423,7 +423,7 @@ void Discretisation::extend_to(long n)
         l.errors = errors_of(levels_.size());
         const double largest = *std::max_element(l.errors.begin(), l.errors.end());
         if (!(largest < std::ldexp(1.0, static_cast<int>(error_unit_)))) // roundings are counted for values of at most 2 c_m
-            throw BeyondReach("errors have outgrown the values over so many scales");
+            throw ErrorsHaveOutgrown("errors have outgrown the values over so many scales");
         l.coefficients.resize(values.size());
         for (const Block& b : blocks_) to_coefficients_.of(&values[b.first * limbs], &l.coefficients[b.first * limbs]);
         levels_.push_back(std::move(l));

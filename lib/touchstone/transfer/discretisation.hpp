@@ -32,6 +32,7 @@
 /// p x nodes for each load. N and the nodes grow like the number of digits. B itself is only needed for the errors, in binary64.
 #pragma once
 
+#include "touchstone/scalar/refusal.hpp"
 #include "touchstone/transfer/coefficients.hpp"
 #include "touchstone/transfer/rule.hpp"
 
@@ -49,6 +50,11 @@ enum class Scheme { force_weighted, area };
 struct Budget {
     Ball rule, truncation, interpolation, abscissae, weights, entries;
     Ball total() const { return rule + truncation + interpolation + abscissae + weights + entries; }
+};
+
+/// The errors of a level are no longer below the values; more digits help.
+class ErrorsHaveOutgrown : public BeyondReach {
+    using BeyondReach::BeyondReach;
 };
 
 class Discretisation {

@@ -204,11 +204,25 @@ namespace {
 
 using namespace heavy_load;
 
+/// How many nats F is wanted to, and the scales that loads share their first steps for.
+double nats_wanted(double accuracy, double G) { return accuracy + 2 + std::log(G); }
+long scales_for(long n) { return n <= 5 ? 5 : 20 * ((n + 19) / 20); }
+double nats_of(Accuracy wanted) { return std::max(44.0, static_cast<double>(bits_for_digits(wanted.digits) - 8) * std::numbers::ln2); }
+
+/// Width of the finest panels: what is left out next to an end is worth its root at scale 0, and values are about G^-n.
+double finest_panel(double wanted, double G, long scales) { return std::exp(-wanted) * std::pow(G, -static_cast<double>(scales) / 2); }
+
+constexpr double narrowest_panel = 1e-300; ///< below are no binary64 numbers of full accuracy
+
 /// One load and one G.
 class HeavyLoad {
 public:
-    HeavyLoad(Scheme scheme, const Arguments& a, double accuracy, long scales_asked) : scales(scales_asked), wanted(accuracy + 2 + std::log(approximate(a.G()))), last(std::exp(-wanted) * std::pow(approximate(a.G()), -static_cast<double>(scales) / 2)), format(static_cast<long>(100 + wanted / std::numbers::ln2)), bits(static_cast<slong>(170 - std::log2(last)))
+    HeavyLoad(Scheme scheme, const Arguments& a, double accuracy, long scales_asked)
+        : scales(scales_asked), wanted(nats_wanted(accuracy, approximate(a.G()))),
+          last(finest_panel(wanted, approximate(a.G()), scales)), format(static_cast<long>(100 + wanted / std::numbers::ln2)),
+          bits(static_cast<slong>(170 - std::log2(std::max(last, narrowest_panel))))
     {
+        if (!(last >= narrowest_panel)) throw BeyondReach("for load > 1 panels about G^(-n/2) wide would be needed, too narrow for binary64 numbers");
         const WorkingPrecision precision(bits);
         G = a.G();
         load = a.load();
@@ -490,9 +504,9 @@ constexpr std::size_t most_kept = 8;
 template <class F>
 auto with_heavy_load(Scheme scheme, long n, const Arguments& a, Accuracy wanted, F f)
 {
-    const double accuracy = std::max(44.0, static_cast<double>(bits_for_digits(wanted.digits) - 8) * std::numbers::ln2);
+    const double accuracy = nats_of(wanted);
     if (accuracy > 160) throw BeyondReach("so many digits would cost too much for load > 1");
-    const long scales = n <= 5 ? 5 : 20 * ((n + 19) / 20);
+    const long scales = scales_for(n);
     const WorkingPrecision precision(1024);
     const Arguments same{[load = a.load()] { return load; }, [G = a.G()] { return G; }}; // what is kept holds for all G and loads in these balls
     const std::string key = fmt::format("{} {} {} {} {}", static_cast<int>(scheme), accuracy, scales, same.load().dump(), same.G().dump());
@@ -514,6 +528,12 @@ auto with_heavy_load(Scheme scheme, long n, const Arguments& a, Accuracy wanted,
 }
 
 } // namespace
+
+bool heavy_load_has_panels(long n, const Ball& G)
+{
+    const double g = approximate(G);
+    return finest_panel(nats_wanted(nats_of({1}), g), g, scales_for(n)) >= narrowest_panel;
+}
 
 Ball area_at_heavy_load(Scheme scheme, long n, const Arguments& a, Accuracy wanted)
 {

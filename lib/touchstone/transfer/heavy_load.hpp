@@ -55,6 +55,9 @@ namespace touchstone::transfer {
 /// \throws BeyondReach unless 1 < load < 1000 and G > 2.02 are proven, or for more than 66 digits, which would cost too much
 Ball area_at_heavy_load(Scheme, long n, const Arguments&, Accuracy);
 
+/// Do binary64 numbers hold the finest panels, some G^(-n/2) wide, at few digits?
+bool heavy_load_has_panels(long n, const Ball& G);
+
 /// How its error is made up.
 std::string heavy_load_certificate(Scheme, long n, const Arguments&, Accuracy);
 
