@@ -204,9 +204,11 @@ namespace {
 
 using namespace heavy_load;
 
-/// How many nats F is wanted to, and the scales that loads share their first steps for.
+/// How many nats the weights are wanted to, for a value to so many.
 double nats_wanted(double accuracy, double G) { return accuracy + 2 + std::log(G); }
+/// The scales that the first steps are made for: few numbers, so that scales share them.
 long scales_for(long n) { return n <= 5 ? 5 : 20 * ((n + 19) / 20); }
+/// The accuracy of a value of so many digits, in nats.
 double nats_of(Accuracy wanted) { return std::max(44.0, static_cast<double>(bits_for_digits(wanted.digits) - 8) * std::numbers::ln2); }
 
 /// Width of the finest panels: what is left out next to an end is worth its root at scale 0, and values are about G^-n.

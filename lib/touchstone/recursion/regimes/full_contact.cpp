@@ -32,7 +32,8 @@ Method heavy_load()
             if (p.load <= 1 || p.load >= 1000) return "load must be above 1 and below 1000";
             if (p.n > last_followed_scale) return "for load > 1 areas are certified for n <= 10^4 only";
             if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
-            if (!transfer::heavy_load_has_panels(p.n, p.G.ball())) return "for load > 1 and G^(n/2) beyond some 10^270 panels would be too narrow for binary64 numbers";
+            if (!transfer::heavy_load_has_panels(p.n, p.G.ball()))
+                return "for load > 1 and G^(n/2) beyond some 10^270 panels would be too narrow for binary64 numbers";
             return G_above(p, Rational(101, 50)) ? "" : "for load > 1 so near G = 2 it would take hours: many scales have ratios about 1";
         },
         .digits = 60, // 160 nats, heavy_load.cpp
