@@ -42,7 +42,7 @@ struct Answer {
 
 Answer answer(const Problem& p)
 {
-    const recursion::Choice c = recursion::choose(p, {recursion::any_digits});
+    const recursion::Choice c = recursion::choose(p, {any_digits});
     if (c.method != nullptr) return {c.method->name, c.digits};
     if (recursion::observers_refusal(p).empty()) return {"estimate", recursion::observed_digits};
     return {};

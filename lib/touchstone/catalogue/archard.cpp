@@ -3,6 +3,7 @@
 
 #include "touchstone/catalogue/formula.hpp"
 #include "touchstone/paper/archard_constants.hpp"
+#include "touchstone/paper/archard_interpolation.hpp"
 #include "touchstone/paper/segments.hpp"
 
 #include <map>
@@ -12,6 +13,8 @@ namespace touchstone {
 namespace {
 
 constexpr long largest_n = 1'000'000;
+/// To here Arb has Gamma functions from tables (archard_interpolation.hpp).
+constexpr long quick_gamma_digits = 1000;
 
 using Constant = Ball (*)(long);
 
@@ -30,10 +33,14 @@ Ball kept(Constant compute, long n)
 template <class F>
 std::vector<Route> by_both_K(F f)
 {
-    const auto route = [f](std::string name, Constant K) {
-        return Route{std::move(name), [f, K](const Inputs& in) -> Ball { return f(in, Arguments<Ball>(in), [K](long n) { return kept(K, n); }); }, true};
+    const auto route = [f](std::string name, Constant K, long leads_up_to) {
+        return Route{.name = std::move(name),
+                     .ball = [f, K](const Inputs& in) -> Ball { return f(in, Arguments<Ball>(in), [K](long n) { return kept(K, n); }); },
+                     .takes_boxes = true,
+                     .leads_up_to = leads_up_to,
+                     .halved_as_second = true};
     };
-    return {route("gamma-product", archard::K_gamma_product), route("log-gamma-series", archard::K_eta_series)};
+    return {route("interpolation", archard::K_interpolated, quick_gamma_digits), route("gamma-product", archard::K_gamma_product, any_digits)};
 }
 
 void check_n(const Inputs& in) { require_integer(in, "n", 0, largest_n); }

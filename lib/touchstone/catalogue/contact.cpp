@@ -126,7 +126,7 @@ Plan plan(Ask ask, Factor factor, const Inputs& in, Accuracy wanted)
         const auto proof = [&](const std::string& name, const auto& enclose, Accuracy most) {
             result.proofs.push_back({name, [=](Accuracy a) { return times(working_bits(a), enclose(*p, a)); }, most.digits});
         };
-        proof(m->name, m->enclose, {recursion::any_digits});
+        proof(m->name, m->enclose, {any_digits});
         if (m->enclose_again) proof(m->second, m->enclose_again, looked_at_again({std::min(wanted.digits, choice.digits)}));
         result.shares = m->shares;
         // levels of a distribution cost seconds even for few digits

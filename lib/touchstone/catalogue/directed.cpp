@@ -62,7 +62,7 @@ Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions
     if (how == Rounding::nearest) return evaluate(q, in, options);
     Evaluation e = evaluate(q, in, options);
     if (e.status == Status::exact) return e;
-    for (long extra = first_extra_digits; extra <= most_extra_digits && options.digits + extra <= 10'000; extra *= 4) {
+    for (long extra = first_extra_digits; extra <= most_extra_digits && options.digits + extra <= any_digits; extra *= 4) {
         EvaluationOptions more = options;
         more.digits += extra;
         const Evaluation finer = evaluate(q, in, more);

@@ -216,7 +216,7 @@ private:
     {
         if (digits < options_.digits)
             e.note = fmt::format("{} digits are certified here, {} were asked for: {}", e.digits, options_.digits, reason_.empty() ? "no method proves more" : reason_);
-        else if (plan_.most_digits < 10'000) e.note = "no more digits are certified here";
+        else if (plan_.most_digits < any_digits) e.note = "no more digits are certified here";
         else if (e.note.empty()) e.note = fmt::format("not decided at {} bits; a larger --max-precision may", e.bits);
         if (plan_.proofs.size() > 1 && !looked_again_ && e.digits > 0) e.note += fmt::format("; the digits shown rest on '{}' alone", plan_.proofs.front().name);
     }
@@ -323,8 +323,8 @@ std::string_view to_string(Status s)
 Evaluation evaluate(const Quantity& q, const Inputs& in, const EvaluationOptions& options)
 {
     release_caches_with_thread(); // the thread may be one of the caller's, who never heard of FLINT
-    if (options.digits < 1 || options.digits > 10'000)
-        throw DomainError(fmt::format("digits = {}: must be from 1 to 10000", options.digits));
+    if (options.digits < 1 || options.digits > any_digits)
+        throw DomainError(fmt::format("digits = {}: must be from 1 to {}", options.digits, any_digits));
     q.check(in);
 
     const auto exact = exact_result(q, in);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/catalogue/quantity.hpp"
 
+#include "touchstone/scalar/second_look.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,13 +65,20 @@ Plan plan_of(const Quantity& q, const Inputs& in, Accuracy wanted)
                                    const WorkingPrecision precision(working_bits(a));
                                    return r.ball(in);
                                }});
+    for (std::size_t i = 0; i < q.routes.size(); ++i)
+        if (q.routes[i].halved_as_second && wanted.digits > proven_twice) plan.proofs[i].digits = looked_at_again(wanted).digits;
+    if (wanted.digits > q.routes.front().leads_up_to) std::rotate(plan.proofs.begin(), plan.proofs.begin() + 1, plan.proofs.end());
     return plan;
 }
 
 std::vector<Certified> certified_where(const Quantity& q)
 {
     if (!q.certified.empty()) return q.certified;
-    return {{"everywhere in its domain", "any", q.routes.at(0).name, "proof " + q.routes.at(1).name, "what the quantity is defined as, and ball arithmetic"}};
+    const Route &first = q.routes.at(0), &second = q.routes.at(1);
+    const std::string everywhere = "everywhere in its domain", shared = "what the quantity is defined as, and ball arithmetic";
+    if (first.leads_up_to == any_digits) return {{everywhere, "any", first.name, "proof " + second.name, shared}};
+    const std::string few = std::to_string(first.leads_up_to);
+    return {{everywhere, "up to " + few, first.name, "proof " + second.name, shared}, {everywhere, "beyond " + few, second.name, "proof " + first.name, shared}};
 }
 
 Ball first_ball(const Quantity& q, const Inputs& in)

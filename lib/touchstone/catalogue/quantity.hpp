@@ -46,19 +46,25 @@ private:
     std::map<std::string, Rational> half_widths_;
 };
 
+/// So many digits are proven by both routes, whichever they are.
+inline constexpr long proven_twice = 100;
+
 /// One way to compute a quantity: an enclosure at about the working precision.
 struct Route {
     std::string name; ///< as `routes` of a table and of `eval --json` give it
     std::function<Ball(const Inputs&)> ball; ///< encloses the value
     /// Whether it also encloses all values over a box of inputs (it never looks at an input but as a ball).
     bool takes_boxes = false;
+    long leads_up_to = any_digits; ///< beyond so many digits the next route is the first proof, since it takes less time there
+    /// As second proof it looks at the first half of more than `proven_twice` digits, see looked_at_again(): the whole would take longer than all else.
+    bool halved_as_second = false;
 };
 
 /// A proof of a value at certain inputs.
 struct Proof {
     std::string name; ///< as `routes` of a table and of `eval --json` give it
     std::function<Ball(Accuracy)> ball; ///< encloses the value. \throws BeyondReach
-    long digits = 10'000; ///< a second look at the value is asked for no more than these
+    long digits = any_digits; ///< a second look at the value is asked for no more than these
 };
 
 /// A look at the value without proof.
@@ -78,7 +84,7 @@ struct Plan {
     std::vector<Look> witnesses = {};
     std::optional<Look> own_witness = {}; ///< a second look made for the one proof, before any of `witnesses`
     std::string shares = {};    ///< what a second look shares with the first proof, in words
-    long most_digits = 10'000;  ///< more are not certified
+    long most_digits = any_digits; ///< more are not certified
     std::string refusal = {};   ///< why there is no proof, or why not of more digits
     /// More digits take seconds: none is computed that was not asked for, not even for the sake of binary64.
     bool dear = false;

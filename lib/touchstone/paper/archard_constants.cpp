@@ -28,69 +28,6 @@ void widen(Ball& b, slong exponent)
 /// 1 - 2^{-k (n - m)}, the share of the geometric sum over all i >= m that i < n takes.
 Ball finite_share(long k, long n, long m) { return n < 0 ? Ball(1) : 1 - dyadic(-k * (n - m)); }
 
-/// eta(first), ..., eta(last), the k-th to about 2^-(bits - (k - first) step), by the accelerated sum of archard::eta,
-/// whose c_j and d are integers: d eta(k) = sum_{j<N} c_j/(j + 1)^k. In fixed point, `group` exponents at a time:
-/// u = c_j/(j + 1)^(first + group t + group - 1) gives those with k = first + group t + r as u (j + 1)^(group - 1 - r), so that
-/// a term costs one division by (j + 1)^group, which fits into a word, and `group` products instead of `group` divisions.
-/// Units are 2^-guard for t = 0 and 2^drop times larger at each next t. u is within 4 of them: its error is divided by
-/// (j + 1)^group 2^drop and joined by two truncations, neither of which happens when that divisor is 1.
-/// So a sum of N terms is within 4 N N^(group - 1) units.
-void eta_block(std::vector<Ball>& eta, long first, long last, slong bits, slong step)
-{
-    const long N = static_cast<long>(static_cast<double>(bits) / 2.5431) + 2; // log2(3 + sqrt 8) > 2.5431
-    const slong size_of_N = static_cast<slong>(FLINT_BIT_COUNT(N));
-    const long group = std::max(1L, 63 / size_of_N);
-    const auto drop = static_cast<mp_bitcnt_t>(group * step);
-    const slong guard = group * size_of_N + 8;
-    Integer before = 1, d = 3;
-    for (long j = 1; j < N; ++j) {
-        Integer next = 6 * d - before;
-        before = std::move(d);
-        d = std::move(next);
-    }
-    std::vector<Integer> sums(static_cast<std::size_t>(last - first + group));
-    std::vector<unsigned long> powers(static_cast<std::size_t>(group + 1));
-    Integer b = -1, c = -d, u, power;
-    for (long j = 0; j < N; ++j) {
-        c = b - c;
-        powers[0] = 1;
-        for (std::size_t r = 1; r < powers.size(); ++r) powers[r] = powers[r - 1] * static_cast<unsigned long>(j + 1);
-        mpz_mul_2exp(u.get_mpz_t(), c.get_mpz_t(), static_cast<mp_bitcnt_t>(guard));
-        mpz_ui_pow_ui(power.get_mpz_t(), static_cast<unsigned long>(j + 1), static_cast<unsigned long>(first + group - 1));
-        mpz_tdiv_q(u.get_mpz_t(), u.get_mpz_t(), power.get_mpz_t());
-        for (std::size_t k = 0; k + static_cast<std::size_t>(group) <= sums.size() && u != 0; k += static_cast<std::size_t>(group)) {
-            for (std::size_t r = 0; r < static_cast<std::size_t>(group); ++r)
-                mpz_addmul_ui(sums[k + r].get_mpz_t(), u.get_mpz_t(), powers[static_cast<std::size_t>(group) - 1 - r]);
-            mpz_tdiv_q_2exp(u.get_mpz_t(), u.get_mpz_t(), drop);
-            mpz_tdiv_q_ui(u.get_mpz_t(), u.get_mpz_t(), powers.back());
-        }
-        b *= 2 * (N + j) * (j - N);
-        b /= (2 * j + 1) * (j + 1); // exactly
-    }
-    for (long k = first; k <= last; ++k) {
-        Ball& value = eta[static_cast<std::size_t>(k)];
-        value = Ball(Rational(sums[static_cast<std::size_t>(k - first)]));
-        widen(value, 2 + group * size_of_N);
-        arb_mul_2exp_si(value.get(), value.get(), static_cast<slong>(drop) * ((k - first) / group) - guard);
-        value /= Ball(Rational(d));
-        widen(value, 1 - static_cast<slong>(std::floor(2.5431 * static_cast<double>(N))));
-    }
-}
-
-} // namespace
-
-/// eta(2), ..., eta(last), the k-th to about 2^-(bits - k step), in blocks with as many terms as the first of a block needs.
-std::vector<Ball> eta_values(long last, slong bits, slong step)
-{
-    std::vector<Ball> eta(static_cast<std::size_t>(last + 1));
-    const long block = last / 5 + 8;
-    for (long first = 2; first <= last; first += block)
-        eta_block(eta, first, std::min(last, first + block - 1), bits - (first - 2) * step, step);
-    return eta;
-}
-
-namespace {
-
 /// x as an integer number of 2^-F, towards zero. The radius of x is at most 2^-F, or the answer is false.
 bool to_fixed_point(Integer& result, const Ball& x, slong F)
 {
@@ -113,7 +50,8 @@ bool to_fixed_point(Integer& result, const Ball& x, slong F)
 /// and Y_s = sum x_k (1 + x_k) k^-s:
 ///     zeta(s) = -2 X_s - (1/pi) sum_{j=0}^h (-1)^j zeta(2j) zeta(2h - 2j)                         s = 3, 7, 11, ...
 ///     zeta(s) = -2 X_s - (4 pi/n) Y_{s-1} + (2/(n pi)) sum_{j=0}^h (-1)^j j zeta(2j) zeta(2h - 2j)    s = 5, 9, 13, ...
-/// X and Y in fixed point as in eta_values: u = x_k/k^(4t+3) gives s = 4t + 3 and, times k^2, 4t + 1.
+/// X and Y in fixed point, 2^-F at first and 2^(4 step) times larger units at each next t: u = x_k/k^(4t+3) gives s = 4t + 3 and, times
+/// k^2, 4t + 1. u is within 4 of them: its error is divided by k^4 2^(4 step) and joined by two truncations, neither of which happens where that is 1.
 /// The terms k > N of either sum are below 1.01 e^(-2 pi (N+1)) together.
 std::vector<Ball> zeta_values(long last, slong bits, slong step)
 {
@@ -216,38 +154,6 @@ Ball K_gamma_product(long n)
     // sum_{k>P} (2/3)^k/k 2^{-k(m+1)}/(2^k - 1) <= sum_{k>P} 2 q^k, q = 2^-(m+1)/3 < 2^-(m+2.5)
     widen(logarithm, 2 - static_cast<slong>(std::floor(static_cast<double>(P + 1) * (static_cast<double>(m) + 2.5))));
     return K * exp(logarithm);
-}
-
-Ball K_eta_series(long n)
-{
-    const slong target = WorkingPrecision::bits();
-    const WorkingPrecision precision(target + guard_bits);
-    const slong bits = target + guard_bits;
-    const long m = std::max(5L, static_cast<long>(0.5 * std::sqrt(static_cast<double>(bits))));
-    const long direct = n < 0 ? m : std::min(n, m);
-    // The factors (1 - x_i) a_{i-1}/a_i^2 with a_{-1} = Gamma(3/2) = sqrt(pi)/2: of the a_i but the last, one is left in the denominator.
-    Ball K = 2 / pi<Ball>();
-    for (long i = 0; i < direct; ++i) K *= 1 - dyadic(-(i + 2));
-    if (direct > 0) {
-        std::vector<unsigned long> times_a(static_cast<std::size_t>(direct), 1);
-        times_a.back() = 2;
-        K *= sqrt(pi<Ball>()) / 2 / gamma_product(4, 2, times_a);
-    }
-    if (direct == n) return K;
-
-    const long P = bits / (m + 1) + 2;
-    const auto eta = eta_values(P, bits, m + 1);
-    Ball exponent(0);
-    for (long k = P; k >= 2; --k) {
-        const WorkingPrecision shorter(std::max<slong>(64, bits - k * (m + 1)));
-        const Ball term = eta[static_cast<std::size_t>(k)] / k * dyadic(-k * m) / (dyadic(k) - 1) * finite_share(k, n, m);
-        const WorkingPrecision all(bits);
-        exponent += term;
-    }
-    // sum_{k>P} 2^{-km}/(k (2^k - 1)) <= sum_{k>P} 2^{-k(m+1)}
-    widen(exponent, 1 - (P + 1) * (m + 1));
-    const Ball last = n < 0 ? Ball(1) : 1 - dyadic(-(n + 1));
-    return K * (1 - dyadic(-(m + 1))) / last * exp(exponent);
 }
 
 } // namespace touchstone::archard

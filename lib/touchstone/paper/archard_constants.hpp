@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Certified K_n of (7.13) and K_inf of (7.20), for any n and to thousands of digits, by two routes
-/// that share neither series nor Gamma arguments. The bare product needs 3.3 factors for each digit
-/// of K_inf; both routes take about sqrt(bits) factors directly and sum the rest in closed form.
+/// Certified K_n of (7.13) and K_inf of (7.20), for any n and to thousands of digits. The bare product needs 3.3 factors for each digit
+/// of K_inf; this takes about sqrt(bits) of them and sums the rest in closed form. A second route, which shares neither series nor Gamma
+/// functions with it: archard_interpolation.hpp.
 ///
 /// Cost for d digits: about d^2.3 from 1000 to 10 000 digits, measured by tests/bench/archard_constants.cpp.
 #pragma once
@@ -23,15 +23,7 @@ inline constexpr long infinity = -1;
 /// Riemann's zeta is for even k a Bernoulli number times pi^k, for odd k by Ramanujan's formula, whose sums shrink like e^(-2 pi n).
 Ball K_gamma_product(long n);
 
-/// The same by the duplication formula and Dirichlet's eta. Route: m factors as
-/// (1 - x_{i-1}/2) a_{i-1}/a_i^2 with a_i = Gamma(2 - 2^-(i+2)), which telescopes to one Gamma each; the others by the
-/// series of K_by_series (archard.hpp), its eta(k) from the accelerated alternating sum
-/// with its proven error, below 2 (3 + sqrt 8)^-N.
-Ball K_eta_series(long n);
-
-/// What the two routes sum, by k from 2 to `last`, the k-th to about 2^-(bits - k step): eta(k) = (1 - 2^(1-k)) zeta(k) for
-/// the second, zeta(k) for the first.
-std::vector<Ball> eta_values(long last, slong bits, slong step);
+/// zeta(2), ..., zeta(last), the k-th to about 2^-(bits - k step).
 std::vector<Ball> zeta_values(long last, slong bits, slong step);
 
 } // namespace touchstone::archard

@@ -10,9 +10,6 @@
 
 namespace touchstone::recursion {
 
-/// No limit but that of the program: see evaluate().
-constexpr long any_digits = 10'000;
-
 /// A way to the value without proof.
 struct Observer {
     std::string name;

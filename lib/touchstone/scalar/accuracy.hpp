@@ -14,6 +14,9 @@ struct Accuracy {
     long digits = 20; ///< significant decimal digits
 };
 
+/// No limit but that of the program: see evaluate().
+inline constexpr long any_digits = 10'000;
+
 /// The bits a formula works with for this accuracy: 48 are left for what it loses on the way. At least 2.
 constexpr slong working_bits(Accuracy a) { return std::max<slong>(2, bits_for_digits(a.digits) + 48); }
 /// The accuracy that so many working bits, and no more, are meant for. (Not positive for few bits: a search may start there.)
