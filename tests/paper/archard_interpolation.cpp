@@ -68,6 +68,19 @@ TEST_CASE("the logarithm of a factor of K is below 1.44 on |x| = 1, so by Schwar
     CHECK(certainly(less(archard::K_gamma_product(archard::infinity) * exp(Ball(Rational(72, 25))), Ball(7))));
 }
 
+TEST_CASE("the interpolation's error is what Cauchy's integral on |w| = 4 leaves of 7, and less than 4 times that")
+{
+    const WorkingPrecision precision(200);
+    for (const long M : {1L, 2L, 3L, 10L, 50L, 300L}) {
+        CAPTURE(M);
+        Ball cauchy = Ball(7) * 4 / 3; // 4/|w - u|
+        for (long i = 0; i <= M; ++i) cauchy *= power_of_two<Ball>(-i) / (4 - power_of_two<Ball>(-i));
+        const Ball bound = power_of_two<Ball>(archard::interpolation_error(M));
+        CHECK(certainly(less(cauchy, bound)));
+        CHECK(certainly(less(bound, 4 * cauchy)));
+    }
+}
+
 TEST_CASE("a polynomial through the first K_n is off by no more than its bound at all later ones, and as near to it as a circle of half the radius of analyticity allows")
 {
     const WorkingPrecision precision(2000);

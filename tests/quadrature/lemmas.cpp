@@ -540,14 +540,17 @@ TEST_CASE("Bessel functions and polylogarithms have no value on a ball that meet
     widen(beyond_one, Ball(1) / Ball(4));
     CHECK_FALSE(special_function(Op::polylog, Ball(2), beyond_one).is_finite());
     CHECK(special_function(Op::polylog, Ball(2), z).is_finite());
-    // order 0 is z/(1 - z), on wide balls too
+    // order 0 is z/(1 - z), on wide balls too, and has a pole at 1 and no cut
     ComplexBall half(Ball(1) / Ball(2));
     widen(half, Ball(1) / Ball(4));
     const ComplexBall w = special_function(Op::polylog, Ball(0), half);
     CHECK(w.is_finite());
     CHECK(w.real().contains(Rational(3)));
     CHECK(w.real().contains(Rational(1, 3)));
-    CHECK_FALSE(special_function(Op::polylog, Ball(0), beyond_one).is_finite());
+    CHECK(special_function(Op::polylog, Ball(0), beyond_one).real().contains(Rational(-3)));
+    ComplexBall one(Ball(1));
+    widen(one, Ball(1) / Ball(4));
+    CHECK_FALSE(special_function(Op::polylog, Ball(0), one).is_finite());
 }
 
 TEST_CASE("functions of one argument have a value up to the end of their cut, and none on it: next to the end, on both sides")

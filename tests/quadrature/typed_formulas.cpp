@@ -227,6 +227,8 @@ TEST_CASE("exact expansions begin where the function does")
     CHECK(first("lambertw(x)-x+x^2", 0) == 3);
     CHECK(first("besselj(2,x)", 0) == 2);
     CHECK(first("erf(x)", 0) == 1);
+    CHECK(first("polylog(0,x)", 1) == -1); // x/(1 - x)
+    CHECK(first("polylog(0,x)-x-x^2", 0) == 3);
     for (const int direction : {1, -1}) { // of each side its own
         CHECK(series("abs(sin(x))", 0, direction)->c[0] == ExactSum(1));
         CHECK(series("sign(x-x^2)", 0, direction)->c[0] == ExactSum(direction));

@@ -140,6 +140,25 @@ TEST_CASE("scale 1 is one integral at every load and G; partial contact has two 
     CHECK(observers().size() == 2);
 }
 
+TEST_CASE("at loads above 1 many scales are taken from the limit where it has the digits, at once, and agree with panels scale by scale")
+{
+    const auto by = [](long n, long digits) { return choose(problem(Asked::area, n, 2, 100, 0), {digits}); };
+    CHECK(by(20, 15).method->name == "heavy-load-force-weighted");
+    CHECK(by(200, 15).method->name == "limit-of-scales");
+    CHECK(by(200, 15).method->cost(problem(Asked::area, 200, 2, 100, 0), {15}) < 2);
+    CHECK(by(200, 55).method->name == "heavy-load-force-weighted"); // more than the rate leaves
+    const Problem p = problem(Asked::area, 70, 2, 10, 0);
+    const WorkingPrecision precision(200);
+    const auto enclosed = [&](const char* name, long digits) {
+        const auto m = std::find_if(methods().begin(), methods().end(), [name](const Method& method) { return method.name == name; });
+        REQUIRE(m->refusal(p).empty());
+        const Ball area = m->enclose(p, {digits});
+        CHECK(area.relative_bits() > 3 * (digits - 1));
+        return area;
+    };
+    CHECK(enclosed("heavy-load-force-weighted", 6).overlaps(enclosed("limit-of-scales", 3)));
+}
+
 TEST_CASE("light loads are a matter of seconds up to scale 12: the power series, with a witness from 1e-300 on")
 {
     for (const long exponent : {-101L, -300L})

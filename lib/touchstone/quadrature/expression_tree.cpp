@@ -147,10 +147,19 @@ public:
         if (e->args.empty()) return e;
         Expression copy = *e;
         for (ExpressionPtr& a : copy.args) a = bound(a);
+        if (copy.op == Op::polylog && copy.args[0]->op == Op::number && copy.args[0]->number == 0) return without_order(copy);
         return std::make_shared<const Expression>(std::move(copy));
     }
 
 private:
+    /// The polylogarithm of order 0 is x/(1 - x): it has a pole where the others have a cut.
+    static ExpressionPtr without_order(const Expression& polylogarithm)
+    {
+        const ExpressionPtr& x = polylogarithm.args[1];
+        Expression quotient = *make(Op::divide, {x, make(Op::add, {make_number(1), make(Op::negate, {x})})});
+        quotient.column = polylogarithm.column;
+        return std::make_shared<const Expression>(std::move(quotient));
+    }
     ExpressionPtr parameter(const Expression& e) const
     {
         if (!own_.empty() && e.name == own_) return make_variable();

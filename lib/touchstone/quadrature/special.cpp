@@ -256,8 +256,8 @@ ComplexBall special_function(Op op, const Ball& order, const ComplexBall& z)
     case Op::bessel_i_scaled: acb_hypgeom_bessel_i_scaled(w.get(), nu.get(), z.get(), bits()); break;
     case Op::bessel_k_scaled: return scaled_bessel_k(order, z);
     case Op::polylog:
+        if (arb_is_zero(order.get())) return z / (ComplexBall(1) - z); // without a cut, which the library does not have for wide z
         if (meets_from(z, Ball(1))) return ComplexBall::indeterminate();
-        if (arb_is_zero(order.get())) return z / (ComplexBall(1) - z); // which the library does not have for wide z
         acb_polylog(w.get(), nu.get(), z.get(), bits());
         break;
     default: return ComplexBall::indeterminate();

@@ -37,7 +37,10 @@ Method heavy_load()
             return G_above(p, Rational(101, 50)) ? "" : "for load > 1 so near G = 2 it would take hours: many scales have ratios about 1";
         },
         .digits = 60, // 160 nats, heavy_load.cpp
-        .cost = [](const Problem& p, Accuracy a) { return (0.5 + 6.5 * std::pow(1.2 / (about_G(p) - 2), 2)) * growth(a, 2.5); },
+        .cost = [](const Problem& p, Accuracy a) {
+            const double near_2 = 1.2 / (about_G(p) - 2), nats = static_cast<double>(p.n) * std::log(about_G(p)); // panels shrink to G^(-n/2)
+            return (0.5 + 6.5 * near_2 * near_2 + 3e-7 * nats * nats * nats) * growth(a, 2.5);
+        },
         .enclose = by(Scheme::force_weighted),
         .budget = [](const Problem& p, Accuracy a) {
             return Budget{"", {{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p), looked_at_again(a))}}};
