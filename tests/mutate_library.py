@@ -72,7 +72,7 @@ COMPARISONS = [(r" <( |$)", " <= "), (r" >( |$)", " >= "), (r" <=( |$)", " < "),
 # What changes no value: includes, comments, names of types, precisions of balls.
 NO_VALUE = re.compile(r"^\s*(#|//|/\*|\*|using)|template|requires|static_assert|WorkingPrecision|constexpr (slong|int|long) (digits|bits)")
 CONSTANT = re.compile(r"\bconstexpr\b|\bcase\b|\benum\b|^\s*(static |inline )*const\b|<[^<>]*\d[^<>]*>")
-OPTIONS = ["-O1", "-w", "-Wno-narrowing"]
+OPTIONS = ["-O1", "-w", "-Wno-narrowing", "-D_GLIBCXX_ASSERTIONS"]  # an element beyond the last is an end, not a number
 ALONE_SECONDS = 1800
 
 
