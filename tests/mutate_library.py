@@ -58,8 +58,9 @@ AREAS = {
     "levels": Area(["transfer/proven_levels*", "transfer/two_waves*", "transfer/three_waves*", "transfer/arc.hpp",
                     "transfer/ellipse_cover.hpp", "transfer/level_bounds.hpp", "wave/*.cpp"], ["proven_levels", "three_waves"]),
     # the discretised operator of partial contact, and the first scales of heavy loads
-    "operator": Area(["transfer/chain*", "transfer/coefficients*", "transfer/contact*", "transfer/discretisation*", "transfer/fixed*", "transfer/gauss.hpp",
-                      "transfer/heavy_load*", "transfer/rule*", "transfer/series*", "transfer/wide_balls.hpp"], ["transfer", "heavy_load"]),
+    "operator": Area(["transfer/carried_errors*", "transfer/chain*", "transfer/coefficients*", "transfer/contact*", "transfer/discretisation*",
+                      "transfer/fixed*", "transfer/gauss.hpp", "transfer/heavy_load*", "transfer/moments*", "transfer/row_budget*", "transfer/rule*",
+                      "transfer/series*", "transfer/wide_balls.hpp"], ["transfer", "heavy_load"]),
     # what proves levels on meshes with full contact; how these are found (collocation, piecewise) and estimates (graded, full_contact) prove nothing
     "defects": Area(["transfer/defects*", "transfer/layer*", "transfer/level_zero*", "transfer/step_defect*", "transfer/wave_kernel*"],
                     ["layer", "proven_levels", "three_waves"]),

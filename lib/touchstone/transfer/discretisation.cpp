@@ -3,6 +3,7 @@
 
 #include "touchstone/scalar/binary64.hpp"
 #include "touchstone/scalar/refusal.hpp"
+#include "touchstone/transfer/moments.hpp"
 
 #include <fmt/format.h>
 
@@ -16,10 +17,8 @@ namespace touchstone::transfer {
 namespace {
 
 using Traits = ScalarTraits<Ball>;
-constexpr long longest_chain = 10'000; // levels for which c_m is provided for; c_m increases to its limit
+constexpr long longest_chain = 10'000;
 constexpr std::size_t steps_kept = 16;
-constexpr std::size_t most_powers = 7;  // |B|, |B^2|, ... |B^64|
-constexpr double up = 1 + 1e-9;        // covers the roundings of any of the double sums below, of < 10^6 terms
 
 double approximate(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NEAR); }
 double upper_double(const Ball& b)
@@ -27,6 +26,8 @@ double upper_double(const Ball& b)
     const Ball u = upper(b);
     return arf_get_d(arb_midref(u.get()), ARF_RND_UP);
 }
+/// e with |b| < 2^e, about
+slong exponent(const Ball& b) { return arf_abs_bound_lt_2exp_si(arb_midref(b.get())); }
 /// An upper bound of the radius, as an exact ball.
 Ball radius(const Ball& b)
 {
@@ -99,6 +100,27 @@ bool Discretisation::ellipse_is_inside(Scheme scheme, double mid, double half, d
                                             : certainly(less(length * (sum + 1 / sum), 2 * Ball::exactly(mid)));
 }
 
+Discretisation::Abscissa Discretisation::abscissa(const Ball& tau)
+{
+    Abscissa a{tau, radius(tau)};
+    if (!(std::fabs(approximate(tau)) < 1 - 0x1p-20)) { // what it is moved by to be inside counts as error
+        a.tau = at_least(at_most(tau, Ball(1)), Ball(-1));
+        a.moved = upper(abs(a.tau - tau));
+    }
+    arb_get_mid_arb(a.tau.get(), a.tau.get());
+    if (!certainly(less(a.moved, Traits::power_of_two(-30)))) throw BeyondReach("the load is below the reach of the grid");
+    return a;
+}
+
+/// c_m increases to its limit: c_{m+1}/c_m <= (G e/2)^(a_m), a_m = 2^(-m-1), so that beyond m = 128 it increases by less than a relative 2^-120.
+std::vector<Ball> Discretisation::magnitude_bounds(const Ball& G)
+{
+    const WorkingPrecision coarse(96);
+    std::vector<Ball> c = magnitudes(G, 128);
+    for (Ball& b : c) b = upper(b * (1 + Traits::power_of_two(-20)));
+    return c;
+}
+
 std::size_t Discretisation::size_for(Scheme scheme, const Ball& G, double accuracy, double deepest)
 {
     const std::vector<Block> blocks = grid(scheme, G, accuracy, accuracy, rule_end(scheme, G, accuracy), deepest);
@@ -117,14 +139,9 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     log_half_G_ = log(G_ / 2);
     const Ratios all{2 / G_, false};
 
-    {
-        // c_m increases to its limit within 64 levels up to a relative 2^-60; later ones are bounded by that
-        const WorkingPrecision coarse(96);
-        c_ = magnitudes(G_, 128);
-        for (Ball& c : c_) c = upper(c * (1 + Traits::power_of_two(-60)));
-        scale_ = Ball(1);
-        while (!certainly(less(c_.back(), scale_))) scale_ = scale_ * 2;
-    }
+    c_ = magnitude_bounds(G_);
+    scale_ = Ball(1);
+    while (!certainly(less(c_.back(), scale_))) scale_ = scale_ * 2;
     error_unit_ = static_cast<long>(accuracy / std::numbers::ln2);
 
     const double V = rule_end(scheme, G_, accuracy);
@@ -144,7 +161,7 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
             if (scheme == Scheme::force_weighted) s = exp(s);
             nodes_.push_back({exp(-s), s});
             // the blocks begin a little below log(G/2), the nodes must not: the rule is proven for ratios below 2/G
-            if (!certainly(less(nodes_.back().x, 2 / G_))) throw std::logic_error("transfer: a node's ratio is not below 2/G");
+            if (!rule_serves(nodes_.back().x)) throw std::logic_error("transfer: a node's ratio is not below 2/G");
         }
 
     rule_ = scheme == Scheme::force_weighted ? double_exponential_rule(G_, all, accuracy, V) : gauss_panel_rule(G_, all, accuracy, V);
@@ -152,25 +169,15 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
     to_coefficients_ = Coefficients(format_, blocks_.front().points);
     const auto limbs = static_cast<std::size_t>(format_.limbs());
     matrix_.reserve(N * N * limbs);
-    near_power_.resize(N * N);
-    majorant_.resize(N * N);
-    near_error_ = std::ldexp(1.0, -50);
-    std::vector<Row> rows;
+    const Resolution resolved = resolution();
+    std::vector<double> near(N), step_error;
     for (const Node& n : nodes_) {
-        Row r = row(n.x, n.s, rule_);
-        double *const near = &near_power_[rows.size() * N], *const majorant = &majorant_[rows.size() * N];
-        const double off = nodal(r.moments.data(), near) / near_error_; // so that near_error_ covers it, too
-        for (std::size_t j = 0; j < N; ++j) majorant[j] = std::fabs(near[j]) * up + off;
+        const Row r = row(n.x, n.s, rule_);
+        const double off = nodal(r.moments.data(), near);
+        carried_.add_row(near, off);
         matrix_.insert(matrix_.end(), r.moments.begin(), r.moments.end());
-        r.moments = {};
-        rows.push_back(std::move(r));
-    }
-    powers_.push_back(majorant_);
-    const Ball c_limit = c_.back();
-    const Ball rounding = scale_ * format_.unit();
-    for (std::size_t i = 0; i < N; ++i) {
-        const Budget b = budget(rows[i], nodes_[i].x, rule_);
-        step_error_.push_back(to_error_units(c_limit * b.total() + 2 * rounding));
+        const Budget b = resolved.budget(r.sums, rule_, n.x);
+        step_error.push_back(upper_double(c_.back() * b.total() * Traits::power_of_two(error_unit_)));
         worst_.rule = larger(worst_.rule, b.rule);
         worst_.truncation = larger(worst_.truncation, b.truncation);
         worst_.interpolation = larger(worst_.interpolation, b.interpolation);
@@ -178,95 +185,18 @@ Discretisation::Discretisation(Scheme scheme, const std::function<Ball()>& G_at,
         worst_.weights = larger(worst_.weights, b.weights);
         worst_.entries = larger(worst_.entries, b.entries);
     }
+    carried_.begin(std::move(step_error));
 }
 
-double Discretisation::to_error_units(const Ball& error) const
+Resolution Discretisation::resolution() const
 {
-    const double d = upper_double(error * Traits::power_of_two(error_unit_));
-    return (d + 1e-300) * up;
+    return {blocks_.front().points, blocks_.front().rho, nodes_.size(), format_.unit(), scale_};
 }
 
-namespace {
+const Ball& Discretisation::magnitude(long m) const { return c_.at(std::min(static_cast<std::size_t>(m), c_.size() - 1)); }
 
-/// How many of its lowest words a moment of order k can do without: coefficients of order k are below a multiple of rho^-k, so 2^(64 words) <= rho^k.
-std::vector<std::size_t> words_to_spare(double rho, long points)
-{
-    std::vector<std::size_t> spare;
-    const double bits = std::log2(rho) * (1 - 1e-12);
-    for (long k = 0; k < points; ++k) spare.push_back(static_cast<std::size_t>(static_cast<double>(k) * bits / 64));
-    return spare;
-}
-
-/// The sums of W T_k(tau), a node at a time, each term with the words that it needs.
-class Moments {
-public:
-    explicit Moments(const FixedFormat& format) : format_(format), limbs_(static_cast<std::size_t>(format.limbs())), tau_(limbs_), a_(limbs_), b_(limbs_), c_(limbs_), scratch_(2 * limbs_)
-    {
-        for (int m = 0; m <= format.limbs(); ++m) formats_.emplace_back(64L * m - FixedFormat::headroom);
-    }
-
-    /// U_0 = W, U_1 = tau W, U_{k+1} = 2 tau U_k - U_{k-1}, added to sum[k limbs]. In units of the lowest word kept a step is off by less than 2 (the product, and tau's words below), the words let go by 2.
-    void add(const Ball& weight, const Ball& tau, const std::vector<std::size_t>& spare, mp_limb_t* sum)
-    {
-        format_.put(tau_.data(), tau);
-        format_.put(a_.data(), weight);
-        std::size_t words = significant(a_.data()), gone = 0; // of U, above `gone`
-        mp_limb_t *before = a_.data(), *now = b_.data(), *next = c_.data();
-        multiply(now, before, words, 0);
-        add_at(sum, before, words, 0);
-        if (spare.size() > 1) add_at(sum + limbs_, now, words, 0);
-        for (std::size_t k = 2; k < spare.size(); ++k) {
-            if (const std::size_t drop = spare[k] - gone; drop > 0) {
-                if (drop >= words) return; // the rest is less than a unit
-                words -= drop;
-                gone = spare[k];
-                for (mp_limb_t* u : {before, now}) std::copy(u + drop, u + drop + words, u);
-            }
-            multiply(next, now, words, 1);
-            mpn_sub_n(next, next, before, static_cast<mp_size_t>(words));
-            add_at(sum + k * limbs_, next, words, gone);
-            mp_limb_t* const free = before;
-            before = now, now = next, next = free;
-        }
-    }
-
-private:
-    /// Words that hold it with 18 bits to spare.
-    std::size_t significant(const mp_limb_t* w) const
-    {
-        const mp_limb_t sign = w[limbs_ - 1] >> 63 ? ~mp_limb_t{0} : 0;
-        std::size_t top = limbs_;
-        while (top > 1 && w[top - 1] == sign) --top;
-        const mp_limb_t rest = w[top - 1] ^ sign;
-        return std::min(limbs_, top + (rest >> (64 - 18) ? 1 : 0));
-    }
-    void multiply(mp_limb_t* out, const mp_limb_t* u, std::size_t words, unsigned shift)
-    {
-        formats_[words].multiply(out, u, tau_.data() + (limbs_ - words), shift, scratch_.data());
-    }
-    void add_at(mp_limb_t* sum, const mp_limb_t* u, std::size_t words, std::size_t gone) const
-    {
-        const bool negative = u[words - 1] >> 63;
-        const mp_limb_t carry = mpn_add_n(sum + gone, sum + gone, u, static_cast<mp_size_t>(words));
-        const std::size_t above = gone + words;
-        if (above == limbs_ || negative == (carry != 0)) return;
-        if (negative) mpn_sub_1(sum + above, sum + above, static_cast<mp_size_t>(limbs_ - above), 1);
-        else mpn_add_1(sum + above, sum + above, static_cast<mp_size_t>(limbs_ - above), 1);
-    }
-
-    const FixedFormat& format_;
-    std::size_t limbs_;
-    std::vector<FixedFormat> formats_; ///< of so many words
-    std::vector<mp_limb_t> tau_, a_, b_, c_, scratch_;
-};
-
-/// e with |b| < 2^e
-slong exponent(const Ball& b)
-{
-    return arf_is_zero(arb_midref(b.get())) ? -ARF_PREC_EXACT / 2 : arf_abs_bound_lt_2exp_si(arb_midref(b.get()));
-}
-
-} // namespace
+/// Whether the rule for all ratios below 2/G is proven for this one.
+bool Discretisation::rule_serves(const Ball& x) const { return certainly(less(x, 2 / G_)); }
 
 /// The weights and abscissae of the step (R1) at ratio x = e^-s, and its moments sum_q W_q T_k(tau_q). A node of small weight needs fewer bits.
 Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule& rule) const
@@ -274,7 +204,7 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
     const auto limbs = static_cast<std::size_t>(format_.limbs());
     Row r;
     r.moments.assign(nodes_.size() * limbs, 0);
-    r.tau_error = r.weight_error = r.total = Ball(0);
+    r.sums.tau_error = r.sums.weight_error = r.sums.total = Ball(0);
     const Ball gap = 1 - x;
     const Ball half_G = G_ / 2, root_of_x = sqrt(x), outer = half_G * root_of_x, inner = root_of_x / half_G;
     const Ball root_outer = sqrt(outer), half_inner = half_G * sqrt(inner), before_log = log_half_G_ + s / 2;
@@ -282,8 +212,8 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
     for (const Block& b : blocks_) spare.push_back(words_to_spare(b.rho, b.points));
     Moments moments(format_);
     for (const Rule::Node& q : rule.nodes) {
-        const slong size = scheme_ == Scheme::force_weighted ? exponent(q.force_weight) + exponent(root_outer) : exponent(q.area_weight) + exponent(half_inner);
-        const WorkingPrecision needed(std::clamp(bits_ + size + 16, slong{96}, bits_));
+        const Ball size = scheme_ == Scheme::force_weighted ? q.force_weight * root_outer : q.area_weight * half_inner; // of the weight, at least
+        const WorkingPrecision needed(std::clamp(bits_ + exponent(size) + 16, slong{96}, bits_));
         const Ball root = sqrt(1 + gap * q.sinh_squared);
         Ball s_y, weight;
         if (scheme_ == Scheme::force_weighted) { // g of (R1), with x/y = (G/2) x^(1/2) cosh^2 v / root
@@ -300,107 +230,24 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
         const double near = approximate(variable);
         const auto at = std::find_if(blocks_.begin(), std::prev(blocks_.end()), [&](const Block& b) { return near <= b.mid + b.half; });
         const Block& block = *at; // the last if beyond it: refused below
-        Ball t = (variable - Ball::exactly(block.mid)) / Ball::exactly(block.half);
-        Ball moved = radius(t);
-        if (!(std::fabs(approximate(t)) < 1 - 0x1p-20)) { // tau is taken inside [-1, 1]; what that moves it by counts as error
-            const Ball inside = at_least(at_most(t, Ball(1)), Ball(-1));
-            moved = upper(abs(inside - t));
-            t = inside;
-        }
-        if (!certainly(less(moved, Traits::power_of_two(-30))))
-            throw BeyondReach("the load is below the reach of the grid");
+        const Abscissa t = abscissa((variable - Ball::exactly(block.mid)) / Ball::exactly(block.half));
         const Ball most = upper(weight); // weights are positive
-        r.tau_error = upper(r.tau_error + most * moved);
-        r.weight_error = larger(r.weight_error, upper(radius(weight)));
-        r.total = upper(r.total + most);
-        ++r.terms;
-        moments.add(weight, t, spare[static_cast<std::size_t>(std::distance(blocks_.begin(), at))], &r.moments[block.first * limbs]);
+        r.sums.tau_error = upper(r.sums.tau_error + most * t.moved);
+        r.sums.weight_error = larger(r.sums.weight_error, upper(radius(weight)));
+        r.sums.total = upper(r.sums.total + most);
+        ++r.sums.terms;
+        moments.add(weight, t.tau, spare[static_cast<std::size_t>(std::distance(blocks_.begin(), at))], &r.moments[block.first * limbs]);
     }
     return r;
 }
 
 /// A row of moments as one of nodal values. \returns what those are off by beyond a relative 2^-52
-double Discretisation::nodal(const mp_limb_t* moments, double* near) const
+double Discretisation::nodal(const mp_limb_t* moments, std::vector<double>& near) const
 {
     double off = 0;
     for (const Block& b : blocks_)
-        off = std::max(off, to_coefficients_.row(moments + b.first * static_cast<std::size_t>(format_.limbs()), near + b.first));
+        off = std::max(off, to_coefficients_.row(moments + b.first * static_cast<std::size_t>(format_.limbs()), &near[b.first]));
     return off;
-}
-
-/// Coefficients of the interpolant of what is at most 1 on the ellipses are below this times rho^-k, aliases and all.
-Ball Discretisation::coefficient_bound() const
-{
-    const Ball rho = Ball::exactly(blocks_.front().rho);
-    return upper(2 + 4 / (rho * rho - 1));
-}
-
-Budget Discretisation::budget(const Row& r, const Ball& x, const Rule& rule) const
-{
-    const WorkingPrecision coarse(64);
-    const long p = blocks_.front().points;
-    const Ball rho = Ball::exactly(blocks_.front().rho), u = format_.unit();
-    const Ball total = upper(r.total + r.terms * (r.weight_error + u)); // of the weights as rounded
-    Budget b;
-    const Ball fourth_root = sqrt(sqrt(x));
-    b.rule = upper(rule.discretisation * fourth_root);
-    b.truncation = upper(rule.truncation * fourth_root);
-    b.interpolation = upper(total * 4 * pow(rho, Ball(1 - p)) / (rho - 1));
-    b.abscissae = upper((r.tau_error + total * u) / ((rho + 1 / rho) / 2 - 1 - Traits::power_of_two(-29)));
-    b.weights = upper(r.terms * (r.weight_error + u));
-    // A moment of order k is off by 4 u rho^k p^2 a term (Moments) and meets a coefficient of at most c_m coefficient_bound() rho^-k.
-    // The computed coefficients are off by `rounding`, and a row's moments add up to p total and what those are off by.
-    const Ball moment = r.terms * 4 * u * p * p, rounding = (4 * p + 1 + scale_) * u;
-    const Ball moments = p * total + static_cast<long>(nodes_.size()) * moment * pow(rho, Ball(p));
-    b.entries = upper(p * moment * coefficient_bound() + moments * rounding);
-    return b;
-}
-
-/// From |B^p| to |B^2p|. near_power_ = B^p + D with |D| <= near_error_ majorant_, majorant_ = |B|^p:
-/// the product of two such is off by (2 near_error_ + near_error_^2) majorant_^2 and its own rounding.
-void Discretisation::square_power()
-{
-    const std::size_t N = nodes_.size();
-    std::vector<double> near(N * N), majorant(N * N);
-    for (std::size_t i = 0; i < N; ++i)
-        for (std::size_t k = 0; k < N; ++k) {
-            const double a = near_power_[i * N + k], b = majorant_[i * N + k];
-            for (std::size_t j = 0; j < N; ++j) near[i * N + j] += a * near_power_[k * N + j];
-            for (std::size_t j = 0; j < N; ++j) majorant[i * N + j] += b * majorant_[k * N + j];
-        }
-    near_error_ = 2.1 * near_error_ + static_cast<double>(N + 4) * std::ldexp(1.0, -52);
-    std::vector<double> modulus(N * N);
-    for (std::size_t k = 0; k < N * N; ++k) {
-        majorant[k] *= up;
-        modulus[k] = (std::fabs(near[k]) + near_error_ * majorant[k]) * up;
-    }
-    near_power_ = std::move(near);
-    majorant_ = std::move(majorant);
-    powers_.push_back(std::move(modulus));
-}
-
-/// W(level + 1)
-std::vector<double> Discretisation::errors_of(std::size_t level)
-{
-    const std::size_t terms = level + 1, N = nodes_.size();
-    if (terms == 1) return step_error_;
-    // a further power is worth its cost once the bounds have grown by three digits, four, ...
-    const double growth = *std::max_element(levels_.back().errors.begin(), levels_.back().errors.end())
-                        / *std::max_element(step_error_.begin(), step_error_.end());
-    if (powers_.size() < most_powers && growth > std::pow(10.0, static_cast<double>(powers_.size() + 2)) && terms >= (std::size_t{2} << powers_.size()))
-        square_power();
-    std::size_t r = powers_.size() - 1;
-    while ((std::size_t{1} << r) > terms / 2) --r;
-    const std::size_t p = std::size_t{1} << r;
-    const std::vector<double>& rest = levels_[terms - p - 1].errors; // W(terms - p)
-    const std::vector<double>& sum = levels_[p - 1].errors;          // W(p)
-    std::vector<double> e(N);
-    for (std::size_t i = 0; i < N; ++i) {
-        double total = 0;
-        for (std::size_t j = 0; j < N; ++j) total += powers_[r][i * N + j] * rest[j];
-        e[i] = (total * up + sum[i]) * up;
-    }
-    return e;
 }
 
 void Discretisation::extend_to(long n)
@@ -408,9 +255,8 @@ void Discretisation::extend_to(long n)
     const WorkingPrecision precision(bits_);
     const std::size_t N = nodes_.size();
     const auto limbs = static_cast<std::size_t>(format_.limbs());
-    if (n > longest_chain) throw BeyondReach("n must be at most 10000");
+    if (n >= longest_chain) throw BeyondReach("n must be at most 10000");
     while (static_cast<long>(levels_.size()) <= n) {
-        Level l;
         std::vector<mp_limb_t> values(N * limbs);
         for (std::size_t i = 0; i < N; ++i)
             if (levels_.empty()) { // F_0 = (2/pi) arcsin(sqrt x)/sqrt x
@@ -419,30 +265,35 @@ void Discretisation::extend_to(long n)
                 format_.put(&values[i * limbs], F);
                 if (!certainly(less(radius(F), format_.unit()))) throw std::logic_error("transfer: F_0 is not accurate to a unit");
             }
-            else format_.put(&values[i * limbs], format_.dot(&matrix_[i * N * limbs], levels_.back().coefficients.data(), N));
-        l.errors = errors_of(levels_.size());
-        const double largest = *std::max_element(l.errors.begin(), l.errors.end());
-        if (!(largest < std::ldexp(1.0, static_cast<int>(error_unit_)))) // roundings are counted for values of at most 2 c_m
+            else format_.put(&values[i * limbs], format_.dot(&matrix_[i * N * limbs], levels_.back().data(), N));
+        const std::vector<double>& errors = carried_.at(levels_.size());
+        const double most = std::ldexp(1.0, static_cast<int>(error_unit_));
+        if (!std::all_of(errors.begin(), errors.end(), [&](double e) { return e < most; })) // roundings are counted for values of at most 2 c_m
             throw ErrorsHaveOutgrown("errors have outgrown the values over so many scales");
-        l.coefficients.resize(values.size());
-        for (const Block& b : blocks_) to_coefficients_.of(&values[b.first * limbs], &l.coefficients[b.first * limbs]);
-        levels_.push_back(std::move(l));
+        std::vector<mp_limb_t> coefficients(values.size());
+        for (const Block& b : blocks_) to_coefficients_.of(&values[b.first * limbs], &coefficients[b.first * limbs]);
+        levels_.push_back(std::move(coefficients));
     }
 }
 
-/// The rows of all points, moments added up: a moment of the sum is off by what each w_i and each product is, (rad w_i + u) sum_q W + u.
+Ratios Discretisation::ratios_of(const std::vector<Point>& points)
+{
+    if (points.size() == 1) return {points.front().x, true};
+    Ball highest(0);
+    for (const Point& point : points) highest = larger(highest, upper(point.x));
+    return {highest, false};
+}
+
+/// The rows of all points, moments added up.
 Discretisation::Functional Discretisation::functional(const std::vector<Point>& points)
 {
     const WorkingPrecision precision(bits_);
     const auto limbs = static_cast<std::size_t>(format_.limbs());
     const std::size_t N = nodes_.size();
-    const Ball u = format_.unit();
+    const Resolution resolved = resolution();
     std::vector<mp_limb_t> moments(N * limbs), weight(limbs), product(limbs), scratch(2 * limbs);
     Functional f;
     f.first = f.budget = Ball(0);
-    Ball rounding(0), highest(0);
-    for (const Point& point : points) highest = larger(highest, point.x);
-    if (points.size() > 1) highest = upper(highest);
     std::optional<Rule> beyond; // for ratios above 2/G
     for (const Point& point : points) {
         const Ball& x = point.x;
@@ -453,13 +304,12 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
                 format_.multiply(product.data(), &r.moments[k * limbs], weight.data(), 0, scratch.data());
                 mpn_add_n(&moments[k * limbs], &moments[k * limbs], product.data(), static_cast<mp_size_t>(limbs));
             }
-            f.budget = upper(f.budget + abs(point.weight) * budget(r, x, rule).total());
-            rounding += upper((radius(point.weight) + u) * (1 + r.total) + u);
+            f.budget = upper(f.budget + abs(point.weight) * resolved.budget(r.sums, rule, x).total() + resolved.weighting(r.sums, radius(point.weight)));
         };
-        if (certainly(less(x, 2 / G_))) add(rule_);
+        if (rule_serves(x)) add(rule_);
         else {
             if (!beyond) {
-                const Ratios ratios{highest, points.size() == 1};
+                const Ratios ratios = ratios_of(points);
                 const double V = cut_off(ratios, accuracy_);
                 beyond = scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, ratios, accuracy_, V) : gauss_panel_rule(G_, ratios, accuracy_, V);
             }
@@ -467,10 +317,9 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
         }
         f.first += point.weight * 2 * asin(sqrt(x)) / (Traits::pi() * sqrt(x));
     }
-    f.budget = upper(f.budget + static_cast<long>(N) * rounding * coefficient_bound());
-    f.modulus.resize(N);
-    const double off = nodal(moments.data(), f.modulus.data());
-    for (double& w : f.modulus) w = (std::fabs(w) + off) * up;
+    std::vector<double> near(N);
+    const double off = nodal(moments.data(), near);
+    f.modulus = moduli(near, off);
     f.moments = std::move(moments);
     return f;
 }
@@ -506,30 +355,28 @@ Ball Discretisation::apply(const Functional& f, long n)
     return value(f, n);
 }
 
-/// Level n - 1 to level n. \pre n >= 1
-Ball Discretisation::value(const Functional& f, long n) const
+/// Level n - 1 to level n. \pre n >= 1, levels up to n - 1 are there
+Ball Discretisation::value(const Functional& f, long n)
 {
-    const Level& level = levels_[static_cast<std::size_t>(n - 1)];
-    Ball F = scale_ * format_.dot(f.moments.data(), level.coefficients.data(), nodes_.size());
-    double carried = 0;
-    for (std::size_t j = 0; j < nodes_.size(); ++j) carried += f.modulus[j] * level.errors[j];
+    const auto level = static_cast<std::size_t>(n - 1);
+    Ball F = scale_ * format_.dot(f.moments.data(), levels_.at(level).data(), nodes_.size());
+    const double carried = carried_.into(f.modulus, level);
     const WorkingPrecision coarse(64);
-    const std::size_t m = std::min(static_cast<std::size_t>(n - 1), c_.size() - 1);
-    const Ball error = c_[m] * f.budget + Ball::exactly(carried * up) * Traits::power_of_two(-error_unit_);
+    const Ball error = magnitude(n - 1) * f.budget + Ball::exactly(carried) * Traits::power_of_two(-error_unit_);
     arb_add_error(F.get(), upper(error).get());
     return F;
 }
 
 std::size_t Discretisation::memory() const
 {
-    return 8 * (matrix_.size() + (powers_.size() + 2) * near_power_.size())
-         + (levels_.empty() ? 0 : levels_.size() * 8 * (levels_[0].coefficients.size() + levels_[0].errors.size()));
+    return carried_.memory() + 8 * (matrix_.size() + (levels_.empty() ? 0 : levels_.size() * levels_[0].size()));
 }
 
 std::string Discretisation::certificate(long n)
 {
     const std::lock_guard lock(mutex_);
-    extend_to(std::max(n - 1, 0L));
+    const long levels = std::max(n, 1L);
+    extend_to(levels - 1);
     const auto show = [](const Ball& b) { return Ball(b).to_string(3); };
     std::string text = fmt::format("{}: {} nodes in {} block(s) of {}, ellipse rho = {:.4g}; {}\n",
                                    scheme_ == Scheme::force_weighted ? "force-weighted" : "area", nodes_.size(), blocks_.size(),
@@ -537,9 +384,9 @@ std::string Discretisation::certificate(long n)
     text += fmt::format("  one step adds at most, relative to |F_m| <= c_m: rule {}, cut-off {}, interpolation {}, abscissae {}, weights {}, entries {}\n",
                         show(worst_.rule), show(worst_.truncation), show(worst_.interpolation), show(worst_.abscissae),
                         show(worst_.weights), show(worst_.entries));
-    for (long m = 0; m < std::max(n, 1L); ++m) {
-        const auto& e = levels_[static_cast<std::size_t>(m)].errors;
-        text += fmt::format("  level {}: |F_{}| <= {}, error <= {} at every node\n", m, m, show(c_[std::min(static_cast<std::size_t>(m), c_.size() - 1)]),
+    for (long m = 0; m < levels; ++m) {
+        const std::vector<double>& e = carried_.at(static_cast<std::size_t>(m));
+        text += fmt::format("  level {}: |F_{}| <= {}, error <= {} at every node\n", m, m, show(magnitude(m)),
                             show(Ball::exactly(*std::max_element(e.begin(), e.end())) * Traits::power_of_two(-error_unit_)));
     }
     return text;

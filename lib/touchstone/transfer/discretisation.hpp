@@ -18,22 +18,20 @@
 ///  3. the point where the interpolant is evaluated, off by dtau: sum_q W_iq dtau c_m/((rho + 1/rho)/2 - 1), Cauchy's bound of F';
 ///  4. the weights, off by dW: (number of nodes) dW c_m;
 ///  5. rounding. A moment of order k only ever meets a coefficient of the interpolant of F, at most 2 c_m (1 + 2/(rho^2 - 1)) rho^-k, aliases and
-///     all: so it is summed in units u rho^k, words below that let go. An error of 4 units in each step of the recurrence contributes at
-///     most 4 (k - j + 1), so it is off by (nodes) 4 u rho^k p^2. And coefficients as computed are off: budget().
+///     all: so it is summed in units u rho^k (moments.hpp), and is off by (nodes) 4 u rho^k p^2. And coefficients as computed are off: row_budget.hpp.
 /// All five are computed for every row and added up in balls.
 ///
 /// **Errors over n steps.** With B = M C, M as computed: e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases to its
-/// limit), so e_n is a sum of n + 1 terms B^j a. Let W(k) bound |sum of k such terms|, in every component:
-/// W(1) = alpha and W(k + p) = |B^p| W(k) + W(p), for p the largest power of two up to k that |B^p| is kept for.
-/// |B| alone has a spectral radius of 1.05 to 2 and more, for large G; high powers come down to |rank one|. No stability theory is used:
-/// the |B^p| and the W(k) are computed, in `double`, each rounded up by more than its own rounding errors.
+/// limit): carried_errors.hpp.
 ///
 /// **Cost.** Rows: N x nodes x p products of fixed-point numbers, most of them short: a term of weight W and order k has the words of W rho^-k; then N^2 products for each level and
 /// p x nodes for each load. N and the nodes grow like the number of digits. B itself is only needed for the errors, in binary64.
 #pragma once
 
 #include "touchstone/scalar/refusal.hpp"
+#include "touchstone/transfer/carried_errors.hpp"
 #include "touchstone/transfer/coefficients.hpp"
+#include "touchstone/transfer/row_budget.hpp"
 #include "touchstone/transfer/rule.hpp"
 
 #include <functional>
@@ -45,12 +43,6 @@
 namespace touchstone::transfer {
 
 enum class Scheme { force_weighted, area };
-
-/// How the error bound of one value is made up; each part bounds |error of F|.
-struct Budget {
-    Ball rule, truncation, interpolation, abscissae, weights, entries;
-    Ball total() const { return rule + truncation + interpolation + abscissae + weights + entries; }
-};
 
 /// The errors of a level are no longer below the values; more digits help.
 class ErrorsHaveOutgrown : public BeyondReach {
@@ -72,6 +64,13 @@ public:
 
     /// Whether the ellipse E_rho about mid +- half of a scheme's variable is proven inside Re s > 0.
     static bool ellipse_is_inside(Scheme, double mid, double half, double rho);
+    struct Abscissa {
+        Ball tau, moved; ///< exact, |tau| <= 1, at most `moved` from what it stands for: below 2^-30, as the budget of abscissae takes for granted
+    };
+    /// \throws BeyondReach where it is further outside of [-1, 1], or known to less
+    static Abscissa abscissa(const Ball& tau);
+    /// Bounds of c_0, c_1, ...: the last is one of all further c_m, too.
+    static std::vector<Ball> magnitude_bounds(const Ball& G);
 
     /// The precision in bits that G and loads should be given with.
     slong bits() const { return bits_; }
@@ -92,6 +91,7 @@ public:
         Ball budget;                    ///< the row's error, divided by c_m
     };
     Functional functional(const std::vector<Point>&);
+    static Ratios ratios_of(const std::vector<Point>&); ///< what one rule is to serve
     Ball apply(const Functional&, long n);
 
     /// The certificate: parameters, error budget of a row, and the proven error level by level up to n.
@@ -115,13 +115,7 @@ private:
     };
     struct Row {
         std::vector<mp_limb_t> moments; ///< sum_q W T_k(tau), by block
-        Ball total;                     ///< sum_q W
-        Ball tau_error, weight_error; ///< sum_q W dtau_q, and the largest of dW_q
-        long terms = 0;
-    };
-    struct Level {
-        std::vector<mp_limb_t> coefficients; ///< of the polynomials through the values of F_m/scale at the nodes, by block
-        std::vector<double> errors;          ///< W(m + 1): bounds of the errors of those values, in units 2^-error_unit_
+        RowSums sums;
     };
 
     static FixedFormat format_for(double accuracy);
@@ -133,16 +127,13 @@ private:
         Functional row;
     };
     const Functional& step_to(const Ball& x);
-    Ball value(const Functional&, long n) const;
+    Ball value(const Functional&, long n);
     Row row(const Ball& x, const Ball& s, const Rule&) const;
-    /// The row's error bound, divided by c_m, apart from what the level's values carry.
-    Budget budget(const Row&, const Ball& x, const Rule&) const;
-    Ball coefficient_bound() const;
-    double nodal(const mp_limb_t* moments, double* near) const;
+    Resolution resolution() const;
+    const Ball& magnitude(long m) const;
+    bool rule_serves(const Ball& x) const;
+    double nodal(const mp_limb_t* moments, std::vector<double>& near) const;
     void extend_to(long n);
-    void square_power();
-    std::vector<double> errors_of(std::size_t level);
-    double to_error_units(const Ball&) const;
 
     Scheme scheme_;
     double accuracy_;
@@ -155,16 +146,12 @@ private:
     std::vector<Node> nodes_;
     std::vector<mp_limb_t> matrix_;       ///< the rows' moments, N x N fixed-point numbers
     Coefficients to_coefficients_;        ///< of every block
-    std::vector<std::vector<double>> powers_; ///< |B^(2^r)|, rounded up; r > 0 made when needed
-    std::vector<double> near_power_;      ///< the last power itself, to a relative near_error_ of majorant_
-    std::vector<double> majorant_;        ///< |B|^(2^r)
-    double near_error_ = 0;
-    std::vector<double> step_error_;      ///< alpha, in error units
+    CarriedErrors carried_;               ///< in units 2^-error_unit_
     Budget worst_;                        ///< componentwise largest over the rows
-    std::vector<Ball> c_;
-    Ball scale_;                          ///< power of two >= every c_m in use
+    std::vector<Ball> c_;                 ///< magnitude_bounds
+    Ball scale_;                          ///< power of two >= every c_m
     long error_unit_;
-    std::vector<Level> levels_;
+    std::vector<std::vector<mp_limb_t>> levels_; ///< coefficients of the polynomials through the values of F_m/scale at the nodes, by block
     std::list<Step> steps_; ///< most recently used first
     std::mutex mutex_;
 };

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Sums of W_q T_k(tau_q) in fixed-point numbers, each term with the words that it needs. Internal to transfer/.
+///
+/// U_0 = W, U_1 = tau W, U_{k+1} = 2 tau U_k - U_{k-1}. A moment of order k only meets a coefficient below a multiple of rho^-k, so it is summed in
+/// units u rho^k at most, words below that let go. In units of the lowest word kept a step is off by less than 2 (the product, and tau's words below
+/// those of U), and what is let go of U_k and U_{k-1} moves U_{k+n} by less than 2 (n + 1): |U_n(tau)| <= n + 1 for Chebyshev's polynomials of the
+/// second kind. So order k is off by less than sum_{2 <= j <= k} 4 (k - j + 1) + 2 k = 2 k^2 units, apart from what W and tau as rounded are off by.
+#pragma once
+
+#include "touchstone/transfer/fixed.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace touchstone::transfer {
+
+/// How many of its lowest words a moment of order k < points can do without: 2^(64 words) <= rho^k.
+std::vector<std::size_t> words_to_spare(double rho, long points);
+
+class Moments {
+public:
+    explicit Moments(const FixedFormat& format);
+    /// Adds W T_k(tau) to sum[k limbs], k below the number of `spare`. W >= 0, |tau| <= 1; their midpoints are taken, rounded down to the format.
+    void add(const Ball& weight, const Ball& tau, const std::vector<std::size_t>& spare, mp_limb_t* sum);
+
+    /// How many of `limbs` words, from the lowest, hold a number that is not negative with 18 bits to spare, if that many are there.
+    static std::size_t significant(const mp_limb_t* number, std::size_t limbs);
+    /// sum += 2^(64 gone) u, in two's complement of `limbs` and `words` words. \pre gone + words <= limbs
+    static void add_at(mp_limb_t* sum, std::size_t limbs, const mp_limb_t* u, std::size_t words, std::size_t gone);
+
+private:
+    void multiply(mp_limb_t* out, const mp_limb_t* u, std::size_t words, unsigned shift);
+
+    const FixedFormat& format_;
+    std::size_t limbs_;
+    std::vector<FixedFormat> formats_; ///< of so many words
+    std::vector<mp_limb_t> tau_, a_, b_, c_, scratch_;
+};
+
+} // namespace touchstone::transfer
