@@ -94,8 +94,7 @@ TEST_CASE("coefficients of the polynomial through values, and a row of moments b
     const unsigned long seed = 20261123;
     CAPTURE(seed);
     std::mt19937_64 engine(seed);
-    for (const long p : {1L, 5L, 8L, 61L, 214L}) {
-        const FixedFormat f(290);
+    const auto check = [&](long p, const FixedFormat& f) {
         const WorkingPrecision precision(f.fraction() + 24);
         const Coefficients C(f, p);
         const auto n = static_cast<std::size_t>(f.limbs()), terms = static_cast<std::size_t>(p);
@@ -107,8 +106,10 @@ TEST_CASE("coefficients of the polynomial through values, and a row of moments b
         for (std::size_t j = 0; j < terms; ++j) f.put(&small[j * n], random_value(engine, f, -140));
         std::vector<double> near(terms), near_small(terms);
         const double off = C.row(values.data(), near.data()), off_small = C.row(small.data(), near_small.data());
-        CHECK(off < std::ldexp(1.0, -78));
-        CHECK(off_small < std::ldexp(1.0, -218));
+        if (f.limbs() > 4) {
+            CHECK(off < std::ldexp(1.0, -78));
+            CHECK(off_small < std::ldexp(1.0, -218));
+        }
         const WorkingPrecision wide(800);
         for (std::size_t k = 0; k < terms; ++k) {
             CAPTURE(p);
@@ -131,7 +132,9 @@ TEST_CASE("coefficients of the polynomial through values, and a row of moments b
             CHECK(within(near[k], nodal, off));
             CHECK(within(near_small[k], nodal_small, off_small));
         }
-    }
+    };
+    for (const long p : {1L, 5L, 8L, 61L, 214L}) check(p, FixedFormat(290));
+    for (const long fraction : {40L, 100L, 160L}) check(8, FixedFormat(fraction)); // words that are there, and no more
 }
 
 TEST_CASE("moments beyond what binary64 holds have a bound that does not")

@@ -372,6 +372,8 @@ TEST_CASE("the kernels are within their bounds, on the real line and on the elli
             return partial_kernel_bound(G, std::sqrt(u), right, from_high, largest);
         };
         for (const double y : {1e-8, 1e-7, 0.01, 0.2, end - 0.01, end - 1e-9}) CHECK(std::abs(partial(y)) <= bound(y, end - y, y));
+        // as x^(-1/4), all else being equal: x - G^2 y^2/4 >= (G/2) x^(1/2) times the distance from the end
+        CHECK(partial_kernel_bound(G, 1. / 16, 0.1, 0.2, 0.3) == doctest::Approx(4 * partial_kernel_bound(G, 1, 0.1, 0.2, 0.3)).scale(0));
         if (near_one == 1e-9)
             for (const double y : {1e-7, 1e-6}) CHECK(bound(y, end - y, y) <= (1.00001 + 0.02 * y / 1e-6) * std::abs(partial(y)));
         for (const double v : {1e-4, 0.1}) { // at the ends, in v

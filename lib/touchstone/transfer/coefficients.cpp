@@ -23,8 +23,11 @@ Coefficients::Coefficients(const FixedFormat& format, long p)
         near.set(m, to_real(c));
     }
     for (std::size_t k = 0; k < terms_; ++k)
-        for (std::size_t j = 0; j < terms_; ++j)
-            near_.set(k * columns_ + j, near[k * (2 * j + 1) % (4 * terms_)] * (k == 0 ? 0.5 : 1));
+        for (std::size_t j = 0; j < terms_; ++j) {
+            const Real c = near[k * (2 * j + 1) % (4 * terms_)] * (k == 0 ? 0.5 : 1);
+            near_.high.at(k * columns_ + j) = c.high;
+            near_.low.at(k * columns_ + j) = c.low;
+        }
 }
 
 void Coefficients::of(const mp_limb_t* values, mp_limb_t* coefficients) const
@@ -81,7 +84,8 @@ Real leading_words(const mp_limb_t* number, std::size_t limbs, std::size_t top)
 {
     const bool below_zero = negative(number, limbs);
     Real sum;
-    for (std::size_t word = top; word > 0 && word + words_taken > top; --word) {
+    std::size_t word = top;
+    for (std::size_t taken = std::min(top, words_taken); taken > 0; --taken, --word) {
         const mp_limb_t digits = below_zero ? ~number[word - 1] : number[word - 1]; // the last unit does not count
         const int unit = FixedFormat::headroom - 64 * static_cast<int>(limbs - (word - 1));
         sum += std::ldexp(static_cast<double>(digits >> 32), unit + 32);
