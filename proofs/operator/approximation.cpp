@@ -143,7 +143,7 @@ std::vector<OwnClaim> approximation_claims()
     return {
         {"approximation.interpolation",
          "a polynomial through p Chebyshev points is off by at most {0} M rho^-(p-1)/(rho - 1)",
-         "discretisation.cpp, from_the_edge/levels.cpp, heavy_load.cpp, layer.cpp",
+         "row_budget.cpp, from_the_edge/levels.cpp, heavy_load.cpp, layer.cpp",
          {{"constant", 4}},
          interpolation,
          {{0, 3.9}}},
@@ -181,7 +181,7 @@ std::vector<OwnClaim> approximation_claims()
         {"approximation.growth", "|local| <= {0} is inside the ellipse of rho = 6", "layer.cpp", {{"radius", 2.916}}, growth, {{0, 2.917}}},
         {"approximation.cauchy",
          "the ellipse is at least {0} ((rho + 1/rho)/2 - 1) away from [-1, 1]",
-         "discretisation.cpp, heavy_load.cpp",
+         "row_budget.cpp, heavy_load.cpp",
          {{"factor", 1}},
          cauchy,
          {{0, 2.1}}},

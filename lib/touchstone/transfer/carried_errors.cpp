@@ -36,7 +36,8 @@ void CarriedErrors::begin(std::vector<double> alpha)
     errors_.push_back(std::move(alpha));
 }
 
-/// near_ = B^p + D with |D| <= off_ majorant_, majorant_ >= |B|^p: the product of two such is off by (2 off_ + off_^2) majorant_^2 and its own rounding.
+/// near_ = B^p + D with |D| <= off_ majorant_, majorant_ >= |B|^p: the product of two such is off by (2 off_ + off_^2) majorant_^2 and
+/// its own rounding.
 void CarriedErrors::square()
 {
     const std::size_t N = errors_.front().size();
@@ -62,9 +63,10 @@ const std::vector<double>& CarriedErrors::at(std::size_t level)
 {
     while (errors_.size() <= level) {
         const std::size_t terms = errors_.size() + 1;
-        // A further power is worth its cost once the bounds have grown by three digits, four, ...; it is taken for twice as many terms and more.
+        // A further power is worth its cost once the bounds have grown by three digits, four, ...; it takes twice as many terms.
         const double growth = largest(errors_.back()) / largest(errors_.front());
-        if (powers_.size() < most_powers && growth > std::pow(10.0, static_cast<double>(powers_.size() + 2)) && terms >= (std::size_t{2} << powers_.size()))
+        if (powers_.size() < most_powers && growth > std::pow(10.0, static_cast<double>(powers_.size() + 2))
+            && terms >= (std::size_t{2} << powers_.size()))
             square();
         const std::vector<double>& power = powers_.back();
         const std::size_t p = std::size_t{1} << (powers_.size() - 1), N = errors_.front().size();

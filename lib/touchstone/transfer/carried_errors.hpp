@@ -2,12 +2,13 @@
 /// \file
 /// How large the errors of a level's nodal values become over many levels, in binary64, rounded up. Internal to transfer/.
 ///
-/// e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, so e_n is a sum of n + 1 terms B^j a. Let W(k) bound |sum of k such terms|, in every component:
-/// W(1) = alpha and W(k + p) = |B^p| W(k) + W(p), for the largest power of two p that |B^p| has been made for. |B| alone has a spectral radius of 1.05
-/// to 2 and more, for large G; high powers come down to |rank one|. No stability theory is used: the |B^p| and the W(k) are computed.
+/// e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, so e_n is a sum of n + 1 terms B^j a. Let W(k) bound |sum of k such terms|, in every
+/// component: W(1) = alpha and W(k + p) = |B^p| W(k) + W(p), for the largest power of two p that |B^p| has been made for. |B| alone has a
+/// spectral radius of 1.05 to 2 and more, for large G; high powers come down to |rank one|. No stability theory is used: the |B^p| and
+/// the W(k) are computed.
 ///
-/// Sums are of at most 4000 products: they lose less than 2^-40 of the sum of moduli, for which there is a factor, and less than 2^-1062 where products
-/// are below 2^-1022, which is covered since bounds of |B|^p are at least 2^-400 and those of errors at least 2^-900.
+/// Sums are of at most 4000 products: they lose less than 2^-40 of the sum of moduli, for which there is a factor, and less than 2^-1062
+/// where products are below 2^-1022, which is covered since bounds of |B|^p are at least 2^-400 and those of errors at least 2^-900.
 #pragma once
 
 #include <cstddef>

@@ -112,7 +112,7 @@ Discretisation::Abscissa Discretisation::abscissa(const Ball& tau)
     return a;
 }
 
-/// c_m increases to its limit: c_{m+1}/c_m <= (G e/2)^(a_m), a_m = 2^(-m-1), so that beyond m = 128 it increases by less than a relative 2^-120.
+/// c_m increases to its limit, from m = 128 on by less than 2^-60 of itself (wave::size_limit). 2^-20 is more than that.
 std::vector<Ball> Discretisation::magnitude_bounds(const Ball& G)
 {
     const WorkingPrecision coarse(96);
@@ -212,7 +212,8 @@ Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule
     for (const Block& b : blocks_) spare.push_back(words_to_spare(b.rho, b.points));
     Moments moments(format_);
     for (const Rule::Node& q : rule.nodes) {
-        const Ball size = scheme_ == Scheme::force_weighted ? q.force_weight * root_outer : q.area_weight * half_inner; // of the weight, at least
+        // of the weight, or more
+        const Ball size = scheme_ == Scheme::force_weighted ? q.force_weight * root_outer : q.area_weight * half_inner;
         const WorkingPrecision needed(std::clamp(bits_ + exponent(size) + 16, slong{96}, bits_));
         const Ball root = sqrt(1 + gap * q.sinh_squared);
         Ball s_y, weight;
@@ -268,7 +269,8 @@ void Discretisation::extend_to(long n)
             else format_.put(&values[i * limbs], format_.dot(&matrix_[i * N * limbs], levels_.back().data(), N));
         const std::vector<double>& errors = carried_.at(levels_.size());
         const double most = std::ldexp(1.0, static_cast<int>(error_unit_));
-        if (!std::all_of(errors.begin(), errors.end(), [&](double e) { return e < most; })) // roundings are counted for values of at most 2 c_m
+        // roundings are counted for values of at most 2 c_m
+        if (!std::all_of(errors.begin(), errors.end(), [&](double e) { return e < most; }))
             throw ErrorsHaveOutgrown("errors have outgrown the values over so many scales");
         std::vector<mp_limb_t> coefficients(values.size());
         for (const Block& b : blocks_) to_coefficients_.of(&values[b.first * limbs], &coefficients[b.first * limbs]);
@@ -304,7 +306,8 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
                 format_.multiply(product.data(), &r.moments[k * limbs], weight.data(), 0, scratch.data());
                 mpn_add_n(&moments[k * limbs], &moments[k * limbs], product.data(), static_cast<mp_size_t>(limbs));
             }
-            f.budget = upper(f.budget + abs(point.weight) * resolved.budget(r.sums, rule, x).total() + resolved.weighting(r.sums, radius(point.weight)));
+            const Ball own = abs(point.weight) * resolved.budget(r.sums, rule, x).total();
+            f.budget = upper(f.budget + own + resolved.weighting(r.sums, radius(point.weight)));
         };
         if (rule_serves(x)) add(rule_);
         else {

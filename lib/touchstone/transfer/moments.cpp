@@ -15,7 +15,8 @@ std::vector<std::size_t> words_to_spare(double rho, long points)
 }
 
 Moments::Moments(const FixedFormat& format)
-    : format_(format), limbs_(static_cast<std::size_t>(format.limbs())), tau_(limbs_), a_(limbs_), b_(limbs_), c_(limbs_), scratch_(2 * limbs_)
+    : format_(format), limbs_(static_cast<std::size_t>(format.limbs())), tau_(limbs_), a_(limbs_), b_(limbs_), c_(limbs_),
+      scratch_(2 * limbs_)
 {
     for (int m = 0; m <= format.limbs(); ++m) formats_.emplace_back(64L * m - FixedFormat::headroom);
 }
@@ -24,7 +25,7 @@ void Moments::add(const Ball& weight, const Ball& tau, const std::vector<std::si
 {
     format_.put(tau_.data(), tau);
     format_.put(a_.data(), weight);
-    std::size_t words = significant(a_.data(), limbs_), gone = 0; // of U, above `gone`
+    std::size_t words = significant(a_.data(), limbs_), gone = 0; // of V, above `gone`
     mp_limb_t *before = a_.data(), *now = b_.data(), *next = c_.data();
     multiply(now, before, words, 0);
     add_at(sum, limbs_, before, words, 0);
