@@ -3,11 +3,11 @@
 /// Sums of W_q T_k(tau_q) in fixed-point numbers, each term with the words that it needs. Internal to transfer/.
 ///
 /// V_0 = W, V_1 = tau W, V_{k+1} = 2 tau V_k - V_{k-1}. A moment of order k only meets a coefficient below a multiple of rho^-k, so it is
-/// summed in units u rho^k at most, words below that let go. In units of the lowest word kept a step is off by less than 2: the product by 1,
-/// and by hardly more than 1/2 since of tau only as many words are taken as V has. What is let go before it, less than a unit of V_k and of
-/// V_{k-1} each, moves V_{k+m} by less than |U_m| + |U_{m-1}| <= 2 m + 1 units, U_m(tau) being Chebyshev's polynomials of the second kind. Each
-/// step is worth less than 5 m units of V_{k+m}, the first 2 m, and order k is off by less than 3 k^2 units, apart from what W and tau as
-/// rounded are off by.
+/// summed in units u rho^k at most, words below that let go. In units of the lowest word kept a step is off by less than 2: the product by
+/// 1, and by hardly more than 1/2 since of tau only as many words are taken as V has. What is let go before it, less than a unit of V_k and
+/// of V_{k-1} each, moves V_{k+m} by less than |U_m| + |U_{m-1}| <= 2 m + 1 units, U_m(tau) being Chebyshev's polynomials of the second
+/// kind. Each step is worth less than 5 m units of V_{k+m}, the first 2 m, and order k is off by less than 3 k^2 units, apart from what W
+/// and tau as rounded are off by.
 #pragma once
 
 #include "touchstone/transfer/fixed.hpp"
