@@ -289,6 +289,22 @@ TEST_CASE("a witness that agrees is a second look; one that does not is said lou
     CHECK(apart.note.find("DISAGREES") != std::string::npos);
     CHECK(apart.note.find("an estimate") != std::string::npos);
 
+    // one that misjudges itself is named, where another one agrees; where none does, or cannot look, the first is what disagrees
+    Look other = sees(third, tiny), off = sees(third + power(Rational(10), -8), tiny), cannot{"blind", [](Accuracy) -> Witness { throw BeyondReach("no grid"); }};
+    other.name = "another";
+    off.name = "a third";
+    const Look wrong = sees(third + power(Rational(10), -9), tiny);
+    const Evaluation mended = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {wrong, cannot, other}}), inputs({}), {.digits = 12});
+    REQUIRE(mended.second_look);
+    CHECK(mended.second_look->agrees);
+    CHECK(mended.second_look->name == "another");
+    CHECK(mended.note == "the witness 'an estimate' is off here, 8 digits agree");
+    CHECK(mended.routes == std::vector<std::string>{"a proof", "another (witness)"});
+    const Evaluation none = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {wrong, cannot, off}}), inputs({}), {.digits = 12});
+    CHECK_FALSE(none.second_look->agrees);
+    CHECK(none.second_look->name == "an estimate");
+    CHECK(none.note.find("'an estimate' DISAGREES") != std::string::npos);
+
     // an error that the witness knows of is no disagreement, and one that cannot look is missed
     CHECK(evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + power(Rational(10), -9), power(Rational(10), -10))}}), inputs({}), {.digits = 12}).second_look->agrees);
     const Look blind{"blind", [](Accuracy) -> Witness { throw BeyondReach("no grid"); }};

@@ -140,6 +140,21 @@ TEST_CASE("scale 1 is one integral at every load and G; partial contact has two 
     CHECK(observers().size() == 2);
 }
 
+TEST_CASE("so near G = 2 that binary64 cannot tell, distributions are taken from proven levels, as at G = 2")
+{
+    const Rational half(1, 2);
+    for (const Asked asked : {Asked::exceedance, Asked::density})
+        for (const long digits : {13L, 20L, 45L}) {
+            CAPTURE(digits);
+            const Problem p = problem(asked, 3, half, beside(2, 1, static_cast<unsigned long>(digits)), half);
+            const Choice c = choose(p, {8});
+            REQUIRE(c.method);
+            CHECK(c.method->name.starts_with("proven-levels"));
+            CHECK(c.digits >= 8);
+        }
+    CHECK(choose(problem(Asked::density, 3, half, beside(2, 1, 11), half), {8}).method->name == "forward-density");
+}
+
 TEST_CASE("at loads above 1 many scales are taken from the limit where it has the digits, at once, and agree with panels scale by scale")
 {
     const auto by = [](long n, long digits) { return choose(problem(Asked::area, n, 2, 100, 0), {digits}); };

@@ -84,11 +84,12 @@ Method partial_distribution()
     return {
         .name = "forward-density",
         .asked = {Asked::exceedance, Asked::density},
-        .reach = fmt::format("1 <= n <= {}, load <= 1, G > 2, no p_k^max within 0.2% below p*_(k+1)", transfer::Forward::largest_n),
+        .reach = fmt::format("1 <= n <= {}, load <= 1, G > 2 + 1e-12, no p_k^max within 0.2% below p*_(k+1)", transfer::Forward::largest_n),
         .refusal = [](const Problem& p) -> std::string {
             if (p.n < 1) return "n must be at least 1";
             if (p.load > 1) return "no proof for load > 1, where the first scale is in full contact";
             if (!G_above(p, 2)) return "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale";
+            if (!G_above(p, 2 + power(Rational(10), -12))) return "no proof for G = gamma^(D-1) so near 2: boxes are searched for in binary64, which must tell it from 2";
             if (p.n > transfer::Forward::largest_n)
                 return fmt::format("distributions of pressure are computed for the scales n <= {} only", transfer::Forward::largest_n);
             if (p_is_0(p)) return no_density_at_0;
