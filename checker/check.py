@@ -81,10 +81,33 @@ def read(path):
         raise Unreadable(f"{path}: {len(rows)} rows, {rows_promised} promised")
     if hashlib.sha256("".join(row + "\n" for row in rows).encode()).hexdigest() != digest:
         raise Unreadable(f"{path}: sha256 of the rows is not the header's")
+    columns = lines[max(number for number, line in enumerate(lines) if line.startswith("#"))][1:].split()
+    if columns not in ([*inputs, "value", "error"], [*inputs, "value", "error", "forced"]):
+        raise Unreadable(f"{path}: the columns are said to be '{' '.join(columns)}'")
     for number, row in enumerate(rows, 1):
-        if len(row.split()) < len(inputs) + 2:
-            raise Unreadable(f"{path}: row {number}: too few columns")
+        if len(row.split()) != len(columns):
+            raise Unreadable(f"{path}: row {number}: {len(row.split())} columns, not {len(columns)}")
     return header, rows
+
+
+def words_of(path, header, rows):
+    """that what the table says of itself, to a reader and in JSON, is so: equation and unit of its quantity, digits and status of its rows"""
+    equation, unit = units.SAID[header["quantity"]]
+    for what, said in (("equation", equation), ("unit", unit)):
+        if header.get(what) != said:
+            raise Unreadable(f"{path}: the {what} of {header['quantity']} is {said}, not {header.get(what, 'left out')}")
+    with open(path, encoding="ascii") as file:
+        words = [line.rstrip("\n") for line in file if line.startswith("#")]
+    titles = (f"# Touchstone {'estimated' if header.get('status') == 'estimated' else 'certified'} reference table {header['name']}",
+              f"# {header.get('description')}; equation {equation}; unit {unit}")
+    if (*words[:2],) != titles:
+        raise Unreadable(f"{path}: its first two lines are not '{titles[0]}' and '{titles[1]}'")
+    at = len(header["inputs"])
+    approximate = [row.split()[at] for row in rows if row.split()[at + 1] != "0"]
+    if header.get("status") not in ("certified", "estimated", "undecided") and (approximate or header.get("status") != "exact"):
+        raise Unreadable(f"{path}: the status of its rows is not {header.get('status', 'left out')}")
+    if header["status"] == "certified" and any(len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) != header.get("digits") for value in approximate):
+        raise Unreadable(f"{path}: its values have not the {header.get('digits')} digits that it says")
 
 
 def with_certificates(forms, paths):
@@ -239,9 +262,7 @@ def main():
                 raise Unreadable(f"{path}: no closed form is known for '{header['quantity']}'")
             if header["inputs"] != (names := names_of(header["quantity"])):
                 raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(names)}, not {' '.join(header['inputs'])}")
-            for what, said in zip(("equation", "unit"), units.SAID[header["quantity"]]):
-                if header.get(what, said) != said:
-                    raise Unreadable(f"{path}: the {what} of {header['quantity']} is {said}, not {header[what]}")
+            words_of(path, header, rows)
         except (Unreadable, MemoryError) as reason:
             print(f"check.py: {printable(reason) or f'{path}: needs too much memory'}", file=sys.stderr)
             worst = max(worst, 65)

@@ -158,26 +158,45 @@ class Checker(unittest.TestCase):
 
     def test_hostile_tables(self):
         """Well sealed, and written to crash the checker or to keep it for ever: one line a table or row, and soon."""
-        header = {"name": "t", "quantity": "archard.alpha", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3}
+        header = {"name": "t", "quantity": "archard.alpha", "description": "of a stranger", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3, "status": "certified"}
         iterate, half = {"quantity": "peaks.iterate", "inputs": ["n", "load", "G"]}, {"quantity": "westergaard.half_width", "inputs": ["load"]}
+        brackets = {"x": None}
         cases = {
-            "brackets without end": (65, {"x": None}, "0 1.5 0 0"), "inputs of another type": (65, {"inputs": 5}, "0 1.5 0 0"),
+            "brackets without end": (65, brackets, "0 1.5 0 0"), "inputs of another type": (65, {"inputs": 5}, "0 1.5 0 0"),
             "a quantity of another type": (65, {"quantity": ["a"]}, "0 1.5 0 0"), "a name of another type": (65, {"name": 5}, "0 1.5 0 0"),
             "a unit that it does not have": (65, {**half, "unit": "p*"}, "1 0.5 0"), "an equation of another": (65, {**half, "equation": ["2.7"]}, "1 0.5 0"),
+            "no unit": (65, {**half, "unit": ...}, "1 0.5 0"), "no equation": (65, {**half, "equation": ...}, "1 0.5 0"),
+            "no status": (65, {**half, "status": ...}, "1 0.5 0"), "exact, with an error": (65, {**half, "status": "exact"}, "0.5 0.250 1e-3"),
+            "more digits than there are": (65, {**half, "digits": 40}, "0.5 0.250 1e-3"), "a column too many": (65, half, "0.5 0.250 1e-3 0 wrong"),
+            "all is right": (0, half, "0.5 0.250 1e-3"),
             "inputs of another quantity": (65, {"inputs": ["n"]}, "0 1.5 0"),
-            "inputs that changed places": (65, {**iterate, "inputs": ["load", "n", "G"]}, "2 1 3 0.5 1"), "an input by another name": (65, {**half, "inputs": ["gamma"]}, "1 1 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
-            "a number of a billion digits": (1, {}, "0 1.5 1e999999999 0"), "a bound of as many": (1, {}, "0 1.5 1 1e-999999999"), "out of the domain": (1, half, "-1 1 0"),
+            "inputs that changed places": (65, {**iterate, "inputs": ["load", "n", "G"]}, "2 1 3 0.5 0"), "an input by another name": (65, {**half, "inputs": ["gamma"]}, "1 1 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
+            "a number of a billion digits": (1, {}, "0 1.5 1e999999999 0"), "a bound of as many": (1, {}, "0 1.5 1.00 1e-999999999"), "out of the domain": (1, half, "-1 1 0"),
             "a control character": (1, half, "1\x1b[2J 1 0"),
         }
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "t.txt"
+
+            def written(changes, row, **words):
+                said = dict(zip(("equation", "unit"), units.SAID.get(str({**header, **changes}["quantity"]), ("", ""))))
+                sealed = {**header, **said, **changes, "rows": 1, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
+                sealed = {key: value for key, value in sealed.items() if value is not ...}
+                title = words.get("title", f"# Touchstone certified reference table t\n# of a stranger; equation {said['equation']}; unit {said['unit']}")
+                columns = words.get("columns", " ".join([*map(str, sealed["inputs"] if isinstance(sealed["inputs"], list) else []), "value", "error"]))
+                path.write_text(f"{title}\n# {json.dumps(sealed)}\n# {columns}\n{row}\n".replace("null", "[" * 100000 + "]" * 100000))
+                return run(path, timeout=60)
+
             for name, (code, changes, row) in cases.items():
-                sealed = {**header, **changes, "rows": 1, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
-                path.write_text(f"# {json.dumps(sealed)}\n{row}\n".replace("null", "[" * 100000 + "]" * 100000))
-                result = run(path, timeout=60)
+                result = written(changes, row)
                 with self.subTest(name):
-                    self.assertEqual((result.returncode, len(result.stderr.splitlines())), (code, 1), result.stderr[-300:])
-                    self.assertTrue(result.stderr.rstrip("\n").isprintable())
+                    self.assertEqual((result.returncode, len(result.stderr.splitlines())), (code, 1 if code else 0), result.stderr[-300:])
+                    self.assertTrue((result.stderr.rstrip("\n") or " ").isprintable())
+            self.assertEqual(written(half, "0.5 0.250 1e-3 0.5", columns="load value error forced").returncode, 0)
+            for words in ({"columns": "load error value"}, {"title": "# Touchstone certified reference table t\n# of a stranger; equation 2.5; unit metre"},
+                          {"title": "# Touchstone certified reference table u\n# of a stranger; equation 2.5; unit lambda"}):
+                with self.subTest(words=words):
+                    result = written(half, "0.5 0.250 1e-3", **words)
+                    self.assertEqual((result.returncode, len(result.stderr.splitlines())), (65, 1), result.stderr[-300:])
             path.unlink()
             path.symlink_to("/dev/zero")
             self.assertEqual(run(path, timeout=60).returncode, 65)

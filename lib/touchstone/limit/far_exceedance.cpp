@@ -44,7 +44,7 @@ std::string no_far_exceedance(const FarPressure& at, const Ball& G)
 {
     const WorkingPrecision precision(bits_of_powers);
     const Ball pressure = at.in_own_units(), highest = certainly(less(Ball(2), G)) ? 4 / G : G / (G - 1); // (5.10)
-    if (!certainly(less(Ball(Rational(102, 100)), G)) || !certainly(less(G, Ball(1000)))) return "the limiting distributions are certified for 1.02 < G = gamma^(D-1) < 1000 only";
+    if (!certainly(less(Ball(Rational(51, 50)), G)) || !certainly(less(G, Ball(1000)))) return "the limiting distributions are certified for 1.02 < G = gamma^(D-1) < 1000 only";
     if (!certainly(less(ScalarTraits<Ball>::power_of_two(-lowest_pressure_bits), pressure))) return "the pressure is too low for the limiting distribution: below p*_n/1024";
     return certainly(less(pressure, highest)) ? "" : "the limiting distribution has no pressure as high";
 }

@@ -32,7 +32,7 @@ Method area_in_any_limit()
         .refusal = [](const Problem& p) -> std::string {
             if (const long first = last_scale_before_limit(p); p.n <= first) return fmt::format("no proof by the limit for n <= {}", first);
             if (beyond_loads_of_limit(p)) return "load must be from 1e-300 to 10^6";
-            if (p.compare_G(Rational(102, 100)) < 0) return "the constant of the limit is certified for G = gamma^(D-1) >= 1.02 only";
+            if (p.compare_G(Rational(51, 50)) < 0) return "the constant of the limit is certified for G = gamma^(D-1) >= 1.02 only";
             if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
             const WorkingPrecision precision(128);
             return limit::most_digits_of_area_in_any_limit(p.n, Ball(p.load), p.G.ball()) > 0 ? "" : "the limit is not reached at that scale, as far as its rate is proven";
