@@ -180,8 +180,9 @@ Check bounds(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
     return {Verdict::proved, "over the whole range, by subdivision in balls"};
 }
 
-/// One printed number.
-Check printed(const OwnTable& t, std::size_t row, const std::string& digits)
+/// One printed number, at the working precision. A number that is cut off may be the value itself: so it is taken where balls do not tell the
+/// two apart, if `may_be_exact`.
+Check printed(const OwnTable& t, std::size_t row, const std::string& digits, bool may_be_exact)
 {
     Point at;
     std::string where;
@@ -202,9 +203,18 @@ Check printed(const OwnTable& t, std::size_t row, const std::string& digits)
     const bool is_cut = t.rounding == "down";
     const Ball least = is_cut ? (*number > 0 ? Ball(0) : -unit) : Ball(-unit / 2), most = is_cut ? (*number < 0 ? Ball(0) : unit) : Ball(unit / 2);
     if (certainly(less(off, least)) || certainly(less(most, off))) return {Verdict::refuted, says};
-    const auto may_be_exact = [&](const Ball& end) { return is_cut && end.contains_zero() && off.contains_zero(); };
-    const bool inside = (certainly(less(least, off)) || may_be_exact(least)) && (certainly(less(off, most)) || may_be_exact(most));
+    const auto is_exact = [&](const Ball& end) { return may_be_exact && is_cut && end.contains_zero() && off.contains_zero(); };
+    const bool inside = (certainly(less(least, off)) || is_exact(least)) && (certainly(less(off, most)) || is_exact(most));
     return inside ? Check{Verdict::verified, says} : Check{Verdict::undecided, says};
+}
+
+/// What balls of the usual width leave open is looked at in much narrower ones.
+Check printed(const OwnTable& t, std::size_t row, const std::string& digits)
+{
+    const Check usual = printed(t, row, digits, false);
+    if (usual.verdict != Verdict::undecided) return usual;
+    const WorkingPrecision closer(bits_of_a_closer_look);
+    return printed(t, row, digits, true);
 }
 
 Finding judge_table(const OwnTable& t, const Print& p)

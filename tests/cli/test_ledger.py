@@ -133,6 +133,19 @@ class Changed(unittest.TestCase):
                                       ("1/10000", "0.000", "verified"), ("-1", "0.333", "verified"), ("-1/10000", "0.000", "verified"), ("1", "0.000", "refuted")):
             self.assertEqual(verdict(at, printed), expected, (at, printed))
 
+    def test_what_is_cut_off_by_little_is_cut_off(self):
+        def judged(formula, at, printed, rounding):
+            table = {"formula": formula, "columns": ["y"], "rounding": rounding, "rows": [[at, printed]]}
+            ledger = {"symbols": {"y": {"dimension": "1", "sign": "positive"}}, "entries": [{"id": "T", "table": table}]}
+            return self.judge_text(json.dumps(ledger))
+        for formula, printed, expected in (("sqrt(y)", "0.25", "verified"), ("sqrt(y)-10^(-40)", "0.25", "refuted"), ("sqrt(y)-10^(-40)", "0.24", "verified"),
+                                           ("sqrt(y)-10^(-300)", "0.25", "refuted")):
+            self.assertEqual(judged(formula, "0.0625", printed, "down").stdout.split()[0], expected, (formula, printed))
+        for printed in ("1/4", "0x1p-2", "0x0.ep0"):  # whose last place says nothing
+            r = judged("sqrt(y)", "0.0625", printed, "nearest")
+            self.assertEqual((r.returncode, len(r.stderr.splitlines())), (65, 1), printed)
+            self.assertIn("row 1: what is printed is a decimal number", r.stderr)
+
     def test_a_bound_that_is_too_narrow_is_refuted(self):
         def change(ledger):
             self.entry(ledger, "S5")["says"] = "shear < 0.300"
