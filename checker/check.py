@@ -91,7 +91,7 @@ def read(path):
 
 
 def words_of(path, header, rows):
-    """that what the table says of itself, to a reader and in JSON, is so: equation and unit of its quantity, digits and status of its rows"""
+    """that what the table says of itself, to a reader and in JSON, is so: equation, unit, digits and status"""
     equation, unit = units.SAID[header["quantity"]]
     for what, said in (("equation", equation), ("unit", unit)):
         if header.get(what) != said:
@@ -106,7 +106,8 @@ def words_of(path, header, rows):
     approximate = [row.split()[at] for row in rows if row.split()[at + 1] != "0"]
     if header.get("status") not in ("certified", "estimated", "undecided") and (approximate or header.get("status") != "exact"):
         raise Unreadable(f"{path}: the status of its rows is not {header.get('status', 'left out')}")
-    if header["status"] == "certified" and any(len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) != header.get("digits") for value in approximate):
+    digits = {len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) for value in approximate}
+    if header["status"] == "certified" and not digits <= {header.get("digits")}:
         raise Unreadable(f"{path}: its values have not the {header.get('digits')} digits that it says")
 
 
