@@ -87,6 +87,7 @@ def read(path):
     for number, row in enumerate(rows, 1):
         if len(row.split()) != len(columns):
             raise Unreadable(f"{path}: row {number}: {len(row.split())} columns, not {len(columns)}")
+    header["words"] = [line for line in lines if line.startswith("#")]
     return header, rows
 
 
@@ -96,18 +97,16 @@ def words_of(path, header, rows):
     for what, said in (("equation", equation), ("unit", unit)):
         if header.get(what) != said:
             raise Unreadable(f"{path}: the {what} of {header['quantity']} is {said}, not {header.get(what, 'left out')}")
-    with open(path, encoding="ascii") as file:
-        words = [line.rstrip("\n") for line in file if line.startswith("#")]
-    titles = (f"# Touchstone {'estimated' if header.get('status') == 'estimated' else 'certified'} reference table {header['name']}",
-              f"# {header.get('description')}; equation {equation}; unit {unit}")
-    if (*words[:2],) != titles:
+    titles = [f"# Touchstone {'estimated' if header.get('status') == 'estimated' else 'certified'} reference table {header['name']}",
+              f"# {header.get('description')}; equation {equation}; unit {unit}"]
+    if header["words"][:2] != titles:
         raise Unreadable(f"{path}: its first two lines are not '{titles[0]}' and '{titles[1]}'")
     at = len(header["inputs"])
     approximate = [row.split()[at] for row in rows if row.split()[at + 1] != "0"]
     if header.get("status") not in ("certified", "estimated", "undecided") and (approximate or header.get("status") != "exact"):
         raise Unreadable(f"{path}: the status of its rows is not {header.get('status', 'left out')}")
     digits = {len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) for value in approximate}
-    if header["status"] == "certified" and not digits <= {header.get("digits")}:
+    if header["status"] == "certified" and any(count != header.get("digits") for count in digits):
         raise Unreadable(f"{path}: its values have not the {header.get('digits')} digits that it says")
 
 

@@ -167,7 +167,7 @@ class Checker(unittest.TestCase):
             "a unit that it does not have": (65, {**half, "unit": "p*"}, "1 0.5 0"), "an equation of another": (65, {**half, "equation": ["2.7"]}, "1 0.5 0"),
             "no unit": (65, {**half, "unit": ...}, "1 0.5 0"), "no equation": (65, {**half, "equation": ...}, "1 0.5 0"),
             "no status": (65, {**half, "status": ...}, "1 0.5 0"), "exact, with an error": (65, {**half, "status": "exact"}, "0.5 0.250 1e-3"),
-            "more digits than there are": (65, {**half, "digits": 40}, "0.5 0.250 1e-3"), "a column too many": (65, half, "0.5 0.250 1e-3 0 wrong"),
+            "more digits than there are": (65, {**half, "digits": 40}, "0.5 0.250 1e-3"), "digits that are no number": (65, {**half, "digits": [3]}, "0.5 0.250 1e-3"), "a column too many": (65, half, "0.5 0.250 1e-3 0 wrong"),
             "all is right": (0, half, "0.5 0.250 1e-3"),
             "inputs of another quantity": (65, {"inputs": ["n"]}, "0 1.5 0"),
             "inputs that changed places": (65, {**iterate, "inputs": ["load", "n", "G"]}, "2 1 3 0.5 0"), "an input by another name": (65, {**half, "inputs": ["gamma"]}, "1 1 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
