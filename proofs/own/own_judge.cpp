@@ -133,6 +133,14 @@ std::string differ_by_a_number(const ex& print, const ex& wanted)
     return "";
 }
 
+/// A point, of those all over the ranges, at which the two differ.
+std::optional<Check> apart_somewhere(const OwnLedger& ledger, const ex& print, const ex& wanted)
+{
+    for (const std::string& point : points_all_over(ledger))
+        if (Check there = compare_at(print, wanted, {point.c_str()}); there.verdict == Verdict::refuted) return there;
+    return std::nullopt;
+}
+
 /// Equal as formulas: by normal form, as products of powers, or as squares that agree in value where they are looked at.
 Check same(const OwnLedger& ledger, const ex& print, const ex& wanted)
 {
@@ -140,8 +148,11 @@ Check same(const OwnLedger& ledger, const ex& print, const ex& wanted)
     const Points at = free_points(ledger);
     const Check direct = identity(print, wanted, at);
     if (direct.verdict != Verdict::undecided) return direct;
-    for (const std::string& point : points_all_over(ledger))
-        if (const Check there = compare_at(print, wanted, {point.c_str()}); there.verdict == Verdict::refuted) return there;
+    if (const auto apart = apart_somewhere(ledger, print, wanted)) return *apart;
+    {
+        const WorkingPrecision closer(bits_of_a_closer_look);
+        if (const auto apart = apart_somewhere(ledger, print, wanted)) return *apart;
+    }
     try {
         const Check powers = power_identity(print, wanted, at);
         if (powers.verdict == Verdict::proved) return powers;
@@ -240,6 +251,7 @@ bool readable(const OwnLedger& ledger, const OwnEntry& e)
 Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e)
 {
     Meaning m;
+    m.every_situation_decides = true;
     for (int set = 0; set < sample_sets; ++set) {
         Situation s = situation(ledger, set);
         const auto left = ledger.symbols.find(e.print.text("lhs"));
@@ -256,14 +268,14 @@ Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e)
 
 namespace {
 
-/// Read in balls of the usual width, and, where that decides, in much narrower ones: sides that agree to many bits may yet differ.
+/// Read in balls of the usual width, and in much narrower ones: sides that agree to many bits may yet differ, and what wide balls leave
+/// undecided narrow ones may decide.
 Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     const Check usual = read_whole_as(p, meaning_of(ledger, e));
-    if (usual.verdict == Verdict::undecided) return usual;
     const WorkingPrecision closer(bits_of_a_closer_look);
     const Check narrow = read_whole_as(p, meaning_of(ledger, e));
-    return usual.verdict == Verdict::refuted || narrow.verdict == Verdict::refuted ? narrow : usual;
+    return usual.verdict == Verdict::verified && narrow.verdict == Verdict::verified ? usual : narrow;
 }
 
 } // namespace

@@ -28,10 +28,37 @@ constexpr long limit_bits = 25;     ///< what "tends to" must reach where n is l
 constexpr long equality_bits = 60;  ///< two enclosures that agree this far are taken for equal when < is asked
 constexpr long quadrature_bits = 6; ///< the integrals over xi are enclosed this far at least
 
+/// Overlapping enclosures that are much wider than the working precision makes them say nothing of equality: sin of a huge number is
+/// enclosed by [-1, 1], which has 0 in it, and is not 0 for that.
+bool narrow_and_overlapping(const Ball& l, const Ball& r)
+{
+    const long bits = static_cast<long>(WorkingPrecision::bits() / 2);
+    if (!l.contains_zero() || !r.contains_zero()) return l.overlaps(r) && agree(l, r, bits);
+    const Ball small = ScalarTraits<Ball>::power_of_two(-bits);
+    return certainly(less(abs(l), small)) && certainly(less(abs(r), small));
+}
+
+/// Where nothing is approached: what the enclosures prove, and equality of sides that cannot be told apart.
+Holds relation_holds_strictly(const std::string& relation, const Ball& l, const Ball& r)
+{
+    if (relation == "=" || relation == "==") return !l.overlaps(r) ? Holds::no : narrow_and_overlapping(l, r) ? Holds::yes : Holds::undecided;
+    if (narrow_and_overlapping(l, r)) return relation.size() == 2 ? Holds::yes : Holds::no;
+    const bool less_is_asked = relation[0] == '<', may_be_equal = relation.size() == 2;
+    const Ball &low = less_is_asked ? l : r, &high = less_is_asked ? r : l;
+    const Truth is_less = less(low, high), is_more = less(high, low);
+    if (certainly(is_less) || (may_be_equal && !possibly(is_more))) return Holds::yes;
+    return certainly(is_more) || (!may_be_equal && !possibly(is_less)) ? Holds::no : Holds::undecided;
+}
+
 /// \param agreeing_is_equal see Situation
 Holds relation_holds(const std::string& relation, const Ball& l, const Ball& r, bool agreeing_is_equal)
 {
     if (!l.is_finite() || !r.is_finite()) return Holds::no_value;
+    if (!agreeing_is_equal && relation != "~" && relation != "->") {
+        static const std::set<std::string> known{"=", "==", "<", "<=", ">", ">="};
+        if (!known.count(relation)) throw Unreadable("the relation " + relation);
+        return relation_holds_strictly(relation, l, r);
+    }
     if (relation == "=" || relation == "==") {
         if (!l.overlaps(r)) return Holds::no;
         return agree(l, r, quadrature_bits) ? Holds::yes : Holds::undecided;
@@ -40,8 +67,7 @@ Holds relation_holds(const std::string& relation, const Ball& l, const Ball& r, 
     const bool less_is_asked = relation == "<" || relation == "<=";
     if (!less_is_asked && relation != ">" && relation != ">=") throw Unreadable("the relation " + relation);
     const Truth t = less_is_asked ? less(l, r) : less(r, l);
-    const bool may_be_equal = agreeing_is_equal || l.overlaps(r);
-    if (agree(l, r, equality_bits) && may_be_equal) return relation.size() == 2 ? Holds::yes : Holds::no;
+    if (agree(l, r, equality_bits)) return relation.size() == 2 ? Holds::yes : Holds::no;
     return certainly(t) ? Holds::yes : possibly(t) ? Holds::undecided : Holds::no;
 }
 
@@ -93,6 +119,25 @@ private:
     }
 };
 
+/// Does a function in e surely get what it has no value at? An enclosure that only reaches out of a domain does not say so.
+bool surely_no_value(const ex& e, const std::map<std::string, Ball>& values)
+{
+    for (std::size_t i = 0; i < e.nops(); ++i)
+        if (surely_no_value(e.op(i), values)) return true;
+    const bool power = GiNaC::is_a<GiNaC::power>(e), function = GiNaC::is_a<GiNaC::function>(e);
+    if (!power && !function) return false;
+    const Ball x = evaluate(e.op(0), values), zero(0);
+    const bool is_zero = x.is_exact() && x.contains_zero();
+    if (power) {
+        if (!GiNaC::is_a<GiNaC::numeric>(e.op(1))) return false;
+        const GiNaC::numeric exponent = GiNaC::ex_to<GiNaC::numeric>(e.op(1));
+        return (!exponent.is_integer() && certainly(less(x, zero))) || (exponent.is_negative() && is_zero);
+    }
+    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+    if (name == "log") return is_zero || certainly(less(x, zero));
+    return (name == "asin" || name == "acos") && certainly(less(Ball(1), abs(x)));
+}
+
 class Reader {
 public:
     Reader(const Print& print, const Situation& s) : print_(print), situation_(s), values_(s.value) {}
@@ -102,14 +147,22 @@ public:
         for (const ex& symbol : symbols_of(e)) need(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
         return evaluate(e, values_);
     }
+    /// Whether it holds between the two. What has no enclosure may have a value all the same.
+    Holds relation(const std::string& is, const ex& left, const Ball& l, const ex& right, const Ball& r) const
+    {
+        const Holds holds = relation_holds(is, l, r, situation_.agreeing_is_equal);
+        const bool surely = situation_.agreeing_is_equal || surely_no_value(left, values_) || surely_no_value(right, values_);
+        return holds == Holds::no_value && !surely ? Holds::undecided : holds;
+    }
     Holds condition(const Condition& c)
     {
         Holds any = Holds::no;
         for (const auto& chain : c.alternatives) {
             Holds all = chain.property.empty() || has_property(chain.property, value(chain.sides[0])) ? Holds::yes : Holds::no;
             for (std::size_t i = 0; i < chain.relations.size(); ++i) {
-                const Holds one = relation_holds(chain.relations[i], value(chain.sides[i]), value(chain.sides[i + 1]), situation_.agreeing_is_equal);
-                if (one != Holds::yes && all == Holds::yes) all = one;
+                const ex &left = chain.sides[i], &right = chain.sides[i + 1];
+                const Holds one = relation(chain.relations[i], left, value(left), right, value(right));
+                if (one == Holds::no || (one != Holds::yes && all == Holds::yes)) all = one; // one that fails is enough
             }
             if (all == Holds::yes) return Holds::yes;
             if (all != Holds::no) any = all;
@@ -292,7 +345,8 @@ std::string where(const Situation& s, const Part& part)
 /// What has been met on the way through the situations.
 struct Seen {
     std::vector<bool> reached; ///< by part: the two sides were equal once
-    std::vector<int> looked;   ///< by part: situations in which the relation was asked
+    std::vector<int> looked;   ///< by part: situations in which the relation was asked, and an answer came
+    std::vector<std::string> undecided; ///< by part: where balls could not tell whether it, or its condition, holds; empty if they always could
     bool stated_held = false;  ///< all stated parts, in one situation
     std::map<std::pair<std::size_t, std::size_t>, std::pair<bool, std::string>>
         outside; ///< by group and part: did it fail outside its condition?
@@ -315,18 +369,28 @@ std::optional<std::string> objection(const Print& print, const std::vector<Part>
         if ((part.relation == "~" || part.relation == "->") && !s.large_n) continue;
         const bool stated = m.stated.count(i) != 0;
         const Holds condition = part.condition ? reader.condition(*part.condition) : Holds::yes;
-        if (condition == Holds::undecided) continue;
+        const auto undecided = [&](const char* what) { seen.undecided[i] = "at " + where(s, part) + " balls do not decide " + what + std::to_string(i); };
+        if (condition == Holds::undecided) {
+            undecided("the printed condition of part ");
+            continue;
+        }
         if (s.at_equality && (!part.condition || condition != Holds::yes)) continue;
         const Ball l = reader.value(part.left), r = reader.value(part.right);
-        const Holds holds = relation_holds(part.relation, l, r, s.agreeing_is_equal);
+        const Holds holds = reader.relation(part.relation, part.left, l, part.right, r);
         if (l.is_finite() && r.is_finite() && agree(l, r, equality_bits)) reached[i] = true;
         if (stated) {
-            if (holds == Holds::undecided) return std::nullopt;
+            if (holds == Holds::undecided) {
+                undecided("part ");
+                return std::nullopt;
+            }
             stated_hold = stated_hold && holds == Holds::yes;
             ++looked[i];
             continue;
         }
-        if (holds == Holds::undecided) continue;
+        if (holds == Holds::undecided) {
+            undecided("part ");
+            continue;
+        }
         const std::string sides = "the left side is " + l.to_string(6) + ", the right side " + r.to_string(6);
         if (condition == Holds::yes) {
             ++looked[i];
@@ -385,13 +449,15 @@ Check read_whole_as(const Print& print, const Meaning& says)
                 if (parts[i].left.is_equal(parts[j].left) && parts[i].right.is_equal(parts[j].right))
                     return Check{Verdict::refuted, "part " + std::to_string(i) + " repeats part " + std::to_string(j)};
         }
-        Seen seen{std::vector<bool>(parts.size(), false), std::vector<int>(parts.size(), 0), false, {}};
+        Seen seen{std::vector<bool>(parts.size(), false), std::vector<int>(parts.size(), 0), std::vector<std::string>(parts.size()), false, {}};
         for (const Situation& s : m->situations)
             if (const auto found = objection(print, parts, *m, s, seen)) return Check{Verdict::refuted, *found};
         if (m->one_way && !seen.stated_held) return Check{Verdict::refuted, "what is printed holds in no situation"};
         for (const auto& [key, outside] : seen.outside)
             if (!outside.first) return Check{Verdict::refuted, outside.second};
         for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (!seen.undecided[i].empty() && (seen.looked[i] == 0 || m->every_situation_decides))
+                return Check{Verdict::undecided, seen.undecided[i]};
             if (seen.looked[i] == 0)
                 return Check{Verdict::refuted, "the printed condition of part " + std::to_string(i) + " holds in no situation"};
             if (m->bounds_are_reached && !seen.reached[i])

@@ -43,7 +43,9 @@ struct Situation {
     long last_term = 3;
     /// The relations ~ and -> (for large n) are looked at here only.
     bool large_n = true;
-    /// Sides that agree to 60 bits are equal although one is surely a little less, as what a limit is approached by at large n.
+    /// Sides that agree to 60 bits are equal although one is surely a little less, as what a limit is approached by at large n. If not,
+    /// nothing is approached: only sides whose enclosures overlap and are narrow for the working precision are taken for equal, and what
+    /// has no enclosure is without a value only where an argument is surely outside a function's domain.
     bool agreeing_is_equal = true;
     /// Situations of one group differ in the pointwise variable alone: outside its condition the print must fail in one of them.
     std::optional<std::size_t> group;
@@ -63,12 +65,15 @@ struct Meaning {
     bool one_way = false;
     /// Each bound of an inequality is reached in some situation: it cannot be printed wider.
     bool bounds_are_reached = false;
+    /// A situation in which balls do not decide leaves the print undecided. Else it says nothing, where another situation decides.
+    bool every_situation_decides = false;
 };
 
 /// What the symbols of an equation mean, or nothing for entries that are not equations.
 const Meaning* meaning(const std::string& id);
 
-/// Refuted with the situation where the print fails; `verified` with the number of situations otherwise. Nothing for entries without a
+/// Refuted with the situation where the print fails; undecided where balls decide a part in no situation; `verified` with the number of
+/// situations otherwise. Nothing for entries without a
 /// meaning.
 std::optional<Check> read_whole(const Print&);
 
