@@ -446,3 +446,18 @@ TEST_CASE("G is compared exactly")
     CHECK(inputs({{"gamma", "256"}, {"D", "1.25"}}).compare_G(4) == 0);
     CHECK(inputs({{"gamma", "10"}, {"D", "0x1.0cccccccccccdp+0"}}).compare_G(2) == -1);
 }
+
+TEST_CASE("inputs are brought to lowest terms, and a denominator 0 is no number")
+{
+    const Inputs in({{"n", Rational(6, 2)}, {"G", Rational(102, 100)}, {"p", Rational(Integer(1), Integer(-3))}});
+    CHECK(in.integer("n") == 3);
+    CHECK(in.real("G").get_den() == 50);
+    CHECK(in.real("p") < 0);
+    CHECK(in.compare_G(Rational(204, 200)) == 0);
+    CHECK(inputs({{"gamma", "4"}, {"D", "1.5"}}).compare_G(Rational(6, 3)) == 0);
+    CHECK(inputs({{"G", "1.02"}}).compare_G(Rational(102, 100)) == 0);
+    CHECK(eval("archard.K", Inputs({{"n", Rational(6, 2)}}), {.digits = 10}).value == eval("archard.K", inputs({{"n", "3"}}), {.digits = 10}).value);
+    Rational nothing;
+    mpz_set_ui(mpq_denref(nothing.get_mpq_t()), 0);
+    CHECK_THROWS_AS(Inputs({{"G", nothing}}), std::invalid_argument);
+}

@@ -7,8 +7,17 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 namespace touchstone {
+
+Inputs::Inputs(std::map<std::string, Rational> values) : values_(std::move(values))
+{
+    for (auto& [name, value] : values_) {
+        if (value.get_den() == 0) throw std::invalid_argument(name + ": its denominator is 0");
+        value.canonicalize();
+    }
+}
 
 Exact Inputs::G_exact() const
 {

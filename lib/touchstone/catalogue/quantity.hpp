@@ -21,7 +21,8 @@ namespace touchstone {
 class Inputs {
 public:
     Inputs() = default;
-    explicit Inputs(std::map<std::string, Rational> values) : values_(std::move(values)) {} ///< by name, exact
+    /// By name, exact; brought to lowest terms, which comparisons of rational numbers rest on. \throws std::invalid_argument of a denominator 0
+    explicit Inputs(std::map<std::string, Rational> values);
     bool has(const std::string& key) const { return values_.contains(key); } ///< whether it is given
     const Rational& real(const std::string& key) const { return values_.at(key); } ///< \throws std::out_of_range
     /// An input that the domain check has found to be an integer within a long.
