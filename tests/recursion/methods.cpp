@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -225,6 +226,8 @@ TEST_CASE("what is written about it is printed from it")
 }
 
 /// Evaluated, not only chosen: TOUCHSTONE_CAMPAIGN=SEED:COUNT test_methods -tc='campaign*'
+constexpr double worth_a_message = 20; ///< seconds of CPU of one value: so that a campaign of hours says where it is
+
 TEST_CASE("campaign: what the table claims is certified when it is asked for" * doctest::skip(std::getenv("TOUCHSTONE_CAMPAIGN") == nullptr))
 {
     const char* set = std::getenv("TOUCHSTONE_CAMPAIGN");
@@ -244,9 +247,13 @@ TEST_CASE("campaign: what the table claims is certified when it is asked for" * 
         const Inputs in(values);
         const Plan plan = plan_of(q, in, {6});
         if (plan.proofs.empty()) continue;
+        std::string asked = name;
+        for (const auto& [key, value] : in.values()) asked += " " + key + "=" + value.get_str();
+        const std::clock_t start = std::clock();
         const Evaluation e = evaluate(q, in, {.digits = 6});
-        CHECK_MESSAGE((e.status == Status::certified || e.status == Status::exact),
-                      name << " n=" << n << " load=" << load.get_str() << " G=" << G.get_str() << (values.contains("p") ? " p=" + values["p"].get_str() : "") << ": " << e.note);
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        if (seconds > worth_a_message) MESSAGE((i + 1) << " of " << count << ": " << asked << " took " << seconds << " s");
+        CHECK_MESSAGE((e.status == Status::certified || e.status == Status::exact), asked << ": " << e.note);
         if (e.second_look) CHECK(e.second_look->agrees);
     }
 }
