@@ -360,6 +360,15 @@ TEST_CASE("more digits than are certified: those that are, and the reason; never
     CHECK(fewer.digits == 15);
     CHECK(fewer.proven);
     CHECK(fewer.note == "15 digits are certified here, 25 were asked for: too dear");
+    // few digits are had although binary64 wants more than there are
+    const Proof short_of_binary64{"a proof", [](Accuracy a) {
+                                      if (a.digits > 16) throw BeyondReach("16 digits are proven");
+                                      return proves(third).ball(a);
+                                  }};
+    const Evaluation few = evaluate(known_by({.proofs = {short_of_binary64}, .witnesses = witnesses}), inputs({}), {.digits = 6});
+    CHECK(few.status == Status::certified);
+    CHECK(few.value == "0.333333");
+    CHECK(few.note.empty());
 }
 
 TEST_CASE("fewer digits never cost more: nothing dear is computed for the sake of binary64")

@@ -123,7 +123,7 @@ bool decides_but_for_ties(const Ball& b, long digits) { return arb_rel_accuracy_
 class Search {
 public:
     Search(const Quantity& q, const Plan& plan, const std::optional<Exact>& exact, const EvaluationOptions& options)
-        : q_(q), plan_(plan), exact_(exact), options_(options),
+        : q_(q), plan_(plan), exact_(exact), options_(options), dear_(plan.dear),
           witness_wants_(std::min(witness_digits, looked_at_again({options.digits}).digits + witness_spare_digits)),
           own_threads_(plan.dear || q.costly || options.digits >= digits_worth_a_thread)
     {
@@ -136,19 +136,27 @@ public:
     {
         long digits = std::min(options_.digits, plan_.most_digits);
         if (digits < options_.digits) reason_ = plan_.refusal;
-        for (Ladder ladder(options_, digits, plan_.dear);;) {
+        for (Ladder ladder(options_, digits, dear_);;) {
             try {
                 if (attempt(e, ladder, digits)) break;
                 if (ladder.last()) break;
                 ladder.raise();
             }
             catch (const BeyondReach& refusal) {
+                if (!balls_.empty()) { // what the last accuracy gave stays proven
+                    e.note = refusal.what();
+                    break;
+                }
+                if (!dear_ && ladder.at().digits > digits) { // asked for the sake of binary64 alone
+                    dear_ = true;
+                    ladder = Ladder(options_, digits, dear_);
+                    continue;
+                }
                 e.note = refusal.what();
-                if (!balls_.empty()) break; // what the last accuracy gave stays proven
                 if (digits <= fewer_digits || options_.digits <= fewer_digits) return false;
                 reason_ = refusal.what();
                 digits = fewer_digits;
-                ladder = Ladder(options_, digits, plan_.dear);
+                ladder = Ladder(options_, digits, dear_);
             }
         }
         finish(e, digits);
@@ -173,7 +181,7 @@ private:
         balls_ = {first};
         decided_ = point_ || round_to_digits(first, digits);
         if (!decided_ && !ladder.last()) return false;
-        if (plan_.dear && decided_) decided_first_ = first;
+        if (dear_ && decided_) decided_first_ = first;
         looked_again_ = {};
         bool confirmed = true;
         for (std::size_t i = 0; i < others.size(); ++i) {
@@ -190,7 +198,7 @@ private:
         if (exact_ && !exact_->ball().overlaps(first))
             throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q_.name, first.to_string()));
         decided_ = confirmed && common_digits(balls_, digits).has_value(); // each alone decides what it is asked for
-        return decided_ && (plan_.dear || common_double(balls_));
+        return decided_ && (dear_ || common_double(balls_));
     }
 
     void finish(Evaluation& e, long digits)
@@ -276,6 +284,7 @@ private:
     const Plan& plan_;
     const std::optional<Exact>& exact_;
     const EvaluationOptions& options_;
+    bool dear_; ///< no digits are computed for the sake of binary64: they would take too long, or are beyond reach
     long witness_wants_; ///< digits
     bool own_threads_;
     std::optional<std::future<Witness>> witness_;

@@ -2,6 +2,7 @@
 #include "touchstone/paper/archard_interpolation.hpp"
 
 #include "touchstone/scalar/flint_headers.hpp"
+#include "touchstone/scalar/reciprocal_gamma.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -33,16 +34,15 @@ long last_node(slong bits)
     return M;
 }
 
-/// K_0, ..., K_last by Gamma functions: K_n = r_{n-1} prod_{i<n} (1 - x_i) r_i/sqrt(pi), r_i = 1/Gamma(2 - x_i), x_i = 2^-(i+2).
+/// K_0, ..., K_last by Gamma functions: K_n = g_{n-1}/(1 - x_{n-1}) prod_{i<n} g_i/sqrt(pi), g_i = 1/Gamma(1 - x_i), x_i = 2^-(i+2).
 std::vector<Ball> products(long last)
 {
     std::vector<Ball> K{2 / pi<Ball>()};
-    Ball product = 1 / sqrt(pi<Ball>()), r;
+    Ball product = 1 / sqrt(pi<Ball>());
     for (long n = 1; n <= last; ++n) {
-        const Ball x = dyadic(-(n + 1));
-        arb_rgamma(r.get(), (2 - x).get(), WorkingPrecision::bits());
-        product = (product - product * x) * r;
-        K.push_back(product * r);
+        const Ball g = reciprocal_gamma_below_one(n + 1);
+        product *= g;
+        K.push_back(product * g / (1 - dyadic(-(n + 1))));
     }
     return K;
 }

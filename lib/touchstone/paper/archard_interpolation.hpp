@@ -13,9 +13,9 @@
 namespace touchstone::archard {
 
 /// K_n (n >= 0, or `infinity`) to about the working precision.
-/// Route: K_0, ..., K_M with one Gamma function each, at 2 - 2^-(i+2), by (7.13) and the duplication formula; K_n itself for n <= M, else
-/// K_polynomial and interpolation_error. Arb has Gamma functions of numbers in [1, 2] from tables up to some 3440 bits: to 1000 digits all of
-/// them are had for a third of what K_gamma_product takes; beyond, they are dearer.
+/// Route: K_0, ..., K_M with one Gamma function each, at 1 - 2^-(i+2), by (7.13) and the duplication formula; K_n itself for n <= M, else
+/// K_polynomial and interpolation_error. To 1000 digits these Gamma functions are sums of numbers in a table (reciprocal_gamma_below_one) and
+/// all of them take a fraction of what K_gamma_product does; beyond, they are dearer.
 Ball K_interpolated(long n);
 
 /// The polynomial in u of degree M through K_0, ..., K_M, at u = 2^-n, n > M >= 1, or at u = 0 (`infinity`), to about the working precision:

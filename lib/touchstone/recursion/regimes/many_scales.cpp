@@ -41,7 +41,7 @@ Method area_in_any_limit()
             const WorkingPrecision precision(128);
             return limit::most_digits_of_area_in_any_limit(p.n, Ball(p.load), p.G.ball());
         },
-        .cost = [](const Problem& p, Accuracy a) { return G_above(p, Rational(2)) ? 1.2 * growth(a, 2) : 2 + 10 * growth(a, 2.5); }, // of C(G)
+        .cost = [](const Problem& p, Accuracy a) { return G_above(p, Rational(2'000'001, 1'000'000)) ? 1.2 * growth(a, 2) : 2 + 10 * growth(a, 2.5); }, // of C(G), which is proven in two ways
         .enclose = [](const Problem& p, Accuracy a) { return limit::area_in_any_limit(p.n, arguments(p), a); },
         .budget = [](const Problem&, Accuracy) { return Budget{"A_n = G^-n load (C(G) +- 2 (m + G^2)^(1/2) (lambda^n d)^(1/2)), docs/limit.md, theorem 1"}; },
         .witness = Observer{"limit-law", [](const Problem& p, Accuracy) { return limit::area_by_limit_law(p.n, arguments(p)); }},
