@@ -395,6 +395,31 @@ TEST_CASE("fewer digits never cost more: nothing dear is computed for the sake o
         }
 }
 
+TEST_CASE("a ball that more accuracy does not narrow is not asked for again and again: what a method never proves is not searched for")
+{
+    std::vector<long> asked;
+    const Plan rate_leaves_nine{.proofs = {proves(third, power(Rational(10), -10), &asked)}, .most_digits = 9};
+    const Evaluation e = evaluate(known_by(rate_leaves_nine), inputs({}), {.digits = 4});
+    CHECK(e.value == "0.3333");
+    CHECK(asked == std::vector<long>{4}); // and binary64 is beyond it
+    asked.clear();
+    const Rational tie = Rational(1, 2) + power(Rational(10), -5) / 2; // within its ball
+    const Plan next_to_a_tie{.proofs = {proves(tie, power(Rational(10), -10), &asked)}, .most_digits = 9};
+    CHECK(evaluate(known_by(next_to_a_tie), inputs({}), {.digits = 5}).status == Status::undecided);
+    CHECK(asked.back() <= 17);
+}
+
+TEST_CASE("areas from the limit answer few digits at once, whatever more of them would take")
+{
+    for (const auto& [n, load, G, value] : {std::tuple{"100", "1.2", "2.6", "4.4e-42"}, {"70", "2", "10", "7.9e-70"}}) {
+        CAPTURE(G);
+        const Evaluation e = eval("contact.area", inputs({{"n", n}, {"load", load}, {"G", G}}), {.digits = 2});
+        CHECK(e.status == Status::certified);
+        CHECK(e.value == value);
+        CHECK(e.bits < 128);
+    }
+}
+
 TEST_CASE("a second proof that is asked for fewer digits confirms those, and has to")
 {
     const auto looks_again = [](const Rational& value, const Rational& radius) {

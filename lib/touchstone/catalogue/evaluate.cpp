@@ -42,6 +42,8 @@ std::optional<Exact> exact_result(const Quantity& q, const Inputs& in)
 
 /// At this accuracy a binary64 number is decided unless the value is next to a tie of two of them.
 constexpr long binary64_digits = 18;
+/// Beyond the digits that a method ever proves it is asked for no more than these, for values next to a tie.
+constexpr long digits_to_spare = 8;
 /// Where a proof refuses the digits asked for, it is asked for these before anything unproven is shown.
 constexpr long fewer_digits = 15;
 /// A witness disagrees when it is off by so many times its own error, and by so much of the value.
@@ -97,9 +99,11 @@ void show_what_is_known(Evaluation& e, const std::vector<Ball>& balls, long digi
 /// The last is always the limit, whatever the first was: what is decided does not depend on the start.
 class Ladder {
 public:
-    Ladder(const EvaluationOptions& o, long digits, bool dear) : digits_(digits), dear_(dear)
+    /// \param most_digits that are ever proven: a ball that more accuracy does not narrow is not asked for again and again
+    Ladder(const EvaluationOptions& o, long digits, bool dear, long most_digits) : digits_(digits), dear_(dear)
     {
         limit_ = o.limit_bits > 0 ? accuracy_of(o.limit_bits).digits : accuracy_of(16 * working_bits({digits}) + 8192).digits;
+        if (most_digits < any_digits) limit_ = std::min(limit_, most_digits + digits_to_spare);
         at_ = std::min(limit_, o.start_bits > 0 ? accuracy_of(o.start_bits).digits : dear ? digits : std::max(digits, binary64_digits));
     }
     Accuracy at() const { return {at_}; }
@@ -123,9 +127,9 @@ bool decides_but_for_ties(const Ball& b, long digits) { return arb_rel_accuracy_
 class Search {
 public:
     Search(const Quantity& q, const Plan& plan, const std::optional<Exact>& exact, const EvaluationOptions& options)
-        : q_(q), plan_(plan), exact_(exact), options_(options), dear_(plan.dear),
+        : q_(q), plan_(plan), exact_(exact), options_(options), dear_(plan.dear || plan.most_digits < binary64_digits),
           witness_wants_(std::min(witness_digits, looked_at_again({options.digits}).digits + witness_spare_digits)),
-          own_threads_(plan.dear || q.costly || options.digits >= digits_worth_a_thread)
+          own_threads_(dear_ || q.costly || options.digits >= digits_worth_a_thread)
     {
         if (plan.proofs.size() == 1 && second_look())
             witness_ = start(own_threads_, [look = second_look(), digits = witness_wants_] { return look->witness({digits}); });
@@ -136,7 +140,7 @@ public:
     {
         long digits = std::min(options_.digits, plan_.most_digits);
         if (digits < options_.digits) reason_ = plan_.refusal;
-        for (Ladder ladder(options_, digits, dear_);;) {
+        for (Ladder ladder(options_, digits, dear_, plan_.most_digits);;) {
             try {
                 if (attempt(e, ladder, digits)) break;
                 if (ladder.last()) break;
@@ -149,14 +153,14 @@ public:
                 }
                 if (!dear_ && ladder.at().digits > digits) { // asked for the sake of binary64 alone
                     dear_ = true;
-                    ladder = Ladder(options_, digits, dear_);
+                    ladder = Ladder(options_, digits, dear_, plan_.most_digits);
                     continue;
                 }
                 e.note = refusal.what();
                 if (digits <= fewer_digits || options_.digits <= fewer_digits) return false;
                 reason_ = refusal.what();
                 digits = fewer_digits;
-                ladder = Ladder(options_, digits, dear_);
+                ladder = Ladder(options_, digits, dear_, plan_.most_digits);
             }
         }
         finish(e, digits);
