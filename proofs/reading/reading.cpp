@@ -456,8 +456,7 @@ Check read_whole_as(const Print& print, const Meaning& says)
         for (const auto& [key, outside] : seen.outside)
             if (!outside.first) return Check{Verdict::refuted, outside.second};
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (!seen.undecided[i].empty() && (seen.looked[i] == 0 || m->every_situation_decides))
-                return Check{Verdict::undecided, seen.undecided[i]};
+            if (m->every_situation_decides && !seen.undecided[i].empty()) return Check{Verdict::undecided, seen.undecided[i]};
             if (seen.looked[i] == 0)
                 return Check{Verdict::refuted, "the printed condition of part " + std::to_string(i) + " holds in no situation"};
             if (m->bounds_are_reached && !seen.reached[i])

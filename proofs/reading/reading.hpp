@@ -65,15 +65,15 @@ struct Meaning {
     bool one_way = false;
     /// Each bound of an inequality is reached in some situation: it cannot be printed wider.
     bool bounds_are_reached = false;
-    /// A situation in which balls do not decide leaves the print undecided. Else it says nothing, where another situation decides.
+    /// A situation in which balls do not decide leaves the print undecided. Else it says nothing, and a print of which nothing is ever decided
+    /// is refuted: the paper's own are decided.
     bool every_situation_decides = false;
 };
 
 /// What the symbols of an equation mean, or nothing for entries that are not equations.
 const Meaning* meaning(const std::string& id);
 
-/// Refuted with the situation where the print fails; undecided where balls decide a part in no situation; `verified` with the number of
-/// situations otherwise. Nothing for entries without a
+/// Refuted with the situation where the print fails, `verified` with the number of situations otherwise. Nothing for entries without a
 /// meaning.
 std::optional<Check> read_whole(const Print&);
 

@@ -245,7 +245,7 @@ private:
             const Witness seen = witness_->get();
             SecondLook look = held_against(e.ball, second_look()->name, seen);
             if (!look.agrees) {
-                if (auto other = agreeing_witness(e.ball, look.name)) {
+                if (auto other = agreeing_witness(e.ball, look.name, abs(seen.value - e.ball))) {
                     add(fmt::format("the witness '{}' is off here, {} digits agree", look.name, look.digits));
                     look = std::move(*other);
                 }
@@ -257,7 +257,11 @@ private:
             e.second_look = std::move(look);
         }
         catch (const BeyondReach& refusal) {
-            add(fmt::format("no second look: {}", refusal.what()));
+            if (auto other = agreeing_witness(e.ball, second_look()->name, std::nullopt)) {
+                e.routes.push_back(other->name + " (witness)");
+                e.second_look = std::move(*other);
+            }
+            else add(fmt::format("no second look: {}", refusal.what()));
         }
     }
 
@@ -269,14 +273,17 @@ private:
         return look;
     }
 
-    /// A witness misjudges itself now and then, next to a singular point that its grid does not know: another one is asked before anybody is told
-    /// of a fault.
-    std::optional<SecondLook> agreeing_witness(const Ball& proven, const std::string& but) const
+    /// A witness misjudges itself now and then, next to a singular point that its grid does not know, or knows nothing: another one is asked before
+    /// anybody is told of a fault.
+    /// \param fault by which the first is off: a witness that is vaguer than that does not overrule it
+    std::optional<SecondLook> agreeing_witness(const Ball& proven, const std::string& but, const std::optional<Ball>& fault) const
     {
         for (const Look& other : plan_.witnesses) {
             if (other.name == but) continue;
             try {
-                if (SecondLook look = held_against(proven, other.name, other.witness({witness_wants_})); look.agrees) return look;
+                const Witness seen = other.witness({witness_wants_});
+                if (fault && !certainly(less(witness_error_factor * seen.error, *fault))) continue;
+                if (SecondLook look = held_against(proven, other.name, seen); look.agrees) return look;
             }
             catch (const BeyondReach&) { // it has nothing to say here
             }

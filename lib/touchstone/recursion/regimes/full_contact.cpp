@@ -112,16 +112,24 @@ static bool pressure_too_low(const Problem& p)
     return !certainly(less(unit_pressure(p), 1024 * p.p.ball()));
 }
 
+/// Singular points at 1 - load and next to it are resolved in double-double arithmetic, which must tell them from 0.
+static bool load_next_to_1(const Problem& p)
+{
+    const Rational off = abs(Rational(p.load - 1));
+    return off > 0 && off < power(Rational(10), -27);
+}
+
 Method proven_densities()
 {
     return {
         .name = "proven-levels",
         .asked = {Asked::density},
-        .reach = fmt::format("2 <= n <= {}, load <= {}, 1.003 < G < 10^9, p >= p*_n/1024", densities_reach.scales, densities_reach.load.get_str()),
+        .reach = fmt::format("2 <= n <= {}, load <= {} and not within 1e-27 of 1 but 1, 1.003 < G < 10^9, p >= p*_n/1024", densities_reach.scales, densities_reach.load.get_str()),
         .refusal = [](const Problem& p) -> std::string {
             if (p.n < 2) return "n must be at least 2";
             if (p_is_0(p)) return no_density_at_0;
             if (const std::string refused = refusal_of_levels(p, densities_reach); !refused.empty()) return refused;
+            if (p.n > 2 && load_next_to_1(p)) return "the load is too near 1 for the proven levels of densities, and not 1";
             return pressure_too_low(p) ? "the pressure is too low for the proven levels of densities: below p*_n/1024" : "";
         },
         .digits = 15, // beyond, the meshes grow without end (proven_levels.md)
