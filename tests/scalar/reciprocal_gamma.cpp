@@ -57,3 +57,21 @@ TEST_CASE("the bounds of Taylor's coefficients of 1/Gamma(1 + x) are what the es
     arb_poly_clear(series);
     arb_poly_clear(one_plus_x);
 }
+
+TEST_CASE("what is left out of the series is below the sum of the least bounds, and told within twice that")
+{
+    const WorkingPrecision precision(200);
+    for (const slong e : {2L, 3L, 10L, 100L})
+        for (const slong K : {1L, 2L, 9L, 40L, 200L, 536L}) {
+            CAPTURE(e);
+            CAPTURE(K);
+            Ball least = Ball::indeterminate();
+            for (const auto& [log_radius, log_size] : reciprocal_gamma_bounds) {
+                const Ball sum = power_of_two<Ball>(log_size - (e + log_radius) * K) / (1 - power_of_two<Ball>(-e - log_radius));
+                if (!least.is_finite() || certainly(less(sum, least))) least = sum;
+            }
+            const Ball rest = power_of_two<Ball>(reciprocal_gamma_rest(e, K));
+            CHECK(certainly(less(least, rest)));
+            CHECK(certainly(less(rest, 2 * least)));
+        }
+}

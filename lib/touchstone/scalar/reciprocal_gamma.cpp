@@ -4,8 +4,17 @@
 #include "touchstone/scalar/flint_headers.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace touchstone {
+
+slong reciprocal_gamma_rest(slong e, slong K)
+{
+    slong least = std::numeric_limits<slong>::max();
+    for (const auto& [log_radius, log_size] : reciprocal_gamma_bounds) least = std::min(least, log_size + 1 - (e + log_radius) * K);
+    return least;
+}
+
 namespace {
 
 /// For the roundings of the sum, of which there are some hundred.
@@ -19,19 +28,11 @@ slong coefficient_bound(slong k)
     return least;
 }
 
-/// sum_{k>=K} |c_k| 2^-ek is below 2^ of this, as each term is at most half of the one before.
-slong rest_bound(slong e, slong K)
-{
-    slong least = reciprocal_gamma_bounds.front().log_size;
-    for (const auto& [log_radius, log_size] : reciprocal_gamma_bounds) least = std::min(least, log_size + 1 - (e + log_radius) * K);
-    return least;
-}
-
 /// By Horner's rule; false where the table has not the digits.
 bool sum_series(Ball& sum, slong e, slong bits)
 {
     slong K = 1;
-    while (rest_bound(e, K) > -bits) ++K;
+    while (reciprocal_gamma_rest(e, K) > -bits) ++K;
     if (K > ARB_HYPGEOM_GAMMA_TAB_NUM) return false;
     sum = 0;
     for (slong k = K - 1; k >= 0; --k) {
@@ -42,7 +43,7 @@ bool sum_series(Ball& sum, slong e, slong bits)
         arb_mul_2exp_si(sum.get(), sum.get(), -e);
         arb_sub(sum.get(), &c, sum.get(), std::max<slong>(64, bits - e * k));
     }
-    const Ball rest = power_of_two<Ball>(rest_bound(e, K));
+    const Ball rest = power_of_two<Ball>(reciprocal_gamma_rest(e, K));
     arb_add_error(sum.get(), rest.get());
     return true;
 }

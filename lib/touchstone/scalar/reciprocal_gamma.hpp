@@ -23,4 +23,7 @@ struct TaylorBound {
 /// 25/22 e^(pi R/2) (2R)!/R!.
 inline constexpr std::array<TaylorBound, 4> reciprocal_gamma_bounds{{{3, 48}, {4, 110}, {5, 252}, {6, 566}}};
 
+/// sum_{k>=K} |c_k| 2^-ek is below 2^ of this, as each term of the bounds is at most half of the one before.
+slong reciprocal_gamma_rest(slong e, slong K);
+
 } // namespace touchstone
