@@ -416,6 +416,17 @@ TEST_CASE("a ball that more accuracy does not narrow is not asked for again and 
     CHECK(asked.back() <= 17);
 }
 
+TEST_CASE("at G = 2 the largest half-width tends to 1/2, and its proofs do not stop where no ball tells it from that")
+{
+    for (const auto& [n, load, value] : {std::tuple{"3", "0.5", "0.406980"}, {"20000", "0.5", "0.500000"}, {"20000", "0.9999999999999999999", "0.500000"}, {"20000", "1e-300", "0.500000"}}) {
+        CAPTURE(n);
+        const Evaluation e = eval("segments.max_half_width", inputs({{"n", n}, {"load", load}, {"G", "2"}}), {.digits = 6});
+        CHECK(e.status == Status::certified);
+        CHECK(e.value == value);
+        CHECK(e.bits <= 256);
+    }
+}
+
 TEST_CASE("areas from the limit answer few digits at once, whatever more of them would take")
 {
     for (const auto& [n, load, G, value] : {std::tuple{"100", "1.2", "2.6", "4.4e-42"}, {"70", "2", "10", "7.9e-70"}}) {

@@ -146,7 +146,8 @@ void add_segments(std::vector<Quantity>& all)
                             const Ball below = 2 * sqrt(at_most(x, Ball(1)));
                             x = (certainly(less(x, Ball(1))) ? below : below + at_least(x, Ball(1)) - 1) / G;
                         }
-                        return asin(sqrt(at_most(x, Ball(1)))) / pi<Ball>();
+                        if (certainly(less(x, Ball(1) / 2))) return asin(sqrt(x)) / pi<Ball>();
+                        return Ball(1) / 2 - asin(sqrt_positive_part(1 - x)) / pi<Ball>(); // for at G = 2 a ball of x meets 1
                     }}}});
 }
 
