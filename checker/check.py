@@ -168,18 +168,19 @@ def names_of(quantity):
 
 
 def digits_of(cell, error):
-    """how many digits of a printed number its error leaves: those down to the last whose unit is not below it"""
+    """how many digits of a printed number its error leaves: those down to the last with half a unit not below it"""
     mantissa, _, exponent = cell.lower().partition("e")
     whole, _, decimals = mantissa.lstrip("+-").partition(".")
     digits = len((whole + decimals).lstrip("0"))
     unit = Fraction(10) ** (int(exponent or 0) - len(decimals))
-    while digits and error > unit:
+    while digits and 2 * error > unit:
         digits, unit = digits - 1, 10 * unit
     return digits
 
 
-def verdict(form, row, names, binary64):
-    """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits"""
+def verdict(form, row, names, binary64, wanted=0):
+    """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits; a certified one has an error that leaves
+    the digits wanted"""
     cells = row.split()
     if not all(NUMBER.fullmatch(cell) for cell in cells[: len(names) + 2]):
         return "unreadable", 0
@@ -190,7 +191,9 @@ def verdict(form, row, names, binary64):
         return "unreadable", 0
     if any(name == "n" and not 0 <= x <= MOST_SCALE for name, x in zip(names, inputs)):
         return "unreadable", 0
-    printed, low, high, width = digits_of(cells[len(names)], error), 0, 0, inf
+    printed, low, high, width = digits_of(cells[len(names)], error) if error else inf, 0, 0, inf
+    if printed < wanted:
+        return "wrong", 0
     Interval.bits = 64 + int(3.33 * len(cells[len(names)].lower().split("e")[0]))
     while Interval.bits <= MOST_BITS:
         try:
@@ -205,7 +208,7 @@ def verdict(form, row, names, binary64):
         if true is None:
             return "not a closed form", 0
         if isinstance(true, Fraction):
-            return ("right", printed if error else inf) if abs(true - value) <= error else ("wrong", 0)
+            return ("right", printed) if abs(true - value) <= error else ("wrong", 0)
         low, high = true.ends()
         if value - error <= low and high <= value + error:
             return "right", printed
@@ -268,19 +271,20 @@ def main():
             worst = max(worst, 65)
             continue
         step = max(1, -(-len(rows) // arguments.limit)) if arguments.limit else 1
-        count, least, none, confirmed = {}, inf, True, 0
+        count, least, confirmed, wanted = {}, inf, 0, header.get("digits") if header["status"] == "certified" else 0
         for number, row in enumerate(rows[::step]):
             with_patience(PATIENCE)
-            said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
+            said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64", wanted)
             with_patience(0)
             count[said] = count.get(said, 0) + 1
-            least, none, confirmed = min(least, digits or inf), none and not digits, confirmed + (said == "right" or digits > 0)
+            if said == "right" or digits:
+                least, confirmed = min(least, digits), confirmed + 1
             if said in ("wrong", "unreadable") or said == "undecided" and not digits:
                 print(f"{path}: row {number * step + 1}: {said}: {printable(row)}", file=sys.stderr)
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)
         right = count.get("right", 0)
         asked = len(rows[::step])
-        digits = "-" if none else "exact" if least == inf else least
+        digits = "-" if not confirmed else "exact" if least == inf else least
         print(f"{printable(header['name']):30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {digits:>6}", flush=True)
         if wrong:
             worst = max(worst, 1)

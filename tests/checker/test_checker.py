@@ -168,7 +168,8 @@ class Checker(unittest.TestCase):
             "no unit": (65, {**half, "unit": ...}, "1 0.5 0"), "no equation": (65, {**half, "equation": ...}, "1 0.5 0"),
             "no status": (65, {**half, "status": ...}, "1 0.5 0"), "exact, with an error": (65, {**half, "status": "exact"}, "0.5 0.250 1e-3"),
             "more digits than there are": (65, {**half, "digits": 40}, "0.5 0.250 1e-3"), "digits that are no number": (65, {**half, "digits": [3]}, "0.5 0.250 1e-3"), "a column too many": (65, half, "0.5 0.250 1e-3 0 wrong"),
-            "all is right": (0, half, "0.5 0.250 1e-3"),
+            "all is right": (0, half, "0.5 0.250 5e-4"), "certified, with an error of a unit of the last digit": (1, half, "0.5 0.250 1e-3"),
+            "certified, with an error of the whole value": (1, half, "0.5 0.500 1"), "estimated, with that error": (0, {**half, "status": "estimated"}, "0.5 0.250 1e-3"),
             "inputs of another quantity": (65, {"inputs": ["n"]}, "0 1.5 0"),
             "inputs that changed places": (65, {**iterate, "inputs": ["load", "n", "G"]}, "2 1 3 0.5 0"), "an input by another name": (65, {**half, "inputs": ["gamma"]}, "1 1 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
             "a number of a billion digits": (1, {}, "0 1.5 1e999999999 0"), "a bound of as many": (1, {}, "0 1.5 1.00 1e-999999999"), "out of the domain": (1, half, "-1 1 0"),
@@ -181,7 +182,8 @@ class Checker(unittest.TestCase):
                 said = dict(zip(("equation", "unit"), units.SAID.get(str({**header, **changes}["quantity"]), ("", ""))))
                 sealed = {**header, **said, **changes, "rows": 1, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
                 sealed = {key: value for key, value in sealed.items() if value is not ...}
-                title = words.get("title", f"# Touchstone certified reference table t\n# of a stranger; equation {said['equation']}; unit {said['unit']}")
+                how = "estimated" if sealed.get("status") == "estimated" else "certified"
+                title = words.get("title", f"# Touchstone {how} reference table t\n# of a stranger; equation {said['equation']}; unit {said['unit']}")
                 columns = words.get("columns", " ".join([*map(str, sealed["inputs"] if isinstance(sealed["inputs"], list) else []), "value", "error"]))
                 path.write_text(f"{title}\n# {json.dumps(sealed)}\n# {columns}\n{row}\n".replace("null", "[" * 100000 + "]" * 100000))
                 return run(path, timeout=60)
@@ -191,19 +193,21 @@ class Checker(unittest.TestCase):
                 with self.subTest(name):
                     self.assertEqual((result.returncode, len(result.stderr.splitlines())), (code, 1 if code else 0), result.stderr[-300:])
                     self.assertTrue((result.stderr.rstrip("\n") or " ").isprintable())
-            self.assertEqual(written(half, "0.5 0.250 1e-3 0.5", columns="load value error forced").returncode, 0)
+            for row, digits in (("0.5 0.2500 5e-4", "3"), ("0.5 0.7 1", "0")):  # a row that is right to no digit is not passed over
+                self.assertEqual(written({**half, "status": "estimated"}, row).stdout.split()[-1], digits)
+            self.assertEqual(written(half, "0.5 0.250 5e-4 0.5", columns="load value error forced").returncode, 0)
             for words in ({"columns": "load error value"}, {"title": "# Touchstone certified reference table t\n# of a stranger; equation 2.5; unit metre"},
                           {"title": "# Touchstone certified reference table u\n# of a stranger; equation 2.5; unit lambda"}):
                 with self.subTest(words=words):
-                    result = written(half, "0.5 0.250 1e-3", **words)
+                    result = written(half, "0.5 0.250 5e-4", **words)
                     self.assertEqual((result.returncode, len(result.stderr.splitlines())), (65, 1), result.stderr[-300:])
             path.unlink()
             path.symlink_to("/dev/zero")
             self.assertEqual(run(path, timeout=60).returncode, 65)
 
     def test_digits_are_those_that_the_error_leaves(self):
-        for cell, error, digits in (("0.4199", "1e-4", 4), ("0.4199", "1e-2", 2), ("0.4199", "0.5", 0), ("4.1655E-1", "1e-30", 5), ("+4.1655e-1", "0", 5),
-                                    ("-0.0041", "5e-5", 2), ("120", "0.5", 3), ("120", "10", 2), ("0", "0", 0)):
+        for cell, error, digits in (("0.4199", "5e-5", 4), ("0.4199", "1e-4", 3), ("0.4199", "1e-2", 1), ("0.4199", "0.5", 0), ("4.1655E-1", "1e-30", 5), ("+4.1655e-1", "0", 5),
+                                    ("-0.0041", "5e-5", 2), ("120", "0.5", 3), ("120", "5", 2), ("120", "10", 1), ("0", "0", 0)):
             self.assertEqual(check.digits_of(cell, check.Fraction(error)), digits, (cell, error))
 
     def test_a_row_that_takes_too_long_stays_open(self):
