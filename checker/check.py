@@ -33,6 +33,13 @@ MOST_BITS = 16384
 MOST_SCALE = 10**6  # the largest n in a table: the work grows with it
 LONGEST_FILE = 1 << 26
 NUMBER = re.compile(r"[-+]?[0-9]{1,5000}(/[0-9]{1,5000}|\.[0-9]{0,5000})?([eE][-+]?[0-9]{1,5})?")
+DOMAIN = {  # of inputs by name, as `touchstone list` says it; what holds of one quantity only, beside that, by both names
+    "n": lambda n: n.denominator == 1 and 0 <= n <= MOST_SCALE, "load": lambda load: load > 0, "G": lambda G: G > 1, "D": lambda D: 1 < D < 2,
+    "gamma": lambda gamma: gamma > 1, "p": lambda p: p >= 0, "a": lambda a: 0 <= 2 * a <= 1, "tolerance": lambda tolerance: 0 < tolerance < 1,
+    **dict.fromkeys(("archard.segments n", "archard.segments_limit n", "segments.count n", "segments.density n"), lambda n: n >= 1),
+    **dict.fromkeys(("limit.exceedance p", "limit.force p", "limit.density p", "limit.distance p", "limit.segments a", "peaks.f x"), lambda x: x > 0),
+    "westergaard.half_width load": lambda load: load <= 1,
+    **dict.fromkeys(("westergaard.pressure x", "westergaard.gap x"), lambda x: abs(2 * x) <= 1)}
 PATIENCE = 1800  # seconds for one row: a stranger's inputs may lie in the domain and be beyond all patience
 sys.set_int_max_str_digits(0) if hasattr(sys, "set_int_max_str_digits") else None
 
@@ -167,6 +174,17 @@ def names_of(quantity):
     return ["G"] if quantity == "limit.area_ratio" else [*inspect.signature(closed_forms.FORMS[quantity]).parameters]
 
 
+def within_domain(quantity, form):
+    """the form, which formulas alone would carry on beyond where the quantity has a meaning"""
+    conditions = [[DOMAIN[key] for key in (name, f"{quantity} {name}") if key in DOMAIN] for name in names_of(quantity)]
+
+    def inside(*inputs):
+        if not all(holds(x) for x, of_x in zip(inputs, conditions) for holds in of_x):
+            raise ValueError("outside the domain")
+        return form(*inputs)
+    return inside
+
+
 def digits_of(cell, error):
     """how many digits of a printed number its error leaves: those down to the last with half a unit not below it"""
     mantissa, _, exponent = cell.lower().partition("e")
@@ -188,8 +206,6 @@ def verdict(form, row, names, binary64, wanted=0):
         inputs = [Fraction(float(c)) if binary64 else Fraction(c) for c in cells[: len(names)]]
         value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])
     except (ValueError, OverflowError, ZeroDivisionError):
-        return "unreadable", 0
-    if any(name == "n" and not 0 <= x <= MOST_SCALE for name, x in zip(names, inputs)):
         return "unreadable", 0
     printed, low, high, width = digits_of(cells[len(names)], error) if error else inf, 0, 0, inf
     if printed < wanted:
@@ -266,6 +282,7 @@ def main():
             if header["inputs"] != (names := names_of(header["quantity"])):
                 raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(names)}, not {' '.join(header['inputs'])}")
             words_of(path, header, rows)
+            form = within_domain(header["quantity"], form)
         except (Unreadable, MemoryError) as reason:
             print(f"check.py: {printable(reason) or f'{path}: needs too much memory'}", file=sys.stderr)
             worst = max(worst, 65)

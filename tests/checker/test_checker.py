@@ -205,6 +205,37 @@ class Checker(unittest.TestCase):
             path.symlink_to("/dev/zero")
             self.assertEqual(run(path, timeout=60).returncode, 65)
 
+    def test_rows_outside_of_the_domain_are_refused(self):
+        """Inputs that a quantity does not take, and ends of supports, where a density has no value: never right; next to them it is."""
+        cases = {
+            "archard.K": ("2.75 0.42 1", "-1 1 1", "1000001 0.3 0.1"), "contact.area": ("2.5 1 3 1 1", "0 1 -7 1 0", "0 1 0.5 1 0", "0 1 1 1 0"),
+            "contact.density": ("0.5 9 0.5 3 0 0", "0 3 2 3 0 0", "0 1 2 3 0 0", "0 1 0.25 3 0 0"), "contact.exceedance": ("0 -1 1 3 1 0",),
+            "westergaard.density": ("1 0.25 0 0", "3 2 0 0", "1 2 0 0", "0 1 0 0", "2 1 0 0", "-1 0.5 0 0"), "westergaard.exceedance": ("-1 0.5 1 0",),
+            "westergaard.half_width": ("0 0 0", "1.5 0.5 0"), "westergaard.pressure": ("1 1 2 0", "-0.75 1 1 0"), "westergaard.gap": ("1 0.5 1 1",),
+            "segments.density": ("1 0.5 2 3 0 0", "1 0 1 3 0 0", "1 0.25 5 1 0 0", "0 0.5 0.5 3 0 0", "1 0.75 2 3 0 0", "1 0.25 1 4 0 0"),
+            "segments.count": ("0 1 1.5 4 1 1", "1 1 2 4 4 0", "1 1 1.5 1 1 0"), "archard.segments": ("0 1 1.5 4 1 1",), "archard.alpha": ("1 2 -1.5 0",),
+            "peaks.fixed_point": ("0.5 -2 0", "1 1 1"), "peaks.f": ("0 0 0",), "peaks.iterate": ("0 0 2 0 0",), "weierstrass.bound": ("3 2 -1 0",),
+            "weierstrass.profile": ("0 1 2 2 1",), "hertz.half_width": ("0 0 0",),
+            "limit.exceedance": ("0 3 1 0",), "limit.segments": ("0 3 1 0",), "limit.scale": ("1 1 3 0 0",)}
+        right = {"westergaard.density": ("0 0.25 0 0", "1.5 0.25 0 0", "0 2 0 0", "4 2 0 0"), "contact.density": ("0 0 0.25 3 0 0", "0 0.5 2 3 0 0"),
+                 "segments.density": ("1 0.5 1.5 3 0 0", "1 0 0.5 3 0 0", "1 0 2 3 0 0"), "westergaard.half_width": ("1 0.5 0",), "westergaard.pressure": ("-0.5 1 0 0",),
+                 "hertz.pressure": ("7 1 0 0",), "westergaard.exceedance": ("0 1 1 0",), "contact.area": ("0 1 3 1 0",), "archard.delta": ("0 0.5 0",)}
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "t.txt"
+            for code, rows_of in ((1, cases), (0, right)):
+                for quantity, rows in rows_of.items():
+                    equation, unit = units.SAID[quantity]
+                    header = {"name": "t", "quantity": quantity, "equation": equation, "unit": unit, "description": "d", "inputs": check.names_of(quantity), "input_format": "binary64",
+                              "digits": 1, "rows": len(rows), "status": "estimated", "sha256": hashlib.sha256("".join(row + "\n" for row in rows).encode()).hexdigest()}
+                    if all(row.endswith(" 0") for row in rows):
+                        header["status"] = "exact"
+                    title = f"# Touchstone {'estimated' if header['status'] == 'estimated' else 'certified'} reference table t\n# d; equation {equation}; unit {unit}"
+                    path.write_text("\n".join([title, "# " + json.dumps(header), "# " + " ".join([*header["inputs"], "value", "error"]), *rows]) + "\n")
+                    result = run(path, timeout=60)
+                    with self.subTest(quantity):
+                        self.assertEqual(result.returncode, code, result.stderr)
+                        self.assertEqual(result.stdout.split()[-2 - bool(not code) * 2], str(len(rows)), result.stdout + result.stderr)
+
     def test_digits_are_those_that_the_error_leaves(self):
         for cell, error, digits in (("0.4199", "5e-5", 4), ("0.4199", "1e-4", 3), ("0.4199", "1e-2", 1), ("0.4199", "0.5", 0), ("4.1655E-1", "1e-30", 5), ("+4.1655e-1", "0", 5),
                                     ("-0.0041", "5e-5", 2), ("120", "0.5", 3), ("120", "5", 2), ("120", "10", 1), ("0", "0", 0)):
