@@ -32,7 +32,8 @@ from intervals import Interval
 MOST_BITS = 16384
 MOST_SCALE = 10**6  # the largest n in a table: the work grows with it
 LONGEST_FILE = 1 << 26
-NUMBER = re.compile(r"[-+]?[0-9]{1,5000}(/[0-9]{1,5000}|\.[0-9]{0,5000})?([eE][-+]?[0-9]{1,5})?")
+NUMBER = re.compile(r"[-+]?[0-9]{1,5000}(/[0-9]{1,5000}|\.[0-9]{0,5000})?([eE][-+]?[0-9]{1,9})?")
+MOST_EXPONENT = 2 * 10**6  # in decimals: a fraction beyond takes more than seconds
 DOMAIN = {  # of inputs by name, as `touchstone list` says it; what holds of one quantity only, beside that, by both names
     "n": lambda n: n.denominator == 1 and 0 <= n <= MOST_SCALE, "load": lambda load: load > 0, "G": lambda G: G > 1, "D": lambda D: 1 < D < 2,
     "gamma": lambda gamma: gamma > 1, "p": lambda p: p >= 0, "a": lambda a: 0 <= 2 * a <= 1, "tolerance": lambda tolerance: 0 < tolerance < 1,
@@ -202,6 +203,8 @@ def verdict(form, row, names, binary64, wanted=0):
     cells = row.split()
     if not all(NUMBER.fullmatch(cell) for cell in cells[: len(names) + 2]):
         return "unreadable", 0
+    if any(abs(int(cell.lower().partition("e")[2] or 0)) > MOST_EXPONENT for cell in cells[: len(names) + 2]):
+        return "undecided", 0
     try:
         inputs = [Fraction(float(c)) if binary64 else Fraction(c) for c in cells[: len(names)]]
         value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])

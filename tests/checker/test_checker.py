@@ -160,6 +160,7 @@ class Checker(unittest.TestCase):
         """Well sealed, and written to crash the checker or to keep it for ever: one line a table or row, and soon."""
         header = {"name": "t", "quantity": "archard.alpha", "description": "of a stranger", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3, "status": "certified"}
         iterate, half = {"quantity": "peaks.iterate", "inputs": ["n", "load", "G"]}, {"quantity": "westergaard.half_width", "inputs": ["load"]}
+        area = {"quantity": "archard.area", "inputs": ["n", "load", "G"]}
         brackets = {"x": None}
         cases = {
             "brackets without end": (65, brackets, "0 1.5 0 0"), "inputs of another type": (65, {"inputs": 5}, "0 1.5 0 0"),
@@ -172,7 +173,9 @@ class Checker(unittest.TestCase):
             "certified, with an error of the whole value": (1, half, "0.5 0.500 1"), "estimated, with that error": (0, {**half, "status": "estimated"}, "0.5 0.250 1e-3"),
             "inputs of another quantity": (65, {"inputs": ["n"]}, "0 1.5 0"),
             "inputs that changed places": (65, {**iterate, "inputs": ["load", "n", "G"]}, "2 1 3 0.5 0"), "an input by another name": (65, {**half, "inputs": ["gamma"]}, "1 1 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
-            "a number of a billion digits": (1, {}, "0 1.5 1e999999999 0"), "a bound of as many": (1, {}, "0 1.5 1.00 1e-999999999"), "out of the domain": (1, half, "-1 1 0"),
+            "a number of ten billion digits": (1, {}, "0 1.5 1e9999999999 0"), "a bound of as many": (1, {}, "0 1.5 1.00 1e-9999999999"), "out of the domain": (1, half, "-1 1 0"),
+            "a value beyond all exponents of five digits": (0, area, "1000000 0.5 8.08240626924901 3.33e-907541 5e-907544"), "one more in its last digit": (1, area, "1000000 0.5 8.08240626924901 3.34e-907541 5e-907544"),
+            "another": (0, {**area, "quantity": "archard.segments", "inputs": ["n", "load", "D", "gamma"]}, "1000000 2 1.1 5 1.09e+629073 5e+629070"),
             "a control character": (1, half, "1\x1b[2J 1 0"),
         }
         with tempfile.TemporaryDirectory() as folder:
@@ -193,6 +196,9 @@ class Checker(unittest.TestCase):
                 with self.subTest(name):
                     self.assertEqual((result.returncode, len(result.stderr.splitlines())), (code, 1 if code else 0), result.stderr[-300:])
                     self.assertTrue((result.stderr.rstrip("\n") or " ").isprintable())
+            for changes, row in ((area, "1000000 0.5 1e300 1.96e-299999701 5e-299999704"), ({}, "0 1.5 1e999999999 0"), ({}, "0 1.5 1.00 1e-999999999")):  # too long to be compared
+                result = written(changes, row)
+                self.assertEqual((result.returncode, result.stdout.split()[-4:], result.stderr.count(": undecided: ")), (0, ["0", "1", "0", "-"], 1), result.stderr)
             for row, digits in (("0.5 0.2500 5e-4", "3"), ("0.5 0.7 1", "0")):  # a row that is right to no digit is not passed over
                 self.assertEqual(written({**half, "status": "estimated"}, row).stdout.split()[-1], digits)
             self.assertEqual(written(half, "0.5 0.250 5e-4 0.5", columns="load value error forced").returncode, 0)
