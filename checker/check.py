@@ -62,6 +62,13 @@ def too_long(*_):
     raise TooLong
 
 
+def once(pairs):
+    """an object of JSON, whose readers would differ on a key that comes twice"""
+    if len(dict(pairs)) < len(pairs):
+        raise ValueError("a key comes twice")
+    return dict(pairs)
+
+
 def read(path):
     """header, rows of a canonical table, its sha256 verified"""
     try:
@@ -78,7 +85,7 @@ def read(path):
     if len(headers) != 1:
         raise Unreadable(f"{path}: not a canonical table: {len(headers)} lines of JSON")
     try:
-        header = json.loads(headers[0][2:])
+        header = json.loads(headers[0][2:], object_pairs_hook=once)
         inputs, rows_promised, digest = header["inputs"], header["rows"], header["sha256"]
         if not all(isinstance(text, str) for text in (*inputs, header["name"], header["quantity"])) or not isinstance(inputs, list):
             raise ValueError("name, quantity or inputs are no texts")
@@ -95,26 +102,42 @@ def read(path):
     for number, row in enumerate(rows, 1):
         if len(row.split()) != len(columns):
             raise Unreadable(f"{path}: row {number}: {len(row.split())} columns, not {len(columns)}")
-    header["words"] = [line for line in lines if line.startswith("#")]
+    header["words"] = lines[: len(lines) - len(rows) - 1]
     return header, rows
 
 
+def comments(header, forced):
+    """the lines above the JSON, with which the program tells a reader what the header says"""
+    estimated = header.get("status") == "estimated"
+    bound = "estimate (from how far the numerical methods named under routes part, no proof; 0: exact)" if estimated else "proven bound"
+    lines = [
+        f"Touchstone {'estimated' if estimated else 'certified'} reference table {header['name']}",
+        f"{header.get('description')}; equation {header['equation']}; unit {header['unit']}",
+        "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to.",
+        f"value: the true value rounded to nearest, {header.get('digits')} significant digits (fewer if exact). "
+        f"error: {bound} of |value - true value|."]
+    some = ", in some rows by an estimated condition number" if header.get("forced") == "estimated" else ""
+    lines += [f"forced: ulps of the value (absolute where it is 0) that rounding each real input once can cost a perfect code, to first order{some}."]
+    return [f"# {line}" for line in (lines if forced else lines[:-1])]
+
+
 def words_of(path, header, rows):
-    """that what the table says of itself, to a reader and in JSON, is so: equation, unit, digits and status"""
+    """that what the table says of itself, to a reader and in JSON, is so: equation, unit, format of inputs, digits and status"""
     equation, unit = units.SAID[header["quantity"]]
-    for what, said in (("equation", equation), ("unit", unit)):
+    for what, said in (("equation", equation), ("unit", unit), ("input_format", "binary64")):
         if header.get(what) != said:
             raise Unreadable(f"{path}: the {what} of {header['quantity']} is {said}, not {header.get(what, 'left out')}")
-    titles = [f"# Touchstone {'estimated' if header.get('status') == 'estimated' else 'certified'} reference table {header['name']}",
-              f"# {header.get('description')}; equation {equation}; unit {unit}"]
-    if header["words"][:2] != titles:
-        raise Unreadable(f"{path}: its first two lines are not '{titles[0]}' and '{titles[1]}'")
+    if header["words"][:-2] != (right := comments(header, header["words"][-1].endswith(" forced"))):
+        raise Unreadable(f"{path}: the lines above its JSON are not {right}")
     at = len(header["inputs"])
     approximate = [row.split()[at] for row in rows if row.split()[at + 1] != "0"]
     if header.get("status") not in ("certified", "estimated", "undecided") and (approximate or header.get("status") != "exact"):
         raise Unreadable(f"{path}: the status of its rows is not {header.get('status', 'left out')}")
     digits = {len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) for value in approximate}
-    if header["status"] == "certified" and any(count != header.get("digits") for count in digits):
+    short = any(count != header.get("digits") for count in digits)
+    if header["status"] == "undecided" and not short:
+        raise Unreadable(f"{path}: it says undecided, and its values have all {header.get('digits')} digits")
+    if header["status"] == "certified" and short:
         raise Unreadable(f"{path}: its values have not the {header.get('digits')} digits that it says")
 
 
@@ -197,7 +220,7 @@ def digits_of(cell, error):
     return digits
 
 
-def verdict(form, row, names, binary64, wanted=0):
+def verdict(form, row, names, wanted=0):
     """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits; a certified one has an error that leaves
     the digits wanted"""
     cells = row.split()
@@ -206,7 +229,7 @@ def verdict(form, row, names, binary64, wanted=0):
     if any(abs(int(cell.lower().partition("e")[2] or 0)) > MOST_EXPONENT for cell in cells[: len(names) + 2]):
         return "undecided", 0
     try:
-        inputs = [Fraction(float(c)) if binary64 else Fraction(c) for c in cells[: len(names)]]
+        inputs = [Fraction(float(c)) for c in cells[: len(names)]]
         value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])
     except (ValueError, OverflowError, ZeroDivisionError):
         return "unreadable", 0
@@ -294,7 +317,7 @@ def main():
         count, least, confirmed, wanted = {}, inf, 0, header.get("digits") if header["status"] == "certified" else 0
         for number, row in enumerate(rows[::step]):
             with_patience(PATIENCE)
-            said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64", wanted)
+            said, digits = verdict(form, row, header["inputs"], wanted)
             with_patience(0)
             count[said] = count.get(said, 0) + 1
             if said == "right" or digits:

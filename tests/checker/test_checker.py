@@ -48,6 +48,17 @@ def run(*arguments, **more):
     return subprocess.run([sys.executable, known.checker / "check.py", *map(str, arguments)], capture_output=True, text=True, **more)
 
 
+def comments(header, forced=False):
+    """what stands above the JSON of a table, as lib/touchstone/table/format.cpp writes it"""
+    estimated = header.get("status") == "estimated"
+    how = "estimate (from how far the numerical methods named under routes part, no proof; 0: exact)" if estimated else "proven bound"
+    lines = [f"Touchstone {'estimated' if estimated else 'certified'} reference table {header['name']}",
+             f"{header['description']}; equation {header.get('equation')}; unit {header.get('unit')}",
+             "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to.",
+             f"value: the true value rounded to nearest, {header['digits']} significant digits (fewer if exact). error: {how} of |value - true value|."]
+    return "\n".join(f"# {line}" for line in lines + forced * ["forced: ulps of the value (absolute where it is 0) that rounding each real input once can cost a perfect code, to first order."])
+
+
 class Checker(unittest.TestCase):
     def tables(self, names):
         return [known.tables / f"{name}.txt" for name in names]
@@ -112,7 +123,7 @@ class Checker(unittest.TestCase):
                 digit = str((int(mantissa[place]) + chosen.choice([1, 9])) % 10)
                 cells[len(inputs)] = mantissa[:place] + digit + mantissa[place + 1:] + e + exponent
                 with self.subTest(seed=seed, table=name, row=row, mutant=cells[len(inputs)]):
-                    self.assertIn(check.verdict(form, " ".join(cells), inputs, True)[0], ("wrong", "undecided"))
+                    self.assertIn(check.verdict(form, " ".join(cells), inputs)[0], ("wrong", "undecided"))
 
     def test_coq_has_the_theorems_that_the_ledger_names(self):
         """data/paper/coq.txt: each entry is in the ledger, each theorem is in its file, and Theorems.v prints what it assumes."""
@@ -169,6 +180,8 @@ class Checker(unittest.TestCase):
             "no unit": (65, {**half, "unit": ...}, "1 0.5 0"), "no equation": (65, {**half, "equation": ...}, "1 0.5 0"),
             "no status": (65, {**half, "status": ...}, "1 0.5 0"), "exact, with an error": (65, {**half, "status": "exact"}, "0.5 0.250 1e-3"),
             "more digits than there are": (65, {**half, "digits": 40}, "0.5 0.250 1e-3"), "digits that are no number": (65, {**half, "digits": [3]}, "0.5 0.250 1e-3"), "a column too many": (65, half, "0.5 0.250 1e-3 0 wrong"),
+            "no input format": (65, {**half, "input_format": ...}, "0.5 0.250 5e-4"), "inputs said to be exact": (65, {**half, "input_format": "exact"}, "0.5 0.250 5e-4"),
+            "undecided, though all rows have their digits": (65, {**half, "status": "undecided"}, "0.5 0.250 5e-4"), "undecided, and one has not": (0, {**half, "status": "undecided"}, "0.5 0.25 5e-3"),
             "all is right": (0, half, "0.5 0.250 5e-4"), "certified, with an error of a unit of the last digit": (1, half, "0.5 0.250 1e-3"),
             "certified, with an error of the whole value": (1, half, "0.5 0.500 1"), "estimated, with that error": (0, {**half, "status": "estimated"}, "0.5 0.250 1e-3"),
             "inputs of another quantity": (65, {"inputs": ["n"]}, "0 1.5 0"),
@@ -185,8 +198,7 @@ class Checker(unittest.TestCase):
                 said = dict(zip(("equation", "unit"), units.SAID.get(str({**header, **changes}["quantity"]), ("", ""))))
                 sealed = {**header, **said, **changes, "rows": 1, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
                 sealed = {key: value for key, value in sealed.items() if value is not ...}
-                how = "estimated" if sealed.get("status") == "estimated" else "certified"
-                title = words.get("title", f"# Touchstone {how} reference table t\n# of a stranger; equation {said['equation']}; unit {said['unit']}")
+                title = words.get("title", comments({**sealed, **said}, words.get("columns", "").endswith("forced")))
                 columns = words.get("columns", " ".join([*map(str, sealed["inputs"] if isinstance(sealed["inputs"], list) else []), "value", "error"]))
                 path.write_text(f"{title}\n# {json.dumps(sealed)}\n# {columns}\n{row}\n".replace("null", "[" * 100000 + "]" * 100000))
                 return run(path, timeout=60)
@@ -202,11 +214,21 @@ class Checker(unittest.TestCase):
             for row, digits in (("0.5 0.2500 5e-4", "3"), ("0.5 0.7 1", "0")):  # a row that is right to no digit is not passed over
                 self.assertEqual(written({**half, "status": "estimated"}, row).stdout.split()[-1], digits)
             self.assertEqual(written(half, "0.5 0.250 5e-4 0.5", columns="load value error forced").returncode, 0)
-            for words in ({"columns": "load error value"}, {"title": "# Touchstone certified reference table t\n# of a stranger; equation 2.5; unit metre"},
-                          {"title": "# Touchstone certified reference table u\n# of a stranger; equation 2.5; unit lambda"}):
+            true = comments({**header, **half, "equation": "2.5", "unit": "lambda"})
+            changes = {"unit lambda": "unit metre", "table t": "table u", "to nearest": "down", "3 significant": "30 significant", "proven bound": "estimate",
+                       "binary64 numbers": "exact", "shortest": "longest"}
+            for words in ({"columns": "load error value"}, {"title": f"{true}\n# all of it proven"}, {"title": true.replace("\n# value", "\n# x\n# value")},
+                          *({"title": true.replace(old, new)} for old, new in changes.items())):
                 with self.subTest(words=words):
                     result = written(half, "0.5 0.250 5e-4", **words)
                     self.assertEqual((result.returncode, len(result.stderr.splitlines())), (65, 1), result.stderr[-300:])
+            written(half, "0.5 0.250 5e-4")
+            path.write_text(path.read_text().replace('"digits": 3', '"digits": 40, "digits": 3'))
+            _, json_and_rest = path.read_text().replace('"digits": 40, ', "").split("# {")
+            self.assertEqual(run(path).returncode, 65)  # which of both a reader takes is left open
+            for text in (f"# {{{json_and_rest}"[:-1], f"{true}\n# {{{json_and_rest}"[:-1], f"{true}\n# {{{json_and_rest}"):  # only the last is whole
+                path.write_text(text)
+                self.assertEqual((run(path).returncode, "Traceback" in run(path).stderr), (65 if text[-1] != "\n" else 0, False))
             path.unlink()
             path.symlink_to("/dev/zero")
             self.assertEqual(run(path, timeout=60).returncode, 65)
@@ -235,8 +257,7 @@ class Checker(unittest.TestCase):
                               "digits": 1, "rows": len(rows), "status": "estimated", "sha256": hashlib.sha256("".join(row + "\n" for row in rows).encode()).hexdigest()}
                     if all(row.endswith(" 0") for row in rows):
                         header["status"] = "exact"
-                    title = f"# Touchstone {'estimated' if header['status'] == 'estimated' else 'certified'} reference table t\n# d; equation {equation}; unit {unit}"
-                    path.write_text("\n".join([title, "# " + json.dumps(header), "# " + " ".join([*header["inputs"], "value", "error"]), *rows]) + "\n")
+                    path.write_text("\n".join([comments(header), "# " + json.dumps(header), "# " + " ".join([*header["inputs"], "value", "error"]), *rows]) + "\n")
                     result = run(path, timeout=60)
                     with self.subTest(quantity):
                         self.assertEqual(result.returncode, code, result.stderr)
