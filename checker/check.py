@@ -32,7 +32,15 @@ from intervals import Interval
 MOST_BITS = 16384
 MOST_SCALE = 10**6  # the largest n in a table: the work grows with it
 LONGEST_FILE = 1 << 26
-NUMBER = re.compile(r"[-+]?[0-9]{1,5000}(/[0-9]{1,5000}|\.[0-9]{0,5000})?([eE][-+]?[0-9]{1,5})?")
+NUMBER = re.compile(r"[-+]?[0-9]{1,5000}(/[0-9]{1,5000}|\.[0-9]{0,5000})?([eE][-+]?[0-9]{1,9})?")
+MOST_EXPONENT = 2 * 10**6  # in decimals: a fraction beyond takes more than seconds
+DOMAIN = {  # of inputs by name, as `touchstone list` says it; what holds of one quantity only, beside that, by both names
+    "n": lambda n: n.denominator == 1 and 0 <= n <= MOST_SCALE, "load": lambda load: load > 0, "G": lambda G: G > 1, "D": lambda D: 1 < D < 2,
+    "gamma": lambda gamma: gamma > 1, "p": lambda p: p >= 0, "a": lambda a: 0 <= 2 * a <= 1, "tolerance": lambda tolerance: 0 < tolerance < 1,
+    **dict.fromkeys(("archard.segments n", "archard.segments_limit n", "segments.count n", "segments.density n"), lambda n: n >= 1),
+    **dict.fromkeys(("limit.exceedance p", "limit.force p", "limit.density p", "limit.distance p", "limit.segments a", "peaks.f x"), lambda x: x > 0),
+    "westergaard.half_width load": lambda load: load <= 1,
+    **dict.fromkeys(("westergaard.pressure x", "westergaard.gap x"), lambda x: abs(2 * x) <= 1)}
 PATIENCE = 1800  # seconds for one row: a stranger's inputs may lie in the domain and be beyond all patience
 sys.set_int_max_str_digits(0) if hasattr(sys, "set_int_max_str_digits") else None
 
@@ -54,6 +62,13 @@ def too_long(*_):
     raise TooLong
 
 
+def once(pairs):
+    """an object of JSON, whose readers would differ on a key that comes twice"""
+    if len(dict(pairs)) < len(pairs):
+        raise ValueError("a key comes twice")
+    return dict(pairs)
+
+
 def read(path):
     """header, rows of a canonical table, its sha256 verified"""
     try:
@@ -70,7 +85,7 @@ def read(path):
     if len(headers) != 1:
         raise Unreadable(f"{path}: not a canonical table: {len(headers)} lines of JSON")
     try:
-        header = json.loads(headers[0][2:])
+        header = json.loads(headers[0][2:], object_pairs_hook=once)
         inputs, rows_promised, digest = header["inputs"], header["rows"], header["sha256"]
         if not all(isinstance(text, str) for text in (*inputs, header["name"], header["quantity"])) or not isinstance(inputs, list):
             raise ValueError("name, quantity or inputs are no texts")
@@ -87,26 +102,42 @@ def read(path):
     for number, row in enumerate(rows, 1):
         if len(row.split()) != len(columns):
             raise Unreadable(f"{path}: row {number}: {len(row.split())} columns, not {len(columns)}")
-    header["words"] = [line for line in lines if line.startswith("#")]
+    header["words"] = lines[: len(lines) - len(rows) - 1]
     return header, rows
 
 
+def comments(header, forced):
+    """the lines above the JSON, with which the program tells a reader what the header says"""
+    estimated = header.get("status") == "estimated"
+    bound = "estimate (from how far the numerical methods named under routes part, no proof; 0: exact)" if estimated else "proven bound"
+    lines = [
+        f"Touchstone {'estimated' if estimated else 'certified'} reference table {header['name']}",
+        f"{header.get('description')}; equation {header['equation']}; unit {header['unit']}",
+        "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to.",
+        f"value: the true value rounded to nearest, {header.get('digits')} significant digits (fewer if exact). "
+        f"error: {bound} of |value - true value|."]
+    some = ", in some rows by an estimated condition number" if header.get("forced") == "estimated" else ""
+    lines += [f"forced: ulps of the value (absolute where it is 0) that rounding each real input once can cost a perfect code, to first order{some}."]
+    return [f"# {line}" for line in (lines if forced else lines[:-1])]
+
+
 def words_of(path, header, rows):
-    """that what the table says of itself, to a reader and in JSON, is so: equation, unit, digits and status"""
+    """that what the table says of itself, to a reader and in JSON, is so: equation, unit, format of inputs, digits and status"""
     equation, unit = units.SAID[header["quantity"]]
-    for what, said in (("equation", equation), ("unit", unit)):
+    for what, said in (("equation", equation), ("unit", unit), ("input_format", "binary64")):
         if header.get(what) != said:
             raise Unreadable(f"{path}: the {what} of {header['quantity']} is {said}, not {header.get(what, 'left out')}")
-    titles = [f"# Touchstone {'estimated' if header.get('status') == 'estimated' else 'certified'} reference table {header['name']}",
-              f"# {header.get('description')}; equation {equation}; unit {unit}"]
-    if header["words"][:2] != titles:
-        raise Unreadable(f"{path}: its first two lines are not '{titles[0]}' and '{titles[1]}'")
+    if header["words"][:-2] != (right := comments(header, header["words"][-1].endswith(" forced"))):
+        raise Unreadable(f"{path}: the lines above its JSON are not {right}")
     at = len(header["inputs"])
     approximate = [row.split()[at] for row in rows if row.split()[at + 1] != "0"]
     if header.get("status") not in ("certified", "estimated", "undecided") and (approximate or header.get("status") != "exact"):
         raise Unreadable(f"{path}: the status of its rows is not {header.get('status', 'left out')}")
     digits = {len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) for value in approximate}
-    if header["status"] == "certified" and any(count != header.get("digits") for count in digits):
+    short = any(count != header.get("digits") for count in digits)
+    if header["status"] == "undecided" and not short:
+        raise Unreadable(f"{path}: it says undecided, and its values have all {header.get('digits')} digits")
+    if header["status"] == "certified" and short:
         raise Unreadable(f"{path}: its values have not the {header.get('digits')} digits that it says")
 
 
@@ -167,30 +198,44 @@ def names_of(quantity):
     return ["G"] if quantity == "limit.area_ratio" else [*inspect.signature(closed_forms.FORMS[quantity]).parameters]
 
 
+def within_domain(quantity, form):
+    """the form, which formulas alone would carry on beyond where the quantity has a meaning"""
+    conditions = [[DOMAIN[key] for key in (name, f"{quantity} {name}") if key in DOMAIN] for name in names_of(quantity)]
+
+    def inside(*inputs):
+        if not all(holds(x) for x, of_x in zip(inputs, conditions) for holds in of_x):
+            raise ValueError("outside the domain")
+        return form(*inputs)
+    return inside
+
+
 def digits_of(cell, error):
-    """how many digits of a printed number its error leaves: those down to the last whose unit is not below it"""
+    """how many digits of a printed number its error leaves: those down to the last with half a unit not below it"""
     mantissa, _, exponent = cell.lower().partition("e")
     whole, _, decimals = mantissa.lstrip("+-").partition(".")
     digits = len((whole + decimals).lstrip("0"))
     unit = Fraction(10) ** (int(exponent or 0) - len(decimals))
-    while digits and error > unit:
+    while digits and 2 * error > unit:
         digits, unit = digits - 1, 10 * unit
     return digits
 
 
-def verdict(form, row, names, binary64):
-    """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits"""
+def verdict(form, row, names, wanted=0):
+    """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits; a certified one has an error that leaves
+    the digits wanted"""
     cells = row.split()
     if not all(NUMBER.fullmatch(cell) for cell in cells[: len(names) + 2]):
         return "unreadable", 0
+    if any(abs(int(cell.lower().partition("e")[2] or 0)) > MOST_EXPONENT for cell in cells[: len(names) + 2]):
+        return "undecided", 0
     try:
-        inputs = [Fraction(float(c)) if binary64 else Fraction(c) for c in cells[: len(names)]]
+        inputs = [Fraction(float(c)) for c in cells[: len(names)]]
         value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])
     except (ValueError, OverflowError, ZeroDivisionError):
         return "unreadable", 0
-    if any(name == "n" and not 0 <= x <= MOST_SCALE for name, x in zip(names, inputs)):
-        return "unreadable", 0
-    printed, low, high, width = digits_of(cells[len(names)], error), 0, 0, inf
+    printed, low, high, width = digits_of(cells[len(names)], error) if error else inf, 0, 0, inf
+    if printed < wanted:
+        return "wrong", 0
     Interval.bits = 64 + int(3.33 * len(cells[len(names)].lower().split("e")[0]))
     while Interval.bits <= MOST_BITS:
         try:
@@ -205,7 +250,7 @@ def verdict(form, row, names, binary64):
         if true is None:
             return "not a closed form", 0
         if isinstance(true, Fraction):
-            return ("right", printed if error else inf) if abs(true - value) <= error else ("wrong", 0)
+            return ("right", printed) if abs(true - value) <= error else ("wrong", 0)
         low, high = true.ends()
         if value - error <= low and high <= value + error:
             return "right", printed
@@ -263,24 +308,26 @@ def main():
             if header["inputs"] != (names := names_of(header["quantity"])):
                 raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(names)}, not {' '.join(header['inputs'])}")
             words_of(path, header, rows)
+            form = within_domain(header["quantity"], form)
         except (Unreadable, MemoryError) as reason:
             print(f"check.py: {printable(reason) or f'{path}: needs too much memory'}", file=sys.stderr)
             worst = max(worst, 65)
             continue
         step = max(1, -(-len(rows) // arguments.limit)) if arguments.limit else 1
-        count, least, none, confirmed = {}, inf, True, 0
+        count, least, confirmed, wanted = {}, inf, 0, header.get("digits") if header["status"] == "certified" else 0
         for number, row in enumerate(rows[::step]):
             with_patience(PATIENCE)
-            said, digits = verdict(form, row, header["inputs"], header.get("input_format") == "binary64")
+            said, digits = verdict(form, row, header["inputs"], wanted)
             with_patience(0)
             count[said] = count.get(said, 0) + 1
-            least, none, confirmed = min(least, digits or inf), none and not digits, confirmed + (said == "right" or digits > 0)
+            if said == "right" or digits:
+                least, confirmed = min(least, digits), confirmed + 1
             if said in ("wrong", "unreadable") or said == "undecided" and not digits:
                 print(f"{path}: row {number * step + 1}: {said}: {printable(row)}", file=sys.stderr)
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)
         right = count.get("right", 0)
         asked = len(rows[::step])
-        digits = "-" if none else "exact" if least == inf else least
+        digits = "-" if not confirmed else "exact" if least == inf else least
         print(f"{printable(header['name']):30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {digits:>6}", flush=True)
         if wrong:
             worst = max(worst, 1)

@@ -102,7 +102,9 @@ def exceedance(p, load):
 
 
 def density(p, load):
-    """p may be an interval"""
+    """p may be an interval; at an end of the support, where the density is infinite, it has no value"""
+    if isinstance(p, Fraction) and (p in (load - 1, load + 1) if load >= 1 else p * p == 4 * load):
+        raise ValueError("an end of the support")
     if load >= 1:
         if not (below(load - 1, p) and below(p, load + 1)):
             return Fraction(0)
@@ -366,10 +368,8 @@ def segments_density(n, a, load, G):
     and the largest pressure the widest"""
     if n != 1:
         return Fraction(0) if below(max_half_width(n, load, G), a) else None
-    if a in (0, Fraction(1, 2)):
-        return Fraction(0)
     q = density(sine_square(a) * G, load)
-    return q * (iv.pi() * iv.sin_pi(2 * a) * G) if q else Fraction(0)
+    return q * (iv.pi() * iv.sin_pi(2 * a) * G) if q and a not in (0, Fraction(1, 2)) else Fraction(0)
 
 
 FORMS = {

@@ -48,6 +48,17 @@ def run(*arguments, **more):
     return subprocess.run([sys.executable, known.checker / "check.py", *map(str, arguments)], capture_output=True, text=True, **more)
 
 
+def comments(header, forced=False):
+    """what stands above the JSON of a table, as lib/touchstone/table/format.cpp writes it"""
+    estimated = header.get("status") == "estimated"
+    how = "estimate (from how far the numerical methods named under routes part, no proof; 0: exact)" if estimated else "proven bound"
+    lines = [f"Touchstone {'estimated' if estimated else 'certified'} reference table {header['name']}",
+             f"{header['description']}; equation {header.get('equation')}; unit {header.get('unit')}",
+             "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to.",
+             f"value: the true value rounded to nearest, {header['digits']} significant digits (fewer if exact). error: {how} of |value - true value|."]
+    return "\n".join(f"# {line}" for line in lines + forced * ["forced: ulps of the value (absolute where it is 0) that rounding each real input once can cost a perfect code, to first order."])
+
+
 class Checker(unittest.TestCase):
     def tables(self, names):
         return [known.tables / f"{name}.txt" for name in names]
@@ -112,7 +123,7 @@ class Checker(unittest.TestCase):
                 digit = str((int(mantissa[place]) + chosen.choice([1, 9])) % 10)
                 cells[len(inputs)] = mantissa[:place] + digit + mantissa[place + 1:] + e + exponent
                 with self.subTest(seed=seed, table=name, row=row, mutant=cells[len(inputs)]):
-                    self.assertIn(check.verdict(form, " ".join(cells), inputs, True)[0], ("wrong", "undecided"))
+                    self.assertIn(check.verdict(form, " ".join(cells), inputs)[0], ("wrong", "undecided"))
 
     def test_coq_has_the_theorems_that_the_ledger_names(self):
         """data/paper/coq.txt: each entry is in the ledger, each theorem is in its file, and Theorems.v prints what it assumes."""
@@ -160,6 +171,7 @@ class Checker(unittest.TestCase):
         """Well sealed, and written to crash the checker or to keep it for ever: one line a table or row, and soon."""
         header = {"name": "t", "quantity": "archard.alpha", "description": "of a stranger", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3, "status": "certified"}
         iterate, half = {"quantity": "peaks.iterate", "inputs": ["n", "load", "G"]}, {"quantity": "westergaard.half_width", "inputs": ["load"]}
+        area = {"quantity": "archard.area", "inputs": ["n", "load", "G"]}
         brackets = {"x": None}
         cases = {
             "brackets without end": (65, brackets, "0 1.5 0 0"), "inputs of another type": (65, {"inputs": 5}, "0 1.5 0 0"),
@@ -168,10 +180,15 @@ class Checker(unittest.TestCase):
             "no unit": (65, {**half, "unit": ...}, "1 0.5 0"), "no equation": (65, {**half, "equation": ...}, "1 0.5 0"),
             "no status": (65, {**half, "status": ...}, "1 0.5 0"), "exact, with an error": (65, {**half, "status": "exact"}, "0.5 0.250 1e-3"),
             "more digits than there are": (65, {**half, "digits": 40}, "0.5 0.250 1e-3"), "digits that are no number": (65, {**half, "digits": [3]}, "0.5 0.250 1e-3"), "a column too many": (65, half, "0.5 0.250 1e-3 0 wrong"),
-            "all is right": (0, half, "0.5 0.250 1e-3"),
+            "no input format": (65, {**half, "input_format": ...}, "0.5 0.250 5e-4"), "inputs said to be exact": (65, {**half, "input_format": "exact"}, "0.5 0.250 5e-4"),
+            "undecided, though all rows have their digits": (65, {**half, "status": "undecided"}, "0.5 0.250 5e-4"), "undecided, and one has not": (0, {**half, "status": "undecided"}, "0.5 0.25 5e-3"),
+            "all is right": (0, half, "0.5 0.250 5e-4"), "certified, with an error of a unit of the last digit": (1, half, "0.5 0.250 1e-3"),
+            "certified, with an error of the whole value": (1, half, "0.5 0.500 1"), "estimated, with that error": (0, {**half, "status": "estimated"}, "0.5 0.250 1e-3"),
             "inputs of another quantity": (65, {"inputs": ["n"]}, "0 1.5 0"),
             "inputs that changed places": (65, {**iterate, "inputs": ["load", "n", "G"]}, "2 1 3 0.5 0"), "an input by another name": (65, {**half, "inputs": ["gamma"]}, "1 1 0"), "a scale without end": (1, {}, "1e300 1.5 0 0"), "a long scale": (1, iterate, "1e15 0.5 2 1 0"),
-            "a number of a billion digits": (1, {}, "0 1.5 1e999999999 0"), "a bound of as many": (1, {}, "0 1.5 1.00 1e-999999999"), "out of the domain": (1, half, "-1 1 0"),
+            "a number of ten billion digits": (1, {}, "0 1.5 1e9999999999 0"), "a bound of as many": (1, {}, "0 1.5 1.00 1e-9999999999"), "out of the domain": (1, half, "-1 1 0"),
+            "a value beyond all exponents of five digits": (0, area, "1000000 0.5 8.08240626924901 3.33e-907541 5e-907544"), "one more in its last digit": (1, area, "1000000 0.5 8.08240626924901 3.34e-907541 5e-907544"),
+            "another": (0, {**area, "quantity": "archard.segments", "inputs": ["n", "load", "D", "gamma"]}, "1000000 2 1.1 5 1.09e+629073 5e+629070"),
             "a control character": (1, half, "1\x1b[2J 1 0"),
         }
         with tempfile.TemporaryDirectory() as folder:
@@ -181,7 +198,7 @@ class Checker(unittest.TestCase):
                 said = dict(zip(("equation", "unit"), units.SAID.get(str({**header, **changes}["quantity"]), ("", ""))))
                 sealed = {**header, **said, **changes, "rows": 1, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
                 sealed = {key: value for key, value in sealed.items() if value is not ...}
-                title = words.get("title", f"# Touchstone certified reference table t\n# of a stranger; equation {said['equation']}; unit {said['unit']}")
+                title = words.get("title", comments({**sealed, **said}, words.get("columns", "").endswith("forced")))
                 columns = words.get("columns", " ".join([*map(str, sealed["inputs"] if isinstance(sealed["inputs"], list) else []), "value", "error"]))
                 path.write_text(f"{title}\n# {json.dumps(sealed)}\n# {columns}\n{row}\n".replace("null", "[" * 100000 + "]" * 100000))
                 return run(path, timeout=60)
@@ -191,19 +208,64 @@ class Checker(unittest.TestCase):
                 with self.subTest(name):
                     self.assertEqual((result.returncode, len(result.stderr.splitlines())), (code, 1 if code else 0), result.stderr[-300:])
                     self.assertTrue((result.stderr.rstrip("\n") or " ").isprintable())
-            self.assertEqual(written(half, "0.5 0.250 1e-3 0.5", columns="load value error forced").returncode, 0)
-            for words in ({"columns": "load error value"}, {"title": "# Touchstone certified reference table t\n# of a stranger; equation 2.5; unit metre"},
-                          {"title": "# Touchstone certified reference table u\n# of a stranger; equation 2.5; unit lambda"}):
+            for changes, row in ((area, "1000000 0.5 1e300 1.96e-299999701 5e-299999704"), ({}, "0 1.5 1e999999999 0"), ({}, "0 1.5 1.00 1e-999999999")):  # too long to be compared
+                result = written(changes, row)
+                self.assertEqual((result.returncode, result.stdout.split()[-4:], result.stderr.count(": undecided: ")), (0, ["0", "1", "0", "-"], 1), result.stderr)
+            for row, digits in (("0.5 0.2500 5e-4", "3"), ("0.5 0.7 1", "0")):  # a row that is right to no digit is not passed over
+                self.assertEqual(written({**half, "status": "estimated"}, row).stdout.split()[-1], digits)
+            self.assertEqual(written(half, "0.5 0.250 5e-4 0.5", columns="load value error forced").returncode, 0)
+            true = comments({**header, **half, "equation": "2.5", "unit": "lambda"})
+            changes = {"unit lambda": "unit metre", "table t": "table u", "to nearest": "down", "3 significant": "30 significant", "proven bound": "estimate",
+                       "binary64 numbers": "exact", "shortest": "longest"}
+            for words in ({"columns": "load error value"}, {"title": f"{true}\n# all of it proven"}, {"title": true.replace("\n# value", "\n# x\n# value")},
+                          *({"title": true.replace(old, new)} for old, new in changes.items())):
                 with self.subTest(words=words):
-                    result = written(half, "0.5 0.250 1e-3", **words)
+                    result = written(half, "0.5 0.250 5e-4", **words)
                     self.assertEqual((result.returncode, len(result.stderr.splitlines())), (65, 1), result.stderr[-300:])
+            written(half, "0.5 0.250 5e-4")
+            path.write_text(path.read_text().replace('"digits": 3', '"digits": 40, "digits": 3'))
+            _, json_and_rest = path.read_text().replace('"digits": 40, ', "").split("# {")
+            self.assertEqual(run(path).returncode, 65)  # which of both a reader takes is left open
+            for text in (f"# {{{json_and_rest}"[:-1], f"{true}\n# {{{json_and_rest}"[:-1], f"{true}\n# {{{json_and_rest}"):  # only the last is whole
+                path.write_text(text)
+                self.assertEqual((run(path).returncode, "Traceback" in run(path).stderr), (65 if text[-1] != "\n" else 0, False))
             path.unlink()
             path.symlink_to("/dev/zero")
             self.assertEqual(run(path, timeout=60).returncode, 65)
 
+    def test_rows_outside_of_the_domain_are_refused(self):
+        """Inputs that a quantity does not take, and ends of supports, where a density has no value: never right; next to them it is."""
+        cases = {
+            "archard.K": ("2.75 0.42 1", "-1 1 1", "1000001 0.3 0.1"), "contact.area": ("2.5 1 3 1 1", "0 1 -7 1 0", "0 1 0.5 1 0", "0 1 1 1 0"),
+            "contact.density": ("0.5 9 0.5 3 0 0", "0 3 2 3 0 0", "0 1 2 3 0 0", "0 1 0.25 3 0 0"), "contact.exceedance": ("0 -1 1 3 1 0",),
+            "westergaard.density": ("1 0.25 0 0", "3 2 0 0", "1 2 0 0", "0 1 0 0", "2 1 0 0", "-1 0.5 0 0"), "westergaard.exceedance": ("-1 0.5 1 0",),
+            "westergaard.half_width": ("0 0 0", "1.5 0.5 0"), "westergaard.pressure": ("1 1 2 0", "-0.75 1 1 0"), "westergaard.gap": ("1 0.5 1 1",),
+            "segments.density": ("1 0.5 2 3 0 0", "1 0 1 3 0 0", "1 0.25 5 1 0 0", "0 0.5 0.5 3 0 0", "1 0.75 2 3 0 0", "1 0.25 1 4 0 0"),
+            "segments.count": ("0 1 1.5 4 1 1", "1 1 2 4 4 0", "1 1 1.5 1 1 0"), "archard.segments": ("0 1 1.5 4 1 1",), "archard.alpha": ("1 2 -1.5 0",),
+            "peaks.fixed_point": ("0.5 -2 0", "1 1 1"), "peaks.f": ("0 0 0",), "peaks.iterate": ("0 0 2 0 0",), "weierstrass.bound": ("3 2 -1 0",),
+            "weierstrass.profile": ("0 1 2 2 1",), "hertz.half_width": ("0 0 0",),
+            "limit.exceedance": ("0 3 1 0",), "limit.segments": ("0 3 1 0",), "limit.scale": ("1 1 3 0 0",)}
+        right = {"westergaard.density": ("0 0.25 0 0", "1.5 0.25 0 0", "0 2 0 0", "4 2 0 0"), "contact.density": ("0 0 0.25 3 0 0", "0 0.5 2 3 0 0"),
+                 "segments.density": ("1 0.5 1.5 3 0 0", "1 0 0.5 3 0 0", "1 0 2 3 0 0"), "westergaard.half_width": ("1 0.5 0",), "westergaard.pressure": ("-0.5 1 0 0",),
+                 "hertz.pressure": ("7 1 0 0",), "westergaard.exceedance": ("0 1 1 0",), "contact.area": ("0 1 3 1 0",), "archard.delta": ("0 0.5 0",)}
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "t.txt"
+            for code, rows_of in ((1, cases), (0, right)):
+                for quantity, rows in rows_of.items():
+                    equation, unit = units.SAID[quantity]
+                    header = {"name": "t", "quantity": quantity, "equation": equation, "unit": unit, "description": "d", "inputs": check.names_of(quantity), "input_format": "binary64",
+                              "digits": 1, "rows": len(rows), "status": "estimated", "sha256": hashlib.sha256("".join(row + "\n" for row in rows).encode()).hexdigest()}
+                    if all(row.endswith(" 0") for row in rows):
+                        header["status"] = "exact"
+                    path.write_text("\n".join([comments(header), "# " + json.dumps(header), "# " + " ".join([*header["inputs"], "value", "error"]), *rows]) + "\n")
+                    result = run(path, timeout=60)
+                    with self.subTest(quantity):
+                        self.assertEqual(result.returncode, code, result.stderr)
+                        self.assertEqual(result.stdout.split()[-2 - bool(not code) * 2], str(len(rows)), result.stdout + result.stderr)
+
     def test_digits_are_those_that_the_error_leaves(self):
-        for cell, error, digits in (("0.4199", "1e-4", 4), ("0.4199", "1e-2", 2), ("0.4199", "0.5", 0), ("4.1655E-1", "1e-30", 5), ("+4.1655e-1", "0", 5),
-                                    ("-0.0041", "5e-5", 2), ("120", "0.5", 3), ("120", "10", 2), ("0", "0", 0)):
+        for cell, error, digits in (("0.4199", "5e-5", 4), ("0.4199", "1e-4", 3), ("0.4199", "1e-2", 1), ("0.4199", "0.5", 0), ("4.1655E-1", "1e-30", 5), ("+4.1655e-1", "0", 5),
+                                    ("-0.0041", "5e-5", 2), ("120", "0.5", 3), ("120", "5", 2), ("120", "10", 1), ("0", "0", 0)):
             self.assertEqual(check.digits_of(cell, check.Fraction(error)), digits, (cell, error))
 
     def test_a_row_that_takes_too_long_stays_open(self):

@@ -93,7 +93,7 @@ class Length(unittest.TestCase):
             header, rows = check.read(path)
             form = check.scale_one.FORMS[header["quantity"]]
             with self.subTest(path.stem):
-                parts = came_by(lambda: [check.verdict(form, row, header["inputs"], True) for row in rows[:ROWS_OF_A_TABLE]])  # noqa: B023
+                parts = came_by(lambda: [check.verdict(form, row, header["inputs"]) for row in rows[:ROWS_OF_A_TABLE]])  # noqa: B023
                 self.assertEqual(parts - kinds["closed_forms"], set())
 
 
