@@ -124,7 +124,7 @@ Method proven_densities()
     return {
         .name = "proven-levels",
         .asked = {Asked::density},
-        .reach = fmt::format("2 <= n <= {}, load <= {} and not within 1e-27 of 1 but 1, 1.003 < G < 10^9, p >= p*_n/1024", densities_reach.scales, densities_reach.load.get_str()),
+        .reach = fmt::format("2 <= n <= {}, load <= {}, load = 1 or at least 1e-27 off it, 1.003 < G < 10^9, p >= p*_n/1024", densities_reach.scales, densities_reach.load.get_str()),
         .refusal = [](const Problem& p) -> std::string {
             if (p.n < 2) return "n must be at least 2";
             if (p_is_0(p)) return no_density_at_0;
