@@ -257,11 +257,7 @@ private:
             e.second_look = std::move(look);
         }
         catch (const BeyondReach& refusal) {
-            if (auto other = agreeing_witness(e.ball, second_look()->name, std::nullopt)) {
-                e.routes.push_back(other->name + " (witness)");
-                e.second_look = std::move(*other);
-            }
-            else add(fmt::format("no second look: {}", refusal.what()));
+            add(fmt::format("no second look: {}", refusal.what()));
         }
     }
 
@@ -273,16 +269,16 @@ private:
         return look;
     }
 
-    /// A witness misjudges itself now and then, next to a singular point that its grid does not know, or knows nothing: another one is asked before
-    /// anybody is told of a fault.
+    /// A witness misjudges itself now and then, next to a singular point that its grid does not know: another one is asked before anybody is told
+    /// of a fault.
     /// \param fault by which the first is off: a witness that is vaguer than that does not overrule it
-    std::optional<SecondLook> agreeing_witness(const Ball& proven, const std::string& but, const std::optional<Ball>& fault) const
+    std::optional<SecondLook> agreeing_witness(const Ball& proven, const std::string& but, const Ball& fault) const
     {
         for (const Look& other : plan_.witnesses) {
             if (other.name == but) continue;
             try {
                 const Witness seen = other.witness({witness_wants_});
-                if (fault && !certainly(less(witness_error_factor * seen.error, *fault))) continue;
+                if (!certainly(less(witness_error_factor * seen.error, fault))) continue;
                 if (SecondLook look = held_against(proven, other.name, seen); look.agrees) return look;
             }
             catch (const BeyondReach&) { // it has nothing to say here
