@@ -261,7 +261,7 @@ def text(results):
     items = {key: results["items"][key] for key in SECTIONS if key in results["items"]}
     lines = ["# Side by side with the peers", "",
              "This page is written by a program from what it measured ([peers.json](peers.json)); `tests/bench/peers/page.py docs/peers.json` writes it again without measuring.", "", COMMAND, "",
-             f"Machine: {results['machine']}, shared with other work, so only times of the same run compare. User CPU; medians of five runs (least to most), of as few as are named where they take seconds, and never the wall's clock unless it is said. "
+             f"Machine: {results['machine']}, shared with other work, so only times of the same run compare. User CPU; medians of five runs (least to most), of as few as are named where they take seconds (since 2026-11-27 each of the five is a mean of twenty where one takes less than 0.1 s: CPU is counted in ticks), and never the wall's clock unless it is said. "
              "Processes with their start, unless it is said. Memory is the largest resident set; `small` is no more than that of the measuring program, which hides it.", "",
              "; ".join(f"{name} {version}" for name, version in results["versions"].items()) + ".", "", "## What was aimed at", ""] + goals(items)
     absent = [f"({key}) {SECTIONS[key][0]}" for key in SECTIONS if key not in items]
