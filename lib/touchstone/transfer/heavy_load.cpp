@@ -229,8 +229,8 @@ public:
         G = a.G();
         load = a.load();
         if (!is_below(Ball(2), G)) throw BeyondReach("G = gamma^(D-1) must be above 2");
-        if (!is_below(Ball::exactly(2.02), G)) throw BeyondReach("for load > 1 so near G = 2 it would take hours: many scales have ratios about 1");
-        if (!is_below(Ball(1), load) || !is_below(load, Ball(1000))) throw BeyondReach("load must be above 1 and below 1000");
+        if (!is_below(Ball(Rational(2019, 1000)), G)) throw BeyondReach("for load > 1 so near G = 2 it would take hours: many scales have ratios about 1");
+        if (!is_below(Ball(1), load) || !is_below(load, Ball(1001))) throw BeyondReach("load must be above 1 and below 1001");
         shape = scheme == Scheme::force_weighted ? Shape{4, 2.9} : Shape{6, 2.3};
         if (!shape.stays_in_disc()) throw std::logic_error("full contact: an ellipse leaves its disc");
         chain = std::make_shared<Discretisation>(scheme, a.G, std::max(wanted + 8, -std::log(last) / 0.95));

@@ -52,7 +52,7 @@
 namespace touchstone::transfer {
 
 /// (6.7)  A_n/lambda_0 for load > 1, n >= 0. What one load needs beside n is kept for later calls, for a few loads.
-/// \throws BeyondReach unless 1 < load < 1000 and G > 2.02 are proven, or for more than 66 digits, which would cost too much
+/// \throws BeyondReach unless 1 < load < 1001 and G > 2.019 are proven, or for more than 66 digits, which would cost too much
 Ball area_at_heavy_load(Scheme, long n, const Arguments&, Accuracy);
 
 /// Do binary64 numbers hold the finest panels, some G^(-n/2) wide, at few digits?

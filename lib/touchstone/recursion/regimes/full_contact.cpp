@@ -27,9 +27,9 @@ Method heavy_load()
     return {
         .name = "heavy-load-force-weighted",
         .asked = {Asked::area},
-        .reach = "1 < load < 1000, 2.02 < G < 10^9, G^(n/2) up to 10^270 or so",
+        .reach = "1 < load <= 1000, 2.02 < G < 10^9, G^(n/2) up to 10^270 or so",
         .refusal = [](const Problem& p) -> std::string {
-            if (p.load <= 1 || p.load >= 1000) return "load must be above 1 and below 1000";
+            if (p.load <= 1 || p.load > 1000) return "load must be above 1 and at most 1000";
             if (p.n > last_followed_scale) return "for load > 1 areas are certified for n <= 10^4 only";
             if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
             if (!transfer::heavy_load_has_panels(p.n, p.G.ball()))
