@@ -226,6 +226,15 @@ TEST_CASE("what is written about it is printed from it")
 }
 
 /// Evaluated, not only chosen: TOUCHSTONE_CAMPAIGN=SEED:COUNT test_methods -tc='campaign*'
+TEST_CASE("densities at loads that double-double arithmetic does not tell from 1 are not promised")
+{
+    for (const int side : {-1, 1}) {
+        CHECK(choose(problem(Asked::density, 8, 1 + side * power(Rational(10), -26), Rational(3, 2), 3), {6}).method);
+        CHECK(choose(problem(Asked::density, 8, 1 + side * power(Rational(10), -30), Rational(3, 2), 3), {6}).method == nullptr);
+    }
+    CHECK(choose(problem(Asked::density, 8, 1, Rational(3, 2), 3), {6}).method);
+}
+
 constexpr double worth_a_message = 20; ///< seconds of CPU of one value: so that a campaign of hours says where it is
 
 TEST_CASE("campaign: what the table claims is certified when it is asked for" * doctest::skip(std::getenv("TOUCHSTONE_CAMPAIGN") == nullptr))
