@@ -78,8 +78,8 @@ private:
     GiNaC::exmap operands_;
 };
 
-/// GiNaC evaluates numbers while it reads: 9^9^8 takes it a minute, tgamma(10^9) longer. So the formula is read first with a symbol of its own
-/// for each operand, of which nothing is evaluated. \throws std::length_error
+/// GiNaC evaluates numbers while it reads: 9^9^8 takes it a minute, tgamma(10^9) longer. So the formula is read first with a symbol of its
+/// own for each operand, of which nothing is evaluated. \throws std::length_error
 void must_be_of_bearable_size(const std::string& text, const std::set<std::string>& functions)
 {
     static const std::regex operand(R"(\d+(?:\.\d*)?(?:[eE][-+]?\d+)?|[A-Za-z_]\w*)"), number_with_exponent(R"(\d[\d.]*[eE].*)");

@@ -138,7 +138,8 @@ Claimed claims_of_table(const TableSpec& spec, const NamedTexts& named)
     for (const auto& row : spec.grid()) {
         std::map<std::string, Rational> values;
         for (std::size_t k = 0; k < row.size(); ++k) values[q.inputs[k]] = exact_rational(row[k]);
-        if (std::all_of(wanted.begin(), wanted.end(), [&](const auto& w) { return is_named_by(values[w.first], w.second); })) all.add(q, Inputs(values));
+        if (std::all_of(wanted.begin(), wanted.end(), [&](const auto& w) { return is_named_by(values[w.first], w.second); }))
+            all.add(q, Inputs(values));
     }
     if (all.refused.empty()) all.refused = "there is no such row";
     return all;
@@ -176,17 +177,17 @@ void tell_digits_below(std::optional<long> asked, const std::string& text)
 {
     const auto claimed = asked ? digits_claimed(text) : std::nullopt;
     if (claimed && *claimed + 1 < *asked) // powers of two tell digits to one
-        fmt::print(stderr, "touchstone: the certificate proves some {} digits, not {}: of more there is none (docs/certificate.md)\n", *claimed,
-                   *asked);
+        fmt::print(stderr, "touchstone: the certificate proves some {} digits, not {}: of more there is none (docs/certificate.md)\n",
+                   *claimed, *asked);
 }
 
 int write_certificate(const CertificateOptions& o)
 {
     const TableSpec* spec = find_table(o.subject);
     const Quantity& q = quantity_named(spec != nullptr ? spec->quantity : o.subject);
-    constexpr std::array served{"contact.area", "contact.exceedance", "contact.density", "segments.count", "segments.density", "limit.area_constant",
-                                "limit.area_ratio", "limit.exceedance", "limit.force", "limit.density", "limit.segments", "limit.distance", "limit.scale",
-                                "limit.gap"};
+    constexpr std::array served{"contact.area",        "contact.exceedance", "contact.density",  "segments.count", "segments.density",
+                                "limit.area_constant", "limit.area_ratio",   "limit.exceedance", "limit.force",    "limit.density",
+                                "limit.segments",      "limit.distance",     "limit.scale",      "limit.gap"};
     if (std::find(served.begin(), served.end(), q.name) == served.end())
         throw Failure(undecided, fmt::format("there are certificates of {}, not of '{}'; rows of closed form need none (checker/check.py)",
                                              fmt::join(served, ", "), q.name));
@@ -225,10 +226,12 @@ void add_certificate(CLI::App& app, Run& run)
         "certificate", "What checker/certificate.py replays: touchstone certificate contact.area n=3 G=3 load=1/10 --out FILE");
     auto o = std::make_shared<CertificateOptions>();
     command
-        ->add_option("subject", o->subject,
-                     "A quantity with inputs: an area, a share above a pressure, a density, a count of segments or a limit of these; or a table")
+        ->add_option(
+            "subject", o->subject,
+            "A quantity with inputs: an area, a share above a pressure, a density, a count of segments or a limit of these; or a table")
         ->required();
-    command->add_option("inputs", o->assignments, "KEY=VALUE, exact, as for eval; of a table: rows with these inputs alone, as printed there");
+    command->add_option("inputs", o->assignments,
+                        "KEY=VALUE, exact, as for eval; of a table: rows with these inputs alone, as printed there");
     command->add_option("--digits", o->digits, "Significant digits to be proved (default: 30; of a table its own and 4 more)")
         ->check(CLI::Range(1L, certificate::most_digits));
     command->add_option("--out", o->out, "File to write (default: standard output)")->check(not_empty());

@@ -34,7 +34,8 @@ std::string grounds(const Evaluation& e)
         return fmt::format("no proof; {}\n", e.routes.empty() ? "nothing computed" : fmt::format("from {}", fmt::join(e.routes, ", ")));
     std::string text = fmt::format("'{}' proves the digits", e.routes.empty() ? "" : e.routes.front());
     if (const auto& look = e.second_look) {
-        text += look->is_proof ? fmt::format("; '{}', another proof, alone proves {}", look->name, look->digits < e.digits ? fmt::format("the first {}", look->digits) : "the same")
+        text += look->is_proof ? fmt::format("; '{}', another proof, alone proves {}", look->name,
+                                             look->digits < e.digits ? fmt::format("the first {}", look->digits) : "the same")
                                : fmt::format("; '{}', a witness without proof, {} to {} digits", look->name,
                                              look->agrees ? "agrees" : "DISAGREES: equal", look->digits);
         if (!look->shares.empty()) text += fmt::format("\n  the two share {}", look->shares);

@@ -108,8 +108,8 @@ void write_to_descriptor(int descriptor, const fs::path& named, const std::strin
     if (const int error = file.write(bytes)) throw not_written(named, error);
 }
 
-/// A file that was not there, beside `path`; or -1. In containers every run may have the same process number, and so a name that a dead or a
-/// distant writer has taken is passed by: to remove it would take it from under one that lives.
+/// A file that was not there, beside `path`; or -1. In containers every run may have the same process number, and so a name that a dead or
+/// a distant writer has taken is passed by: to remove it would take it from under one that lives.
 int open_temporary(const fs::path& path, mode_t mode, fs::path& temporary)
 {
     for (int k = 0;; ++k) {

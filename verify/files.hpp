@@ -21,7 +21,8 @@ void write_file(const std::filesystem::path&, const std::string& bytes);
 /// To standard error, for a reader who may not be there: where it cannot be written, the work goes on all the same.
 void remark(const std::string& text);
 
-/// What is printed so far goes out. Why it cannot is kept, since work that goes on would be lost with it: output_error() says it at the end (0: all is out).
+/// What is printed so far goes out. Why it cannot is kept, since work that goes on would be lost with it: output_error() says it at the end
+/// (0: all is out).
 void flush_output();
 int output_error();
 

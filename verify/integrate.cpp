@@ -351,11 +351,12 @@ int report(const IntegrateOptions& o, const std::string& formula, const Answer& 
     const quadrature::Integral& result = a.integral;
     if (result.divergent && !o.json && alone) throw Failure(bad_input, result.reason);
     const bool certified = result.status == quadrature::Status::certified && (a.shown.is_within_tolerance || a.shown.digits == o.digits);
-    const std::string reason = certified ? ""
-                               : result.reason.empty()
-                                   ? fmt::format("only {} of {} digits proven: it is too close to the middle between two numbers of so many digits",
-                                                 a.shown.digits, o.digits)
-                                   : result.reason;
+    const std::string reason =
+        certified ? ""
+        : result.reason.empty()
+            ? fmt::format("only {} of {} digits proven: it is too close to the middle between two numbers of so many digits",
+                          a.shown.digits, o.digits)
+            : result.reason;
     const char* status = result.divergent ? "divergent" : certified ? "certified" : "undecided";
     if (o.json)
         all.push_back(as_json(o, formula, a, status, reason));

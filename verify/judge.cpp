@@ -154,8 +154,8 @@ void update_baseline(const JudgeOptions& o, const Case& c, const StoredTable& ta
         ++counts[line.starts_with("raised") ? 0 : line.starts_with("lowered") ? 1 : line.starts_with("new") ? 2 : 3];
     }
     write_file(o.baseline, after.text());
-    remark(fmt::format("touchstone: {} written: {} rows, {} raised, {} lowered, {} new, {} gone\n", o.baseline, after.bounds.size(), counts[0], counts[1],
-                       counts[2], counts[3]));
+    remark(fmt::format("touchstone: {} written: {} rows, {} raised, {} lowered, {} new, {} gone\n", o.baseline, after.bounds.size(),
+                       counts[0], counts[1], counts[2], counts[3]));
 }
 
 oracle::Baseline stored_baseline(const JudgeOptions& o, const StoredTable& table)
@@ -226,8 +226,8 @@ private:
     std::size_t rechecked_, held_out_, rows_;
 };
 
-/// Nothing fails by a stored row that has not been certified again, but for rows that take minutes: those are left to --recheck. And nothing
-/// passes by what a stored row alone says that rounded inputs force.
+/// Nothing fails by a stored row that has not been certified again, but for rows that take minutes: those are left to --recheck. And
+/// nothing passes by what a stored row alone says that rounded inputs force.
 void recheck_what_decides(const Case& c, const Reference& reference, const std::vector<std::size_t>& rows)
 {
     const auto row_of = [&](std::size_t i) { // questions held out stand between those of the table
@@ -235,7 +235,8 @@ void recheck_what_decides(const Case& c, const Reference& reference, const std::
                                                            [](const auto& q) { return !q.held_out; }))];
     };
     for (std::size_t i = 0; i < c.questions.size(); ++i)
-        if (c.judgement.rows[i].verdict == oracle::Verdict::pass && c.judgement.rows[i].forced && c.questions[i].forced && !c.questions[i].held_out)
+        if (c.judgement.rows[i].verdict == oracle::Verdict::pass && c.judgement.rows[i].forced && c.questions[i].forced &&
+            !c.questions[i].held_out)
             oracle::recheck_forced(*c.quantity, reference.table, row_of(i), reference.file);
     std::vector<std::size_t> decisive;
     const bool dear = oracle::of_the_recursion(*c.quantity); // the worst row is what a verdict needs

@@ -50,7 +50,8 @@ int guarded(const Run& run)
     try {
         const int code = run();
         flush_output();
-        if (const int error = output_error()) return complain(cannot_write, fmt::format("standard output cannot be written: {}", std::strerror(error)));
+        if (const int error = output_error())
+            return complain(cannot_write, fmt::format("standard output cannot be written: {}", std::strerror(error)));
         return code;
     }
     catch (const Failure& f) {
@@ -90,9 +91,17 @@ int guarded(const Run& run)
 /// The subcommand of that name alone, which saves the others' options; all of them where there is none. \returns whether there is.
 bool add_commands(CLI::App& app, Run& run, std::string_view name)
 {
-    constexpr std::array<std::pair<std::string_view, void (*)(CLI::App&, Run&)>, 11> commands{{
-        {"list", add_list}, {"eval", add_eval}, {"check", add_check}, {"formula", add_formula}, {"integrate", add_integrate}, {"table", add_table},
-        {"merge", add_merge}, {"paper", add_paper}, {"judge", add_judge}, {"report", add_report}, {"certificate", add_certificate}}};
+    constexpr std::array<std::pair<std::string_view, void (*)(CLI::App&, Run&)>, 11> commands{{{"list", add_list},
+                                                                                               {"eval", add_eval},
+                                                                                               {"check", add_check},
+                                                                                               {"formula", add_formula},
+                                                                                               {"integrate", add_integrate},
+                                                                                               {"table", add_table},
+                                                                                               {"merge", add_merge},
+                                                                                               {"paper", add_paper},
+                                                                                               {"judge", add_judge},
+                                                                                               {"report", add_report},
+                                                                                               {"certificate", add_certificate}}};
     const auto asked = std::find_if(commands.begin(), commands.end(), [name](const auto& command) { return command.first == name; });
     if (asked != commands.end()) asked->second(app, run);
     else

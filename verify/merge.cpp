@@ -209,7 +209,8 @@ void require_inside(const fs::path& folder, const std::string& file)
 {
     std::error_code error;
     if (!fs::is_symlink(folder / file, error)) return;
-    const fs::path here = fs::canonical(folder), there = fs::canonical(folder / file, error); // an error: there is nothing yet where it leads
+    const fs::path here = fs::canonical(folder),
+                   there = fs::canonical(folder / file, error); // an error: there is nothing yet where it leads
     if (error || there.parent_path() != here)
         throw Failure(cannot_write, fmt::format("cannot write {}: it is a link that leads out of the folder", (folder / file).string()));
 }

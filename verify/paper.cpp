@@ -358,7 +358,9 @@ void add_paper(CLI::App& app, Run& run)
     command->add_option("--errata", options->errata, "The erratum, from the proved corrections of the equations")
         ->check(CLI::IsMember({"md", "tex", "html"}));
     command->add_flag("--mutate", options->mutate, "What a typesetter could change in the print, and what no judge would see");
-    command->add_option("--with", options->with, "FIELD=TEXT: judge the entry as if a field of its print read so (repeatable); `rhs`, `relation`, `M.from`, ...")
+    command
+        ->add_option("--with", options->with,
+                     "FIELD=TEXT: judge the entry as if a field of its print read so (repeatable); `rhs`, `relation`, `M.from`, ...")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_flag("--corrected", options->corrected, "Judge the corrected form of a refuted entry, with the changes of --with");

@@ -20,7 +20,8 @@ nlohmann::ordered_json ledger_json();
 /// What the program itself rests on, all of it or one lemma. \returns an exit code
 int print_own(const std::string& id, bool json);
 
-/// The verdict on a claim whose print (its corrected form, if that is asked for) has the fields of `changes`, each "FIELD=TEXT". \returns an exit code
+/// The verdict on a claim whose print (its corrected form, if that is asked for) has the fields of `changes`, each "FIELD=TEXT". \returns
+/// an exit code
 int print_changed(const proofs::Claim&, const std::vector<std::string>& changes, bool corrected, bool json);
 
 } // namespace touchstone::program

@@ -26,7 +26,8 @@ void expect_readable(const std::string& id, const std::string& field, const std:
 {
     static const std::set<std::string> relations{"=", "==", "<", "<=", ">", ">=", "~", "->", "rounds to"};
     if (field.ends_with(".relation")) {
-        if (!relations.contains(text)) throw Failure(bad_input, fmt::format("{} {}: '{}' is no relation; {}", id, field, text, fmt::join(relations, "  ")));
+        if (!relations.contains(text))
+            throw Failure(bad_input, fmt::format("{} {}: '{}' is no relation; {}", id, field, text, fmt::join(relations, "  ")));
         return;
     }
     if (std::any_of(fields_in_words.begin(), fields_in_words.end(), [&](const char* end) { return field.ends_with(end); })) return;
@@ -47,8 +48,10 @@ void change(Print& print, const std::string& with)
     if (field == print.fields.end()) {
         std::vector<std::string> names;
         for (const auto& [name, text] : print.fields) names.push_back(name);
-        throw Failure(bad_input, names.empty() ? fmt::format("{} has no machine form that could be changed: it is judged by a number", print.id)
-                                               : fmt::format("{} has no field '{}'; it has {}", print.id, with.substr(0, equals), fmt::join(names, ", ")));
+        throw Failure(bad_input,
+                      names.empty()
+                          ? fmt::format("{} has no machine form that could be changed: it is judged by a number", print.id)
+                          : fmt::format("{} has no field '{}'; it has {}", print.id, with.substr(0, equals), fmt::join(names, ", ")));
     }
     expect_readable(print.id, field->first, with.substr(equals + 1));
     field->second = with.substr(equals + 1);

@@ -258,7 +258,8 @@ void show_steps_of_engines()
     quadrature::report_progress_to([](long done, long total) {
         Display& d = display();
         const std::scoped_lock lock(d.mutex);
-        if (d.work.empty() || !d.work.front().by_steps || d.work.front().what != integration) return; // integrals are but parts of other work
+        if (d.work.empty() || !d.work.front().by_steps || d.work.front().what != integration)
+            return; // integrals are but parts of other work
         d.steps.see("values", done, total);
         d.show();
     });

@@ -89,7 +89,8 @@ int held(const std::string& path)
         const bool same = ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino;
         if (same && S_ISREG(ours.st_mode)) return descriptor;
         ::close(descriptor);
-        if (same) throw Failure(cannot_write, fmt::format("cannot write {}: is no plain file", path)); // a pipe would be written to without end
+        if (same)
+            throw Failure(cannot_write, fmt::format("cannot write {}: is no plain file", path)); // a pipe would be written to without end
         // another run has just finished with it
     }
 }

@@ -88,7 +88,8 @@ Check beta_integral(const ex& integrand, const ex& from, const ex& to, const ex&
             return {Verdict::refuted,
                     "at delta = " + delta.get_str() + " the integral is " + value.to_string(8) + ", not " + wanted.to_string(8)};
     }
-    return as_lemma({Verdict::proved, "a theorem of Euler; the printed integral by certified quadrature at four delta, to 30 bits and more"});
+    return as_lemma(
+        {Verdict::proved, "a theorem of Euler; the printed integral by certified quadrature at four delta, to 30 bits and more"});
 }
 
 } // namespace touchstone::proofs

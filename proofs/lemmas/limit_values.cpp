@@ -28,7 +28,8 @@ Ball limiting_ratio(long gamma)
     return stored_value("limit.area_ratio D=3/2 gamma=" + std::to_string(gamma), [&] {
         const WorkingPrecision precision(bits_of_inputs);
         const auto G = [gamma] { return sqrt(Ball(gamma)); };
-        return Ball(limit::area_constant(transfer::Scheme::force_weighted, G, ten_digits) / (archard::K_gamma_product(archard::infinity) * G()));
+        return Ball(limit::area_constant(transfer::Scheme::force_weighted, G, ten_digits) /
+                    (archard::K_gamma_product(archard::infinity) * G()));
     });
 }
 
@@ -43,7 +44,8 @@ Ball limiting_share_outside_hertz(long gamma)
 
 namespace {
 
-/// The share of the contacts with p_{n-1}/p*_n above a number at D = 1.05, where G < 2: E_pi[f/x] over E_pi[1/x], both by Poisson's equation.
+/// The share of the contacts with p_{n-1}/p*_n above a number at D = 1.05, where G < 2: E_pi[f/x] over E_pi[1/x], both by Poisson's
+/// equation.
 Ball share_above_at_low_D(const Ball& load_ratio, long gamma)
 {
     const auto G = [gamma] { return pow(Ball(gamma), Ball(Rational(1, 20))); };

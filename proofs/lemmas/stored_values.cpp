@@ -93,7 +93,8 @@ Ball stored_value(const std::string& name, const std::function<Ball()>& compute)
     if (known != s.computed.end()) return known->second;
     const Ball ball = compute();
     const auto as_read = parsed(ball.to_string(digits_kept)); // as it will be read, so that the verdicts are the same
-    if (!as_read || !as_read->is_finite()) throw std::runtime_error(name + ": computed " + ball.to_string(digits_kept) + ", which is no enclosure");
+    if (!as_read || !as_read->is_finite())
+        throw std::runtime_error(name + ": computed " + ball.to_string(digits_kept) + ", which is no enclosure");
     return s.computed.emplace(name, *as_read).first->second;
 }
 

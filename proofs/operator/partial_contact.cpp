@@ -64,7 +64,8 @@ Finding size(const Constants& k)
         const auto f = [power](auto u, auto, auto right) { return to_power(right, power) * to_power(1 + u, power); };
         const Ball value = quadrature::tanh_sinh(f, quadrature::Interval::finite(0, 1), {.digits = 10}).value;
         if (value.relative_bits() < 20 || exact.relative_bits() < 20) // a value that is none would overlap whatever it is held against
-            beta = {Verdict::undecided, "at a = 2^-" + std::to_string(m + 1) + " it is " + value.to_string(9) + " and " + exact.to_string(9)};
+            beta = {Verdict::undecided,
+                    "at a = 2^-" + std::to_string(m + 1) + " it is " + value.to_string(9) + " and " + exact.to_string(9)};
         else if (!value.overlaps(k.ball(0) * exact))
             beta = {Verdict::refuted, "at a = 2^-" + std::to_string(m + 1) + " it is " + value.to_string(9)};
     }

@@ -233,8 +233,10 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
                      " are wanted: the columns, then what is printed");
         for (const std::string& cell : rows[k])
             if (!parse_rational(cell)) row.fail("not a number: " + cell);
-        static const std::regex decimal(R"([-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]{1,6})?)"); // its last place says how it was rounded
-        if (!std::regex_match(rows[k].back(), decimal)) row.fail("what is printed is a decimal number such as 0.25 or 2.5e-3, not " + rows[k].back());
+        static const std::regex decimal(
+            R"([-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]{1,6})?)"); // its last place says how it was rounded
+        if (!std::regex_match(rows[k].back(), decimal))
+            row.fail("what is printed is a decimal number such as 0.25 or 2.5e-3, not " + rows[k].back());
         e.print.fields["row" + std::to_string(k + 1) + ".digits"] = rows[k].back();
         rows[k].pop_back();
         table.inputs.push_back(rows[k]);

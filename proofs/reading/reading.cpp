@@ -41,7 +41,8 @@ bool narrow_and_overlapping(const Ball& l, const Ball& r)
 /// Where nothing is approached: what the enclosures prove, and equality of sides that cannot be told apart.
 Holds relation_holds_strictly(const std::string& relation, const Ball& l, const Ball& r)
 {
-    if (relation == "=" || relation == "==") return !l.overlaps(r) ? Holds::no : narrow_and_overlapping(l, r) ? Holds::yes : Holds::undecided;
+    if (relation == "=" || relation == "==")
+        return !l.overlaps(r) ? Holds::no : narrow_and_overlapping(l, r) ? Holds::yes : Holds::undecided;
     if (narrow_and_overlapping(l, r)) return relation.size() == 2 ? Holds::yes : Holds::no;
     const bool less_is_asked = relation[0] == '<', may_be_equal = relation.size() == 2;
     const Ball &low = less_is_asked ? l : r, &high = less_is_asked ? r : l;
@@ -346,7 +347,8 @@ std::string where(const Situation& s, const Part& part)
 struct Seen {
     std::vector<bool> reached; ///< by part: the two sides were equal once
     std::vector<int> looked;   ///< by part: situations in which the relation was asked, and an answer came
-    std::vector<std::string> undecided; ///< by part: where balls could not tell whether it, or its condition, holds; empty if they always could
+    /// By part: where balls could not tell whether it, or its condition, holds; empty if they always could.
+    std::vector<std::string> undecided;
     bool stated_held = false;  ///< all stated parts, in one situation
     std::map<std::pair<std::size_t, std::size_t>, std::pair<bool, std::string>>
         outside; ///< by group and part: did it fail outside its condition?
@@ -369,7 +371,9 @@ std::optional<std::string> objection(const Print& print, const std::vector<Part>
         if ((part.relation == "~" || part.relation == "->") && !s.large_n) continue;
         const bool stated = m.stated.count(i) != 0;
         const Holds condition = part.condition ? reader.condition(*part.condition) : Holds::yes;
-        const auto undecided = [&](const char* what) { seen.undecided[i] = "at " + where(s, part) + " balls do not decide " + what + std::to_string(i); };
+        const auto undecided = [&](const char* what) {
+            seen.undecided[i] = "at " + where(s, part) + " balls do not decide " + what + std::to_string(i);
+        };
         if (condition == Holds::undecided) {
             undecided("the printed condition of part ");
             continue;
@@ -449,7 +453,8 @@ Check read_whole_as(const Print& print, const Meaning& says)
                 if (parts[i].left.is_equal(parts[j].left) && parts[i].right.is_equal(parts[j].right))
                     return Check{Verdict::refuted, "part " + std::to_string(i) + " repeats part " + std::to_string(j)};
         }
-        Seen seen{std::vector<bool>(parts.size(), false), std::vector<int>(parts.size(), 0), std::vector<std::string>(parts.size()), false, {}};
+        Seen seen{
+            std::vector<bool>(parts.size(), false), std::vector<int>(parts.size(), 0), std::vector<std::string>(parts.size()), false, {}};
         for (const Situation& s : m->situations)
             if (const auto found = objection(print, parts, *m, s, seen)) return Check{Verdict::refuted, *found};
         if (m->one_way && !seen.stated_held) return Check{Verdict::refuted, "what is printed holds in no situation"};

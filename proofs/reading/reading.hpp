@@ -65,8 +65,8 @@ struct Meaning {
     bool one_way = false;
     /// Each bound of an inequality is reached in some situation: it cannot be printed wider.
     bool bounds_are_reached = false;
-    /// A situation in which balls do not decide leaves the print undecided. Else it says nothing, and a print of which nothing is ever decided
-    /// is refuted: the paper's own are decided.
+    /// A situation in which balls do not decide leaves the print undecided. Else it says nothing, and a print of which nothing is ever
+    /// decided is refuted: the paper's own are decided.
     bool every_situation_decides = false;
 };
 

@@ -112,14 +112,14 @@ Finding figure_5(const Print& p)
         a.add("load 0.1: the curve of n = " + std::to_string(n + 1) + " is nearer to the limiting one, certified, than that of n = " +
                   std::to_string(n),
               met(less_than(from_limit(n + 1), from_limit(n), "distances")));
-    return a.conclude("D = 1.5, gamma = 10, in balls: the normalised densities end infinite at n = 0, with a jump at n = 1, at zero from n "
-                      "= 2 on. At load 0.001 the longest of five steps from n to n + 1 falls from " +
-                          step(1).to_string(3) + " at n = 1 to " + step(4).to_string(3) + " at n = 4; loads 0.1 and 0.001 are " +
-                          apart(1).to_string(3) + " apart at n = 1 and " + apart(5).to_string(3) +
-                          " at n = 5, and at n = 5 load 0.1 is " + from_limit(5).to_string(3) +
-                          " from the certified limit (at p/p_max = 1/4, 1/2, 3/4), so five scales are too few for the limit at load 0.001 (text.beyond-20). The curves themselves "
-                          "cannot be read off the source text",
-                      Verdict::verified);
+    return a.conclude(
+        "D = 1.5, gamma = 10, in balls: the normalised densities end infinite at n = 0, with a jump at n = 1, at zero from n "
+        "= 2 on. At load 0.001 the longest of five steps from n to n + 1 falls from " +
+            step(1).to_string(3) + " at n = 1 to " + step(4).to_string(3) + " at n = 4; loads 0.1 and 0.001 are " + apart(1).to_string(3) +
+            " apart at n = 1 and " + apart(5).to_string(3) + " at n = 5, and at n = 5 load 0.1 is " + from_limit(5).to_string(3) +
+            " from the certified limit (at p/p_max = 1/4, 1/2, 3/4), so five scales are too few for the limit at load 0.001 (text.beyond-20). The curves themselves "
+            "cannot be read off the source text",
+        Verdict::verified);
 }
 
 Finding figure_1(const Print& p)

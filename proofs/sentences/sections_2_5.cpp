@@ -263,9 +263,10 @@ Finding full_contact_persists(const Print& p)
     a.add("the load ratio is compared with one, or with less", exactly(number && said <= 1, p.text("rhs")));
     if (number && said > 0 && p.text("condition").find("n_0") == std::string::npos) {
         const Ball bound = evaluate(said, Point{}), x = peaks::iterate(1, pow(bound, Ball(4)) / 10, Ball(Rational(3, 2)));
-        a.add("at every scale", opposite(less_than(x, bound,
-                                                   "G = 3/2, load " + std::string(said.is_equal(1) ? "0.1" : "(" + p.text("rhs") + ")^4/10") +
-                                                       ": x_1, the largest load ratio at scale 2, and " + p.text("rhs"))));
+        a.add("at every scale",
+              opposite(less_than(x, bound,
+                                 "G = 3/2, load " + std::string(said.is_equal(1) ? "0.1" : "(" + p.text("rhs") + ")^4/10") +
+                                     ": x_1, the largest load ratio at scale 2, and " + p.text("rhs"))));
     }
     return a.conclude("from some scale on, which depends on the load");
 }

@@ -27,12 +27,17 @@ Ball bound(const Ball& e) { return Ball(Rational(1, 100)) * pow(e, Ball(5)) + Ba
 Figure area_laws()
 {
     const WorkingPrecision precision(192);
-    Figure f{"area-laws", "How wrong the area laws are at large n",
-             "Relative error of the contact area at large n, A_n/λ0 ≈ K_∞ G^(1−n) p̃ times a bracket, G = γ^(D−1): with 1 for the bracket, which is (7.21), and with "
-             "1 + 0.208379 e + 0.037321 e² + 0.012173 e³ + 0.005790 e⁴, e = 4/G², against the certified constant of the limit. In the paper's cases with D = 1.5 (7.21) is "
-             "off by 17 % (γ = 5) and by 8 % (γ = 10) of the area, the second law by 0.2 % and 0.004 %. The dotted line is what is proven of the second from G = 3 on. Below G = 2, where full contact never ends, "
-             "the series does not converge and only (7.21) is drawn.",
-             "Relative error against G on logarithmic axes: that of (7.21) falls slowly, like 0.8/G squared, that of the four-term law like G to the power -10 until its six decimals tell.", {}, 1, 380};
+    Figure f{
+        "area-laws",
+        "How wrong the area laws are at large n",
+        "Relative error of the contact area at large n, A_n/λ0 ≈ K_∞ G^(1−n) p̃ times a bracket, G = γ^(D−1): with 1 for the bracket, which is (7.21), and with "
+        "1 + 0.208379 e + 0.037321 e² + 0.012173 e³ + 0.005790 e⁴, e = 4/G², against the certified constant of the limit. In the paper's cases with D = 1.5 (7.21) is "
+        "off by 17 % (γ = 5) and by 8 % (γ = 10) of the area, the second law by 0.2 % and 0.004 %. The dotted line is what is proven of the second from G = 3 on. Below G = 2, where full contact never ends, "
+        "the series does not converge and only (7.21) is drawn.",
+        "Relative error against G on logarithmic axes: that of (7.21) falls slowly, like 0.8/G squared, that of the four-term law like G to the power -10 until its six decimals tell.",
+        {},
+        1,
+        380};
     Panel p{"",
             "error",
             {"{/:Italic G} = γ^{{/:Italic D}−1}", 1, last_G, true},
@@ -41,7 +46,8 @@ Figure area_laws()
             {},
             {},
             above_all};
-    Curve print{"(7.21)", "(7.21)", Style::marked_line, 1, {}}, improved{"four terms", "four terms in 4/{/:Italic G}²", Style::marked_line, 3, {}},
+    Curve print{"(7.21)", "(7.21)", Style::marked_line, 1, {}},
+        improved{"four terms", "four terms in 4/{/:Italic G}²", Style::marked_line, 3, {}},
         proven{"proven of four terms", "proven of four terms", Style::dotted, grey, {}};
     const Ball K = archard::K_gamma_product(archard::infinity);
     for (const char* table : {"limit_constant_full", "limit_constant"}) {

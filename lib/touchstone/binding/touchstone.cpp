@@ -24,7 +24,8 @@ namespace {
 using namespace touchstone;
 
 static_assert(static_cast<int>(Status::exact) == TOUCHSTONE_EXACT && static_cast<int>(Status::certified) == TOUCHSTONE_CERTIFIED);
-static_assert(static_cast<int>(Status::estimated) == TOUCHSTONE_ESTIMATED && static_cast<int>(Status::undecided) == TOUCHSTONE_STATUS_UNDECIDED);
+static_assert(static_cast<int>(Status::estimated) == TOUCHSTONE_ESTIMATED &&
+              static_cast<int>(Status::undecided) == TOUCHSTONE_STATUS_UNDECIDED);
 
 /// Enough that a binary64 number is decided, but next to a tie of two.
 constexpr long digits_for_doubles = 20;
@@ -70,7 +71,8 @@ const Quantity& quantity_called(const char* name)
 {
     if (name == nullptr) throw WrongKeys("the quantity is a null pointer");
     if (const Quantity* q = find_quantity(name)) return *q;
-    throw WrongKeys(fmt::format("unknown quantity '{:.60}'; nearest is '{}'", name, nearest_name(std::string_view(name).substr(0, 60), quantity_names())));
+    throw WrongKeys(fmt::format("unknown quantity '{:.60}'; nearest is '{}'", name,
+                                nearest_name(std::string_view(name).substr(0, 60), quantity_names())));
 }
 
 NamedTexts named_texts(const char* inputs)
@@ -158,7 +160,8 @@ const char* touchstone_version(void)
     return text.c_str();
 }
 
-int touchstone_eval(const char* quantity, const char* inputs, long digits, const char* rounding, touchstone_value** value, char* message, size_t size)
+int touchstone_eval(const char* quantity, const char* inputs, long digits, const char* rounding, touchstone_value** value, char* message,
+                    size_t size)
 {
     if (value != nullptr) *value = nullptr;
     return guarded(message, size, [&] {
@@ -174,7 +177,8 @@ int touchstone_eval(const char* quantity, const char* inputs, long digits, const
     });
 }
 
-int touchstone_eval_rows(const char* quantity, const double* inputs, size_t rows, size_t columns, double* values, int* how, char* message, size_t size)
+int touchstone_eval_rows(const char* quantity, const double* inputs, size_t rows, size_t columns, double* values, int* how, char* message,
+                         size_t size)
 {
     return guarded(message, size, [&] {
         const Quantity& q = quantity_called(quantity);
@@ -188,7 +192,10 @@ void touchstone_free(touchstone_value* v) { delete v; }
 
 const char* touchstone_decimal(const touchstone_value* v) { return v == nullptr ? "nan" : v->result.value.c_str(); }
 const char* touchstone_error(const touchstone_value* v) { return v == nullptr ? "inf" : v->result.error_bound.c_str(); }
-int touchstone_status(const touchstone_value* v) { return v == nullptr ? static_cast<int>(TOUCHSTONE_STATUS_UNDECIDED) : static_cast<int>(v->result.status); }
+int touchstone_status(const touchstone_value* v)
+{
+    return v == nullptr ? static_cast<int>(TOUCHSTONE_STATUS_UNDECIDED) : static_cast<int>(v->result.status);
+}
 const char* touchstone_note(const touchstone_value* v) { return v == nullptr ? "" : v->result.note.c_str(); }
 double touchstone_double(const touchstone_value* v) { return v == nullptr ? not_a_number : v->result.binary64.value_or(not_a_number); }
 long touchstone_digits(const touchstone_value* v) { return v == nullptr ? 0 : v->result.digits; }

@@ -40,7 +40,8 @@ std::vector<Route> by_both_K(F f)
                      .leads_up_to = leads_up_to,
                      .halved_as_second = true};
     };
-    return {route("interpolation", archard::K_interpolated, quick_gamma_digits), route("gamma-product", archard::K_gamma_product, any_digits)};
+    return {route("interpolation", archard::K_interpolated, quick_gamma_digits),
+            route("gamma-product", archard::K_gamma_product, any_digits)};
 }
 
 void check_n(const Inputs& in) { require_integer(in, "n", 0, largest_n); }

@@ -68,7 +68,9 @@ std::optional<Exact> exact(const std::function<Exact()>& number)
 
 Problem problem(Asked asked, long n, const Inputs& in)
 {
-    return {asked, n, in.real("load"), {[in] { return in.G_ball(); }, exact([&in] { return in.G_exact(); })}, [in](const Rational& r) { return in.compare_G(r); }};
+    return {asked, n, in.real("load"), {[in] { return in.G_ball(); }, exact([&in] { return in.G_exact(); })}, [in](const Rational& r) {
+                return in.compare_G(r);
+            }};
 }
 
 Problem of_area(const Inputs& in) { return problem(Asked::area, in.integer("n"), in); }
@@ -83,8 +85,8 @@ Problem at_pressure(Asked asked, const Inputs& in)
 Problem of_exceedance(const Inputs& in) { return in.real("p") == 0 ? of_area(in) : at_pressure(Asked::exceedance, in); }
 Problem of_density(const Inputs& in) { return at_pressure(Asked::density, in); }
 
-/// Segments of scale n end where p_{n-1} < p*_n ends contact. (Regions in full contact at scale n, p_{n-1} >= p*_n, have no ends there, a = 1/2
-/// and beyond: they are in no segment.)
+/// Segments of scale n end where p_{n-1} < p*_n ends contact. (Regions in full contact at scale n, p_{n-1} >= p*_n, have no ends there, a =
+/// 1/2 and beyond: they are in no segment.)
 Problem of_segments(const Inputs& in)
 {
     Problem p = problem(Asked::density, in.integer("n") - 1, in);
@@ -137,10 +139,12 @@ Plan plan(Ask ask, Factor factor, const Inputs& in, Accuracy wanted)
         const Witness w = o.look(*p, a);
         return Witness{times(256, w.value), times(256, w.error)};
     };
-    if (choice.method && choice.method->witness) result.own_witness = Look{choice.method->witness->name, [=, o = *choice.method->witness](Accuracy a) { return seen(o, a); }};
+    if (choice.method && choice.method->witness)
+        result.own_witness = Look{choice.method->witness->name, [=, o = *choice.method->witness](Accuracy a) { return seen(o, a); }};
     for (const recursion::Observer& o : recursion::observers())
         result.witnesses.push_back({o.name, [=](Accuracy a) {
-                                        if (const std::string refused = recursion::observers_refusal(*p); !refused.empty()) throw BeyondReach(refused);
+                                        if (const std::string refused = recursion::observers_refusal(*p); !refused.empty())
+                                            throw BeyondReach(refused);
                                         return seen(o, a);
                                     }});
     return result;
@@ -150,7 +154,8 @@ Plan plan(Ask ask, Factor factor, const Inputs& in, Accuracy wanted)
 Quantity quantity(Quantity q, Asked asked, Ask ask, Factor factor = one, long before = 0)
 {
     for (recursion::Reach& r : recursion::reach(asked))
-        q.certified.push_back({before ? fmt::format("n - {} for n: {}", before, r.where) : r.where, r.digits, r.proof, r.second_look, r.shares});
+        q.certified.push_back(
+            {before ? fmt::format("n - {} for n: {}", before, r.where) : r.where, r.digits, r.proof, r.second_look, r.shares});
     q.explain = [ask](const Inputs& in, long digits) {
         const Problem p = ask(in);
         const recursion::Choice choice = recursion::choose(p, {digits});
@@ -178,7 +183,8 @@ void add_contact(std::vector<Quantity>& all)
     all.push_back(quantity({.name = "contact.exceedance",
                             .equation = "6.1",
                             .unit = "1",
-                            .domain = fmt::format("n from 0 to 10^4, p >= 0, {}; p = 0 as contact.area, p > 0 {}", surface_domain, reach_in_words(Asked::exceedance)),
+                            .domain = fmt::format("n from 0 to 10^4, p >= 0, {}; p = 0 as contact.area, p > 0 {}", surface_domain,
+                                                  reach_in_words(Asked::exceedance)),
                             .inputs = {"n", "p", "load", "G"},
                             .description = "share of lambda_0 on which the pressure at scale n exceeds p (in p*_0)",
                             .check = check_pressure,
@@ -199,28 +205,32 @@ void add_contact(std::vector<Quantity>& all)
                             .costly = true},
                            Asked::density, of_density));
 
-    all.push_back(quantity({.name = "segments.density",
-                            .equation = "9.3",
-                            .unit = "1",
-                            .domain = fmt::format("n from 1 to 10^4, 0 <= a <= 1/2, {}; certified or estimated where contact.density is at n - 1, p = G^n sin^2(pi a)", surface_domain),
-                            .inputs = {"n", "a", "load", "G"},
-                            .description = "density of segments by half-width a (in lambda_n), N^_n lambda_n",
-                            .check = check_half_width,
-                            .exact = contact_exact::segment_density,
-                            .routes = {},
-                            .costly = true},
-                           Asked::density, of_segments, pressure_by_half_width, 1));
+    all.push_back(
+        quantity({.name = "segments.density",
+                  .equation = "9.3",
+                  .unit = "1",
+                  .domain = fmt::format(
+                      "n from 1 to 10^4, 0 <= a <= 1/2, {}; certified or estimated where contact.density is at n - 1, p = G^n sin^2(pi a)",
+                      surface_domain),
+                  .inputs = {"n", "a", "load", "G"},
+                  .description = "density of segments by half-width a (in lambda_n), N^_n lambda_n",
+                  .check = check_half_width,
+                  .exact = contact_exact::segment_density,
+                  .routes = {},
+                  .costly = true},
+                 Asked::density, of_segments, pressure_by_half_width, 1));
 
-    all.push_back(quantity({.name = "segments.count",
-                            .equation = "8.1",
-                            .unit = "1",
-                            .domain = "n from 1 to 10^6, load > 0, 1 < D < 2, gamma > 1; certified or estimated where contact.area is at n - 1",
-                            .inputs = {"n", "load", "D", "gamma"},
-                            .description = "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
-                            .check = check_count,
-                            .exact = contact_exact::segment_count,
-                            .routes = {}},
-                           Asked::area, of_count, potential_segments, 1));
+    all.push_back(
+        quantity({.name = "segments.count",
+                  .equation = "8.1",
+                  .unit = "1",
+                  .domain = "n from 1 to 10^6, load > 0, 1 < D < 2, gamma > 1; certified or estimated where contact.area is at n - 1",
+                  .inputs = {"n", "load", "D", "gamma"},
+                  .description = "expected number of contact segments at scale n in one wavelength, A_{n-1}/lambda_n",
+                  .check = check_count,
+                  .exact = contact_exact::segment_count,
+                  .routes = {}},
+                 Asked::area, of_count, potential_segments, 1));
 }
 
 } // namespace touchstone

@@ -113,7 +113,8 @@ Exact density(const Inputs& in)
     const long n = in.integer("n");
     const Rational& p = in.real("p");
     if ((p == 0 && density_starts_at_zero(in, n)) || above_support(in, n, p) || below_support(in, n, p)) return Exact(0);
-    if (n >= 2 && (at_edge(in, n, p) || everywhere_above(in, n, p))) return Exact(0); // it goes with |p - p_n^max|^((n-1)/2) there, as at p_n^min
+    if (n >= 2 && (at_edge(in, n, p) || everywhere_above(in, n, p)))
+        return Exact(0); // it goes with |p - p_n^max|^((n-1)/2) there, as at p_n^min
     throw NotExact();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Where section 6 has values that are exactly known: full contact everywhere, outside and at the ends of the support, one wave at special loads.
-/// Internal to catalogue/. All throw NotExact where nothing is known exactly.
+/// Where section 6 has values that are exactly known: full contact everywhere, outside and at the ends of the support, one wave at special
+/// loads. Internal to catalogue/. All throw NotExact where nothing is known exactly.
 #pragma once
 
 #include "touchstone/catalogue/quantity.hpp"

@@ -86,17 +86,29 @@ void add_gap(std::vector<Quantity>& all)
                         return integrated_slope(v * v - load, load);
                     }}}});
 
-    all.push_back({"westergaard.mean_gap", "from 2.4", "g", "load > 0", {"load"},
-                   "mean gap over a wavelength; 0 from full contact on", require_load,
-                   [](const Inputs& in) { return in.real("load") >= 1 ? Exact(0) : throw NotExact(); },
-                   {through("cancellation-free", [](auto a) { return westergaard::mean_gap(a("load")); }),
-                    {"displaced-peak", [](const Inputs& in) { return in.real("load") >= 1 ? Ball(0) : undisplaced_peak(Ball(in.real("load"))); }}}});
+    all.push_back(
+        {"westergaard.mean_gap",
+         "from 2.4",
+         "g",
+         "load > 0",
+         {"load"},
+         "mean gap over a wavelength; 0 from full contact on",
+         require_load,
+         [](const Inputs& in) { return in.real("load") >= 1 ? Exact(0) : throw NotExact(); },
+         {through("cancellation-free", [](auto a) { return westergaard::mean_gap(a("load")); }),
+          {"displaced-peak", [](const Inputs& in) { return in.real("load") >= 1 ? Ball(0) : undisplaced_peak(Ball(in.real("load"))); }}}});
 
-    all.push_back({"westergaard.energy", "from 2.4", "g p*", "load > 0", {"load"},
-                   "elastic energy per unit nominal area beyond that of uniform pressure; 1/4 from full contact on", require_load,
+    all.push_back({"westergaard.energy",
+                   "from 2.4",
+                   "g p*",
+                   "load > 0",
+                   {"load"},
+                   "elastic energy per unit nominal area beyond that of uniform pressure; 1/4 from full contact on",
+                   require_load,
                    [](const Inputs& in) { return in.real("load") >= 1 ? Exact(Rational(1, 4)) : throw NotExact(); },
                    {through("work-of-load", [](auto a) { return westergaard::energy(a("load")); }),
-                    {"work-of-pressure", [](const Inputs& in) { return work_of_pressure(Ball(in.real("load") >= 1 ? Rational(1) : in.real("load"))); }}}});
+                    {"work-of-pressure",
+                     [](const Inputs& in) { return work_of_pressure(Ball(in.real("load") >= 1 ? Rational(1) : in.real("load"))); }}}});
 
     all.push_back({"hertz.gap", "from 2.6", "g", "load > 0", {"x", "load"},
                    "gap beside the contact in the Hertzian limit; 0 in the contact", require_load, {},

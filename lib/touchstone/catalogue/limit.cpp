@@ -96,7 +96,8 @@ Plan by_poisson(Asked asked, const Inputs& in)
                                   const Witness C = limit::area_constant_by_law(in.G_ball());
                                   return asked == Asked::constant ? C : Witness{C.value / by_the_paper(in), C.error / by_the_paper(in)};
                               }};
-    result.shares = "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others";
+    result.shares =
+        "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others";
     return result;
 }
 
@@ -124,7 +125,8 @@ Quantity of_limit(Quantity q, Asked asked)
     q.plan = [asked](const Inputs& in, Accuracy) { return plan(asked, in); };
     q.explain = explain;
     q.costly = true;
-    q.certified = {{"1.02 <= G < 2.000001", fmt::format("{}", limit::most_digits_by_poisson), "poisson", "witness limit-law", "the wave and its singular points"},
+    q.certified = {{"1.02 <= G < 2.000001", fmt::format("{}", limit::most_digits_by_poisson), "poisson", "witness limit-law",
+                    "the wave and its singular points"},
                    {"2.000001 <= G < 5000", "what 4000 nodes carry", "approach-force-weighted", "proof approach-area", shared},
                    {"G >= 5000", "what 8 terms carry, 56 and more", "moments-series", "witness first-order", "the recursion of moments"}};
     return q;
@@ -148,7 +150,8 @@ Plan plan_of_scale(const Inputs& in)
     }
     const auto proof = [&](const char* name, Scheme scheme) {
         result.proofs.push_back({name, [=](Accuracy) {
-                                     return Ball(limit::least_scale(scheme, G_of(in), [in] { return in.ball("load"); }, in.real("tolerance")));
+                                     return Ball(limit::least_scale(
+                                         scheme, G_of(in), [in] { return in.ball("load"); }, in.real("tolerance")));
                                  }});
     };
     proof("approach-force-weighted", Scheme::force_weighted);
@@ -164,7 +167,8 @@ Plan plan_of_gap(const Inputs& in)
     const auto differences = [in](Accuracy) { return limit::gap(Scheme::force_weighted, G_of(in), Rational(1, 2)); };
     if (in.compare_G(lowest_G_of_gap) < 0) {
         const bool served = in.compare_G(nearest_G) >= 0;
-        result.refusal = served ? "no proof: the second eigenvalue is proven for G >= 2.2 only" : "proven for G >= 2.2 and estimated for G >= 2.000001 only";
+        result.refusal = served ? "no proof: the second eigenvalue is proven for G >= 2.2 only"
+                                : "proven for G >= 2.2 and estimated for G >= 2.000001 only";
         if (!served) return result;
         result.witnesses.push_back({"differences-from-1/2", differences});
         result.witnesses.push_back({"differences-from-1/7", [=](Accuracy) { return limit::gap(Scheme::area, G_of(in), Rational(1, 7)); }});
@@ -173,7 +177,8 @@ Plan plan_of_gap(const Inputs& in)
     result.most_digits = most_digits_of_gap;
     result.refusal = "the polynomials that more digits take would be too long";
     result.dear = true;
-    result.proofs.push_back({"eigenfunction", [=](Accuracy a) { return limit::second_eigenvalue(G_of(in), {a.digits + spare_digits_of_gap}); }});
+    result.proofs.push_back(
+        {"eigenfunction", [=](Accuracy a) { return limit::second_eigenvalue(G_of(in), {a.digits + spare_digits_of_gap}); }});
     if (in.compare_G(large_G) < 0)
         result.own_witness = Look{"differences-from-1/2", differences};
     else
@@ -187,23 +192,25 @@ Plan plan_of_gap(const Inputs& in)
 
 std::string explain_gap(const Inputs& in, long digits)
 {
-    return in.compare_G(lowest_G_of_gap) < 0 ? std::string() : limit::second_eigenvalue_certificate(G_of(in), {digits + spare_digits_of_gap});
+    return in.compare_G(lowest_G_of_gap) < 0 ? std::string()
+                                             : limit::second_eigenvalue_certificate(G_of(in), {digits + spare_digits_of_gap});
 }
 
 } // namespace
 
 void add_limit(std::vector<Quantity>& all)
 {
-    all.push_back(of_limit({.name = "limit.area_constant",
-                            .equation = "7.21",
-                            .unit = "1",
-                            .domain = "G > 1; certified for G >= 1.02",
-                            .inputs = {"G"},
-                            .description = "C(G) = lim A_n G^n/(lambda0 load) of the recursion (6.7), for any load; (7.21) takes K_inf G for it",
-                            .check = {},
-                            .exact = {},
-                            .routes = {}},
-                           Asked::constant));
+    all.push_back(
+        of_limit({.name = "limit.area_constant",
+                  .equation = "7.21",
+                  .unit = "1",
+                  .domain = "G > 1; certified for G >= 1.02",
+                  .inputs = {"G"},
+                  .description = "C(G) = lim A_n G^n/(lambda0 load) of the recursion (6.7), for any load; (7.21) takes K_inf G for it",
+                  .check = {},
+                  .exact = {},
+                  .routes = {}},
+                 Asked::constant));
 
     all.push_back(of_limit({.name = "limit.area_ratio",
                             .equation = "7.21",
@@ -229,21 +236,24 @@ void add_limit(std::vector<Quantity>& all)
                    .plan = [](const Inputs& in, Accuracy) { return plan_of_scale(in); },
                    .certified = {{"load <= 1, G >= 2.000001", "any", "approach-force-weighted", "proof approach-area", shared}}});
 
-    all.push_back({.name = "limit.gap",
-                   .equation = "7.21",
-                   .unit = "1",
-                   .domain = "G > 1; certified for G >= 2.2, estimated from 2.000001",
-                   .inputs = {"G"},
-                   .description = "second eigenvalue of one wave's operator over its first, 1/G: by what, in general, the distance from the limit shrinks at each scale",
-                   .check = require_surface,
-                   .exact = {},
-                   .routes = {},
-                   .explain = explain_gap,
-                   .costly = true,
-                   .plan = [](const Inputs& in, Accuracy) { return plan_of_gap(in); },
-                   .certified = {{"2.2 <= G < 5000", fmt::format("{}", most_digits_of_gap), "eigenfunction", "witness differences-from-1/2", "the wave (2.4)"},
-                                 {"G >= 5000", fmt::format("{}", most_digits_of_gap), "eigenfunction", "witness first-order", "the wave (2.4)"},
-                                 {"2.000001 <= G < 2.2", "15", "", "", ""}}});
+    all.push_back(
+        {.name = "limit.gap",
+         .equation = "7.21",
+         .unit = "1",
+         .domain = "G > 1; certified for G >= 2.2, estimated from 2.000001",
+         .inputs = {"G"},
+         .description =
+             "second eigenvalue of one wave's operator over its first, 1/G: by what, in general, the distance from the limit shrinks at each scale",
+         .check = require_surface,
+         .exact = {},
+         .routes = {},
+         .explain = explain_gap,
+         .costly = true,
+         .plan = [](const Inputs& in, Accuracy) { return plan_of_gap(in); },
+         .certified = {
+             {"2.2 <= G < 5000", fmt::format("{}", most_digits_of_gap), "eigenfunction", "witness differences-from-1/2", "the wave (2.4)"},
+             {"G >= 5000", fmt::format("{}", most_digits_of_gap), "eigenfunction", "witness first-order", "the wave (2.4)"},
+             {"2.000001 <= G < 2.2", "15", "", "", ""}}});
 
     add_limiting_distributions(all);
     add_distance_from_limit(all);

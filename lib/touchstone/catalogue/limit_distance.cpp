@@ -52,7 +52,8 @@ Plan plan(const Inputs& in, Accuracy wanted)
 {
     Plan result = plan_of_limiting_exceedance(in);
     if (result.proofs.empty()) return result;
-    const auto share = std::make_shared<const Problem>(problem(Asked::exceedance, in)), area = std::make_shared<const Problem>(problem(Asked::area, in));
+    const auto share = std::make_shared<const Problem>(problem(Asked::exceedance, in)),
+               area = std::make_shared<const Problem>(problem(Asked::area, in));
     const Accuracy needed{wanted.digits + digits_of_difference(in)};
     for (const auto& p : {share, area}) {
         const recursion::Choice choice = recursion::choose(*p, needed);
@@ -79,10 +80,12 @@ Plan plan(const Inputs& in, Accuracy wanted)
                                   const Ball p = in.ball("p");
                                   const double P = in.real("p").get_d();
                                   const auto [low, high] = transfer::levels::ends_of_exceeding(p);
-                                  return limit::distance_in_the_mean(in.G_ball(), in.real("load").get_d(), in.integer("n"), {low, high}, [P](double x) { return limit::exceedance_over_x(P, x); },
-                                                                     contact_over_x);
+                                  return limit::distance_in_the_mean(
+                                      in.G_ball(), in.real("load").get_d(), in.integer("n"), {low, high},
+                                      [P](double x) { return limit::exceedance_over_x(P, x); }, contact_over_x);
                               }};
-    result.shares = "the wave (2.2), (2.4) and where it is not smooth: both distributions forwards on one grid; grid, quadrature and arithmetic are others";
+    result.shares =
+        "the wave (2.2), (2.4) and where it is not smooth: both distributions forwards on one grid; grid, quadrature and arithmetic are others";
     return result;
 }
 
@@ -98,22 +101,27 @@ void check(const Inputs& in)
 
 void add_distance_from_limit(std::vector<Quantity>& all)
 {
-    all.push_back({.name = "limit.distance",
-                   .equation = "6.1",
-                   .unit = "1",
-                   .domain = "n from 0 to 100, p > 0, load > 0, G > 1; certified where limit.exceedance and contact.exceedance are",
-                   .inputs = {"n", "p", "load", "G"},
-                   .description = "share of the contact area at scale n where p_n > p, p in p*_n, less the share that this tends to (limit.exceedance)",
-                   .check = check,
-                   .exact = {},
-                   .routes = {},
-                   .explain = [](const Inputs& in, long) {
-                       return fmt::format("the quotient of contact.exceedance and contact.area at scale n, less limit.exceedance; whatever p is, it is at most {} (docs/limit.md, theorem 7)\n",
-                                          bound_for_all_pressures(in).to_string(3));
-                   },
-                   .costly = true,
-                   .plan = plan,
-                   .certified = {{"1.02 <= G <= 1000, load <= 1000", "what 15 digits of both shares leave", "both-shares", "witness limit-law", "the wave and its singular points"}}});
+    all.push_back(
+        {.name = "limit.distance",
+         .equation = "6.1",
+         .unit = "1",
+         .domain = "n from 0 to 100, p > 0, load > 0, G > 1; certified where limit.exceedance and contact.exceedance are",
+         .inputs = {"n", "p", "load", "G"},
+         .description =
+             "share of the contact area at scale n where p_n > p, p in p*_n, less the share that this tends to (limit.exceedance)",
+         .check = check,
+         .exact = {},
+         .routes = {},
+         .explain =
+             [](const Inputs& in, long) {
+                 return fmt::format(
+                     "the quotient of contact.exceedance and contact.area at scale n, less limit.exceedance; whatever p is, it is at most {} (docs/limit.md, theorem 7)\n",
+                     bound_for_all_pressures(in).to_string(3));
+             },
+         .costly = true,
+         .plan = plan,
+         .certified = {{"1.02 <= G <= 1000, load <= 1000", "what 15 digits of both shares leave", "both-shares", "witness limit-law",
+                        "the wave and its singular points"}}});
 }
 
 } // namespace touchstone

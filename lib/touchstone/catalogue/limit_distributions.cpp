@@ -77,8 +77,9 @@ Witness look(const Question& q, const Inputs& in)
     const double P = near(q.pressure), g = near(G);
     const bool density = q.of == Question::Of::density;
     const auto [low, high] = transfer::levels::ends_of_exceeding(q.pressure);
-    const Witness w = limit::mean_in_the_limit(G, density ? transfer::levels::singular_points_of_density(G, q.pressure) : std::vector<Ball>{low, high},
-                                               [&](double x) { return over_x(q.of, g, P, x); });
+    const Witness w =
+        limit::mean_in_the_limit(G, density ? transfer::levels::singular_points_of_density(G, q.pressure) : std::vector<Ball>{low, high},
+                                 [&](double x) { return over_x(q.of, g, P, x); });
     if (q.of == Question::Of::force) return w;
     const Witness C = limit::area_constant_by_law(G);
     return {w.value / C.value, w.error / C.value + C.error * w.value / (C.value * C.value)};
@@ -93,8 +94,10 @@ Ball area_constant(const Inputs& in, Accuracy a)
 /// Why there is no proof; empty: there is one.
 std::string refused(Question::Of of, const Inputs& in)
 {
-    if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0) return "the limiting distributions are certified for 1.02 <= G = gamma^(D-1) <= 1000 only";
-    if (of == Question::Of::density && in.real("p") < lowest_pressure_of_density) return "the density of the limit is certified for p >= 2^-9 only";
+    if (in.compare_G(lowest_G) < 0 || in.compare_G(highest_G) > 0)
+        return "the limiting distributions are certified for 1.02 <= G = gamma^(D-1) <= 1000 only";
+    if (of == Question::Of::density && in.real("p") < lowest_pressure_of_density)
+        return "the density of the limit is certified for p >= 2^-9 only";
     return "";
 }
 
@@ -127,7 +130,8 @@ Plan plan(Question::Of of, const Pressure& pressure, const Inputs& in)
                                   const WorkingPrecision bits(input_bits);
                                   return look(question(), in);
                               }};
-    result.shares = "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others";
+    result.shares =
+        "the wave (2.2), (2.4) and where it is not smooth: it goes forwards, to the limiting distribution; grid, quadrature and arithmetic are others";
     return result;
 }
 
@@ -142,7 +146,8 @@ Quantity of_limit(Quantity q, Question::Of of, const Pressure& pressure)
         return limit::mean_by_poisson_certificate(asked, G_of(in), {digits});
     };
     q.costly = true;
-    q.certified = {{"1.02 <= G <= 1000", fmt::format("{}, fewer next to pressure 0", limit::most_digits_by_poisson), "poisson", "witness limit-law", "the wave and its singular points"}};
+    q.certified = {{"1.02 <= G <= 1000", fmt::format("{}, fewer next to pressure 0", limit::most_digits_by_poisson), "poisson",
+                    "witness limit-law", "the wave and its singular points"}};
     return q;
 }
 
@@ -169,8 +174,8 @@ void check_half_width(const Inputs& in)
 
 void add_limiting_distributions(std::vector<Quantity>& all)
 {
-    const auto add = [&](const char* name, const char* equation, const char* input, const char* domain, const char* description, Question::Of of, const Pressure& pressure,
-                         void (*check)(const Inputs&)) {
+    const auto add = [&](const char* name, const char* equation, const char* input, const char* domain, const char* description,
+                         Question::Of of, const Pressure& pressure, void (*check)(const Inputs&)) {
         all.push_back(of_limit({.name = name,
                                 .equation = equation,
                                 .unit = "1",
@@ -183,15 +188,16 @@ void add_limiting_distributions(std::vector<Quantity>& all)
                                of, pressure));
     };
     add("limit.exceedance", "6.1", "p", "p > 0, G > 1; certified for 1.02 <= G <= 1000",
-        "share of the contact area where p_n > p, p in p*_n, as n tends to infinity; at p = x G, of the contacts of the next scale of load ratio above x", Question::Of::pressure, given,
-        check_pressure);
-    add("limit.force", "6.1", "p", "p > 0, G > 1; certified for 1.02 <= G <= 1000", "share of the force that is carried where p_n > p, p in p*_n, as n tends to infinity", Question::Of::force,
-        given, check_pressure);
+        "share of the contact area where p_n > p, p in p*_n, as n tends to infinity; at p = x G, of the contacts of the next scale of load ratio above x",
+        Question::Of::pressure, given, check_pressure);
+    add("limit.force", "6.1", "p", "p > 0, G > 1; certified for 1.02 <= G <= 1000",
+        "share of the force that is carried where p_n > p, p in p*_n, as n tends to infinity", Question::Of::force, given, check_pressure);
     add("limit.density", "6.1", "p", "p > 0, G > 1; certified for 1.02 <= G <= 1000, p >= 2^-9",
-        "density of p_n/p*_n in the contact area at p, as n tends to infinity: minus the slope of limit.exceedance", Question::Of::density, given, check_pressure);
+        "density of p_n/p*_n in the contact area at p, as n tends to infinity: minus the slope of limit.exceedance", Question::Of::density,
+        given, check_pressure);
     add("limit.segments", "9.2", "a", "0 < a <= 1/2, G > 1; certified for 1.02 <= G <= 1000",
-        "share of the contact segments whose half-width is above a, a in lambda_n, as n tends to infinity; at a = 1/2, of full contacts", Question::Of::pressure, of_half_width,
-        check_half_width);
+        "share of the contact segments whose half-width is above a, a in lambda_n, as n tends to infinity; at a = 1/2, of full contacts",
+        Question::Of::pressure, of_half_width, check_half_width);
 }
 
 } // namespace touchstone

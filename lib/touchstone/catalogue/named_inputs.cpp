@@ -14,7 +14,10 @@ namespace {
 
 constexpr std::size_t shown_characters = 60; ///< of a value in a message
 
-bool among(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool among(const std::vector<std::string>& names, const std::string& name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 std::string shown(const std::string& text) { return text.size() > shown_characters ? text.substr(0, shown_characters) + "..." : text; }
 
@@ -56,7 +59,8 @@ void check_keys(const Quantity& q, const std::vector<std::string>& keys)
             throw WrongKeys(fmt::format("key '{}' is given twice", key));
     }
     const bool pair = among(keys, "D") && among(keys, "gamma");
-    if (surface && among(keys, "G") && (among(keys, "D") || among(keys, "gamma"))) throw WrongKeys("give either G or D and gamma, not both");
+    if (surface && among(keys, "G") && (among(keys, "D") || among(keys, "gamma")))
+        throw WrongKeys("give either G or D and gamma, not both");
     for (const auto& key : q.inputs)
         if (!among(keys, key) && !(key == "G" && pair))
             throw WrongKeys(fmt::format("missing key '{}'{}; {} takes {}", key, key == "G" ? " (or D and gamma)" : "", q.name, wanted));

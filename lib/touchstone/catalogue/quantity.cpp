@@ -87,7 +87,8 @@ std::vector<Certified> certified_where(const Quantity& q)
     const std::string everywhere = "everywhere in its domain", shared = "what the quantity is defined as, and ball arithmetic";
     if (first.leads_up_to == any_digits) return {{everywhere, "any", first.name, "proof " + second.name, shared}};
     const std::string few = std::to_string(first.leads_up_to);
-    return {{everywhere, "up to " + few, first.name, "proof " + second.name, shared}, {everywhere, "beyond " + few, second.name, "proof " + first.name, shared}};
+    return {{everywhere, "up to " + few, first.name, "proof " + second.name, shared},
+            {everywhere, "beyond " + few, second.name, "proof " + first.name, shared}};
 }
 
 Ball first_ball(const Quantity& q, const Inputs& in)

@@ -21,7 +21,8 @@ namespace touchstone {
 class Inputs {
 public:
     Inputs() = default;
-    /// By name, exact; brought to lowest terms, which comparisons of rational numbers rest on. \throws std::invalid_argument of a denominator 0
+    /// By name, exact; brought to lowest terms, which comparisons of rational numbers rest on. \throws std::invalid_argument of a
+    /// denominator 0
     explicit Inputs(std::map<std::string, Rational> values);
     bool has(const std::string& key) const { return values_.contains(key); } ///< whether it is given
     const Rational& real(const std::string& key) const { return values_.at(key); } ///< \throws std::out_of_range
@@ -57,7 +58,8 @@ struct Route {
     /// Whether it also encloses all values over a box of inputs (it never looks at an input but as a ball).
     bool takes_boxes = false;
     long leads_up_to = any_digits; ///< beyond so many digits the next route is the first proof, since it takes less time there
-    /// As second proof it looks at the first half of more than `proven_twice` digits, see looked_at_again(): the whole would take longer than all else.
+    /// As second proof it looks at the first half of more than `proven_twice` digits, see looked_at_again(): the whole would take longer
+    /// than all else.
     bool halved_as_second = false;
 };
 
@@ -79,7 +81,8 @@ constexpr double dear_seconds = 0.5;
 
 /// What serves certain inputs: the proofs, and what looks at the value beside them.
 struct Plan {
-    /// The first decides the digits. A second one has to decide as many of them as it is asked for, alone; disjoint balls are a hard failure.
+    /// The first decides the digits. A second one has to decide as many of them as it is asked for, alone; disjoint balls are a hard
+    /// failure.
     std::vector<Proof> proofs = {};
     /// Of one proof, the first of them is the second look; without a proof, two or more of them make an estimate.
     std::vector<Look> witnesses = {};
@@ -121,8 +124,8 @@ struct Quantity {
     std::function<Plan(const Inputs&, Accuracy)> plan = {};
     /// The plan in words. Empty: all routes, everywhere in the domain. See certified_where().
     std::vector<Certified> certified = {};
-    /// For many points: the binary64 number nearest to the value at binary64 inputs (in the order of `inputs`), proven once, or nothing where that
-    /// takes evaluate(); zero is exact, any other value certified. May be empty.
+    /// For many points: the binary64 number nearest to the value at binary64 inputs (in the order of `inputs`), proven once, or nothing
+    /// where that takes evaluate(); zero is exact, any other value certified. May be empty.
     std::function<std::optional<double>(const double*)> nearest = {};
 };
 

@@ -82,18 +82,27 @@ void add_westergaard(std::vector<Quantity>& all)
     all.back().nearest = [](const double* in) { return westergaard::nearest_exceedance(in[0], in[1]); };
 
     const auto density = [](auto a) { return westergaard::density(a("p"), a("load")); };
-    all.push_back({"westergaard.density", "2.15-2.20", "1/p*", "load > 0, p >= 0, not at an edge of the support", {"p", "load"},
-                   "probability density q of the contact pressure, as q p*; 0 outside the support", check_density,
+    all.push_back({"westergaard.density",
+                   "2.15-2.20",
+                   "1/p*",
+                   "load > 0, p >= 0, not at an edge of the support",
+                   {"p", "load"},
+                   "probability density q of the contact pressure, as q p*; 0 outside the support",
+                   check_density,
                    exactly(density),
-                   {through("cancellation-free", density),
-                    printed("as-printed",
-                            [](const Inputs& in, const Arguments<Ball>& a) {
-                                const Rational& p = in.real("p");
-                                return p * p > 4 * in.real("load") ? Ball(0) : as_printed::density_partial(a("p"), a("load"));
-                            },
-                            [](const Inputs& in, const Arguments<Ball>& a) {
-                                return abs(Rational(in.real("p") - in.real("load"))) > 1 ? Ball(0) : as_printed::density_full(a("p"), a("load"));
-                            })}});
+                   {through("cancellation-free", density), printed(
+                                                               "as-printed",
+                                                               [](const Inputs& in, const Arguments<Ball>& a) {
+                                                                   const Rational& p = in.real("p");
+                                                                   return p * p > 4 * in.real("load")
+                                                                              ? Ball(0)
+                                                                              : as_printed::density_partial(a("p"), a("load"));
+                                                               },
+                                                               [](const Inputs& in, const Arguments<Ball>& a) {
+                                                                   return abs(Rational(in.real("p") - in.real("load"))) > 1
+                                                                              ? Ball(0)
+                                                                              : as_printed::density_full(a("p"), a("load"));
+                                                               })}});
     all.back().nearest = [](const double* in) { return westergaard::nearest_density(in[0], in[1]); };
 
     const auto hertz_width = [](auto a) { return hertz::half_width(a("load")); };

@@ -106,7 +106,10 @@ bool only_partial(const Claim& a) { return a.load <= 1 && power(Rational(41, 20)
 
 namespace {
 
-long most_digits_on_a_mesh(const Claim& a) { return a.of == Claim::Of::density ? most_digits_of_distributions : most_digits_in_full_contact; }
+long most_digits_on_a_mesh(const Claim& a)
+{
+    return a.of == Claim::Of::density ? most_digits_of_distributions : most_digits_in_full_contact;
+}
 
 enum class Route { levels, law, mesh };
 
@@ -117,7 +120,8 @@ Route route(const Claim& a)
     return law_serves(a) ? Route::law : Route::mesh;
 }
 
-/// What one section serves: levels any load and n, a law any n and place, a mesh of areas any load and n, one of shares any load, one of densities its own.
+/// What one section serves: levels any load and n, a law any n and place, a mesh of areas any load and n, one of shares any load, one of
+/// densities its own.
 bool in_one_section(const Claim& a, const Claim& b)
 {
     const Route r = route(a);
@@ -147,9 +151,16 @@ std::string contact(const std::vector<Claim>& all, Accuracy wanted)
     for (const auto& members : sections) {
         try {
             switch (route(members.front())) {
-            case Route::levels: write(accurate(members, static_cast<double>(wanted.digits)), members, claims + 1, head, lines, written + 1); break;
-            case Route::law: write_distributions(members, std::min(wanted.digits, most_digits_of_distributions), claims + 1, written + 1, head, lines); break;
-            case Route::mesh: write_full_contact(members, std::min(wanted.digits, most_digits_on_a_mesh(members.front())), claims + 1, written + 1, head, lines); break;
+            case Route::levels:
+                write(accurate(members, static_cast<double>(wanted.digits)), members, claims + 1, head, lines, written + 1);
+                break;
+            case Route::law:
+                write_distributions(members, std::min(wanted.digits, most_digits_of_distributions), claims + 1, written + 1, head, lines);
+                break;
+            case Route::mesh:
+                write_full_contact(members, std::min(wanted.digits, most_digits_on_a_mesh(members.front())), claims + 1, written + 1, head,
+                                   lines);
+                break;
             }
         }
         catch (const BeyondReach&) {

@@ -4,9 +4,9 @@
 ///
 /// The text is `TOUCHSTONE-CERT 1` of docs/certificate.md, the checker is checker/certificate.py. What is here is a search: nobody has to
 /// trust it.
-/// In partial contact (G >= 2.05, load <= 1) a certificate of areas holds, for each G, a quadrature rule of T, panels of s = -log x, polynomials V_m
-/// on them with a bound of |h_m - V_m|, h_m(x) = G^m A_m(x)/(x lambda_0), and the values that follow; one of shares and densities holds, for
-/// each G and load, the densities of the load ratios by pieces; else a mesh and polynomials on it.
+/// In partial contact (G >= 2.05, load <= 1) a certificate of areas holds, for each G, a quadrature rule of T, panels of s = -log x,
+/// polynomials V_m on them with a bound of |h_m - V_m|, h_m(x) = G^m A_m(x)/(x lambda_0), and the values that follow; one of shares and
+/// densities holds, for each G and load, the densities of the load ratios by pieces; else a mesh and polynomials on it.
 /// How to use it:
 ///
 ///     const Root G{Rational(5), 2};                                                    // 5^(1/2)
@@ -38,7 +38,8 @@ struct Claim {
 
 inline constexpr long largest_n = 60;    ///< errors grow by up to 4 a level
 inline constexpr long most_digits = 120; ///< of areas in partial contact
-/// 51/50 <= G <= 2^20, 2^-40 <= load <= 1000, 1 <= n <= largest_n; segments in partial contact, densities with full contact from n = 2 on. \returns why not; empty: there is a certificate
+/// 51/50 <= G <= 2^20, 2^-40 <= load <= 1000, 1 <= n <= largest_n; segments in partial contact, densities with full contact from n = 2 on.
+/// \returns why not; empty: there is a certificate
 std::string refusal(const Claim&);
 /// G >= 41/20 and load <= 1: areas to any digits; with full contact there are fewer.
 bool only_partial(const Claim&);

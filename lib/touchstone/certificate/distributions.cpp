@@ -17,13 +17,19 @@ template <class Real>
 class Laws {
 public:
     /// \param small of a piece's first coefficient: smaller ones at its end are left out
-    Laws(const Root& G, const Rational& load, long levels, double small) : G_(rounded<Real>(number(G))), tops_{rounded<Real>(load)}, small_(small)
+    Laws(const Root& G, const Rational& load, long levels, double small)
+        : G_(rounded<Real>(number(G)))
+        , tops_{rounded<Real>(load)}
+        , small_(small)
     {
         for (long m = 0; m <= levels; ++m) tops_.push_back(2 / G_ * root(tops_.back()));
         for (long m = 1; m < levels; ++m) pieces_.push_back(pieces_of(m));
     }
     /// phi_(m+1)
-    Real density(long m, const Place<Real>& at) const { return G_ * G_ / pi_number<Real>() * root(top(m) * at.T) * over(m, at, Read::density); }
+    Real density(long m, const Place<Real>& at) const
+    {
+        return G_ * G_ / pi_number<Real>() * root(top(m) * at.T) * over(m, at, Read::density);
+    }
     /// The share of p_m above the pressure where T_(m+1) is at this place.
     Real share(long m, const Place<Real>& at) const { return 2 * top(m) * at.T * over(m, at, Read::share); }
     /// phi_m, m >= 1
@@ -62,7 +68,8 @@ private:
         return over_pieces<Real>(top(m), ends(m), [&](const Place<Real>& p) { return phi(m, p); }, place, read);
     }
 
-    /// Where V_(m+1) is cut: where V_m's cuts come to lie, so often between that pieces are narrow, and towards T = 1, next to which R vanishes.
+    /// Where V_(m+1) is cut: where V_m's cuts come to lie, so often between that pieces are narrow, and towards T = 1, next to which R
+    /// vanishes.
     std::vector<double> cuts(long m) const
     {
         std::vector<double> E;
@@ -72,7 +79,8 @@ private:
         while (m > 1 && E[1] > 1.3 * first) E.insert(E.begin() + 1, E[1] / 2);
         for (std::size_t i = 1; i + 1 < E.size() && E.size() < most_pieces; ++i)
             if (E[i + 1] > widest * E[i])
-                E.insert(E.begin() + static_cast<std::ptrdiff_t>(i) + 1, E[i + 1] < widest * widest * E[i] ? std::sqrt(E[i] * E[i + 1]) : 2 * E[i]);
+                E.insert(E.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                         E[i + 1] < widest * widest * E[i] ? std::sqrt(E[i] * E[i + 1]) : 2 * E[i]);
         const auto distance = [](double Y) { return (1 - Y) * (1 - Y) / (4 * Y); };
         const double room = std::min(distance(static_cast<double>(top(m))), std::sqrt(distance(static_cast<double>(top(m - 1)))));
         while (1 - E[E.size() - 2] > widest * room && E.size() < most_pieces) E.insert(E.end() - 1, (1 + E[E.size() - 2]) / 2);
@@ -133,7 +141,8 @@ long interval_bits(const std::vector<Claim>& claims)
     for (const Claim& c : claims) cancelled = std::max(cancelled, bits_below_1(reading(c).rest));
     if (claims.front().load < 1) cancelled = std::min(cancelled, bits_below_1(Ball(Rational(1 - claims.front().load))));
     constexpr long most = 512; // that the checker takes
-    if (128 + 4 * cancelled > most) throw BeyondReach("so near to pressure 0 at a load so near to 1 the law of the load ratio has no certificate");
+    if (128 + 4 * cancelled > most)
+        throw BeyondReach("so near to pressure 0 at a load so near to 1 the law of the load ratio has no certificate");
     return 128 + 4 * cancelled;
 }
 
@@ -165,11 +174,13 @@ std::string exact_end(const Claim& c)
     const WorkingPrecision precision(256);
     if (c.of == Claim::Of::segments && c.n < 2) return "n = 1 is of closed form: the checker needs no certificate";
     if (c.at <= 0 || (c.of == Claim::Of::segments && 2 * c.at >= 1)) return "a pressure or half-width at its end is an area, or exact";
-    if (!certainly(less(reading(c).rest, Ball(1)))) return "at the largest pressure or half-width and beyond the checker needs no certificate";
+    if (!certainly(less(reading(c).rest, Ball(1))))
+        return "at the largest pressure or half-width and beyond the checker needs no certificate";
     return "";
 }
 
-void write_distributions(const std::vector<Claim>& claims, long digits, std::size_t first_claim, std::size_t section, std::string& head, Lines& lines)
+void write_distributions(const std::vector<Claim>& claims, long digits, std::size_t first_claim, std::size_t section, std::string& head,
+                         Lines& lines)
 {
     const WorkingPrecision precision(256);
     const Claim& any = claims.front();
@@ -180,7 +191,8 @@ void write_distributions(const std::vector<Claim>& claims, long digits, std::siz
     const int bits = static_cast<int>(std::ceil(std::log2(share * static_cast<double>(levels) / goal)));
     const Laws<double> laws(any.G, any.load, levels, smallest_coefficient);
     const std::size_t first = lines.count() + 1;
-    const std::size_t law = lines.add("law", {}, fmt::format("G={} load={} bits={:x}", named(any.G), any.load.get_str(), interval_bits(claims)));
+    const std::size_t law =
+        lines.add("law", {}, fmt::format("G={} load={} bits={:x}", named(any.G), any.load.get_str(), interval_bits(claims)));
     const auto numbers = write_pieces(laws, levels, bits, law, lines);
     std::size_t pieces = 0;
     for (const auto& level : numbers) pieces += level.size();
@@ -192,8 +204,9 @@ void write_distributions(const std::vector<Claim>& claims, long digits, std::siz
         lines.add("reading", rests_on, fmt::format("claim={}", first_claim + i));
         const double v = value(c, laws);
         if (!(v > std::numeric_limits<double>::min())) throw BeyondReach("what is below the numbers of binary64 has no certificate");
-        head += fmt::format("claim {} n={:x} {}={} load={} G={} value={} error={}\n", first_claim + i, c.n, c.of == Claim::Of::segments ? "a" : "p", c.at.get_str(),
-                            c.load.get_str(), named(c.G), dyadic(exactly(v)), dyadic(rounded_up(goal * v)));
+        head += fmt::format("claim {} n={:x} {}={} load={} G={} value={} error={}\n", first_claim + i, c.n,
+                            c.of == Claim::Of::segments ? "a" : "p", c.at.get_str(), c.load.get_str(), named(c.G), dyadic(exactly(v)),
+                            dyadic(rounded_up(goal * v)));
     }
     head += section_line(section, first, lines.count(), {{"laws", 1}, {"pieces", pieces}, {"readings", claims.size()}});
 }
@@ -208,7 +221,9 @@ Ball rest_at_level(const Root& G, const Rational& load, long n, const Rational& 
 
 template <class Real>
 LawOfLoad<Real>::LawOfLoad(const Root& G, const Rational& load, long levels)
-    : G_(G), load_(load), laws_(std::make_shared<const Laws<Real>>(G, load, levels, std::is_same_v<Real, double> ? smallest_coefficient : 0))
+    : G_(G)
+    , load_(load)
+    , laws_(std::make_shared<const Laws<Real>>(G, load, levels, std::is_same_v<Real, double> ? smallest_coefficient : 0))
 {
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The lines law, piece and reading: shares above a pressure and densities in partial contact (docs/certificate.md). Internal to certificate/.
+/// The lines law, piece and reading: shares above a pressure and densities in partial contact (docs/certificate.md). Internal to
+/// certificate/.
 ///
-/// The search is in binary64 or pairs of it (law_pieces.hpp): x_m = p_(m-1)/p*_m has the density x phi_m(T), T = 1 - (x/Y_m)^2, on 0 < x < Y_m, and phi_m is
-/// T^(power/2) times a polynomial on each of some pieces of 0 <= T <= 1.
+/// The search is in binary64 or pairs of it (law_pieces.hpp): x_m = p_(m-1)/p*_m has the density x phi_m(T), T = 1 - (x/Y_m)^2, on 0 < x <
+/// Y_m, and phi_m is T^(power/2) times a polynomial on each of some pieces of 0 <= T <= 1.
 #pragma once
 
 #include "touchstone/certificate/contact.hpp"

@@ -34,7 +34,7 @@ struct Choices {
     double least;                                   ///< the first ratio of the smallest load
     long rise;                                      ///< 2^(m rise/16) V_m is written, for B_m falls like G^-m
     double of_load;                                 ///< of densities at scale 2: the load, whose wave alone counts
-    bool twice;                                     ///< whether a wave is taken of what is left out next to a logarithm, as of a root at the end of a wave
+    bool twice; ///< whether a wave is taken of what is left out next to a logarithm, as of a root at the end of a wave
     long bits() const { return twice ? 4 * (accuracy + 8) : 2 * accuracy + 64; } ///< a root at an end of a wave loses half of them
     long kept() const { return accuracy + 26; }      ///< of the coefficients: jumps between panels stay as small where one is continued
     long lift(long m) const { return m * rise / 16; }
@@ -48,8 +48,8 @@ std::size_t panel_before(double y, const transfer::levels::Layer& V)
     return panel;
 }
 
-/// Before which panel no density matters: no ratio is met there so many scales below this load, or all levels are 0 there, or so small are ratios
-/// that a wave has little of them. P in p*_n.
+/// Before which panel no density matters: no ratio is met there so many scales below this load, or all levels are 0 there, or so small are
+/// ratios that a wave has little of them. P in p*_n.
 std::size_t panels_without_density(double load, double G, double P, long levels, const transfer::levels::Layer& V, const Choices& c)
 {
     const auto reaches = [G](double y) { return G * y < 2 ? G * G * y * y / 4 : G * y - 1; }; // the load whose largest ratio this is
@@ -65,7 +65,8 @@ std::size_t panels_without_density(double load, double G, double P, long levels,
     return std::max(met, panel_before(std::min(first, std::max(lowest, small)), V));
 }
 
-/// How many panels so many scales below this load meet, (2.10), (2.13), from the end of a panel to the end of another; one more for rounding.
+/// How many panels so many scales below this load meet, (2.10), (2.13), from the end of a panel to the end of another; one more for
+/// rounding.
 std::size_t panels_below(double load, double G, long levels, const transfer::levels::Layer& V)
 {
     std::size_t count = 0;
@@ -85,8 +86,8 @@ double share_of_wave(double load, double G, double y, double width)
     return inside > 0 ? G * width / std::sqrt(inside) : HUGE_VAL;
 }
 
-/// log2 of what the checker is to look for on a panel: relative to the least level there, or to that at the first ratio of the smallest load where
-/// ratios are smaller; less on a panel so narrow that of many like it a wave has little (H). Nothing is proved by it.
+/// log2 of what the checker is to look for on a panel: relative to the least level there, or to that at the first ratio of the smallest
+/// load where ratios are smaller; less on a panel so narrow that of many like it a wave has little (H). Nothing is proved by it.
 long aim(const transfer::levels::Layer& V, std::size_t panel, long levels, double G, const Choices& c)
 {
     const auto &low = V.panels[panel].y0, &high = V.panels[panel].y1;
@@ -96,7 +97,8 @@ long aim(const transfer::levels::Layer& V, std::size_t panel, long levels, doubl
     double size = 1;
     for (long m = 0; m < levels; ++m) {
         double value = 0; // at the lower end, where T_k = (-1)^k
-        for (int k = 0; k < V.orders.terms; ++k) value += (k % 2 == 0 ? 1 : -1) * V.coefficients.high[V.row(at, k) + static_cast<std::size_t>(m)];
+        for (int k = 0; k < V.orders.terms; ++k)
+            value += (k % 2 == 0 ? 1 : -1) * V.coefficients.high[V.row(at, k) + static_cast<std::size_t>(m)];
         size = std::min(size, std::ldexp(std::abs(value), static_cast<int>(c.lift(m))));
     }
     const double bits = std::min(static_cast<double>(c.relative) - std::log2(size), static_cast<double>(c.accuracy));
@@ -106,13 +108,17 @@ long aim(const transfer::levels::Layer& V, std::size_t panel, long levels, doubl
 }
 
 /// The numbers of the lines mesh and polynomials.
-std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Claim& a, const Rational& load, long levels, double unit, const Choices& c, Lines& lines)
+std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Claim& a, const Rational& load, long levels, double unit,
+                                    const Choices& c, Lines& lines)
 {
     std::string mesh = fmt::format("G={} p={} scale={:x} load={} bits={:x} kept={:x} accuracy={:x} rise={:x}", named(a.G), a.at.get_str(),
                                    a.at == 0 ? 0 : a.n, load.get_str(), c.bits(), c.kept(), c.accuracy, c.rise);
     const double G = nearest(number(a.G));
     const bool density = a.of == Claim::Of::density;
-    const std::size_t panels = panels_below(load.get_d(), G, levels, V), from = density ? panels_without_density(load.get_d(), G, nearest(Ball(a.at) / pow(number(a.G), Ball(a.n))), levels, V, c) : 0;
+    const std::size_t panels = panels_below(load.get_d(), G, levels, V),
+                      from = density
+                                 ? panels_without_density(load.get_d(), G, nearest(Ball(a.at) / pow(number(a.G), Ball(a.n))), levels, V, c)
+                                 : 0;
     for (std::size_t i = from; i < panels; ++i) mesh += ' ' + hex(units(V.panels[i].y0, c.bits()));
     mesh += ' ' + hex(units(V.panels[panels - 1].y1, c.bits()));
     std::vector<std::size_t> numbers{lines.add("mesh", {}, mesh)};
@@ -130,7 +136,8 @@ std::vector<std::size_t> write_mesh(const transfer::levels::Layer& V, const Clai
     return numbers;
 }
 
-/// The levels of an area, or of a share above the pressure p = P p*_n, p*_n = G^n p*_0, or of the density there, whose first is that of scale 1.
+/// The levels of an area, or of a share above the pressure p = P p*_n, p*_n = G^n p*_0, or of the density there, whose first is that of
+/// scale 1.
 transfer::ProvenLevels levels_of(const Claim& a, double highest, double tolerance, int scales)
 {
     const Ball G = number(a.G);
@@ -150,7 +157,8 @@ void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_
     Rational load = areas.front().load, lightest = load;
     const bool density = areas.front().of == Claim::Of::density;
     const long first_scale = density ? 2 : 1; // what a wave makes of the first level
-    for (const Claim& a : areas) levels = std::max(levels, a.n - first_scale + 1), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
+    for (const Claim& a : areas)
+        levels = std::max(levels, a.n - first_scale + 1), load = std::max(load, a.load), lightest = std::min(lightest, a.load);
     const double goal = std::pow(10.0, -static_cast<double>(digits)) / 2;
     constexpr double spare = 32; // the checker's bounds of the same defects are wider, by Lebesgue's constant among others
     const long spare_bits = 3 + static_cast<long>(std::bit_width(static_cast<unsigned long>(levels))); // errors add up over the levels
@@ -158,15 +166,22 @@ void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_
     std::vector<Ball> values;
     const std::size_t first = lines.count() + 1;
     for (int attempt = 0;; ++attempt) {
-        const transfer::ProvenLevels V = levels_of(areas.front(), density ? load.get_d() * (1 + 0x1p-40) : std::max(1.0, load.get_d()), tolerance, static_cast<int>(levels));
+        const transfer::ProvenLevels V = levels_of(areas.front(), density ? load.get_d() * (1 + 0x1p-40) : std::max(1.0, load.get_d()),
+                                                   tolerance, static_cast<int>(levels));
         values.clear();
         const double G = nearest(number(areas.front().G));
-        Choices choices{0, 0, 2 * std::sqrt(std::min(1.0, lightest.get_d())) / G, static_cast<long>(16 * std::log2(G)), density && levels == 1 ? load.get_d() : 0, density && levels > 1};
+        Choices choices{0,
+                        0,
+                        2 * std::sqrt(std::min(1.0, lightest.get_d())) / G,
+                        static_cast<long>(16 * std::log2(G)),
+                        density && levels == 1 ? load.get_d() : 0,
+                        density && levels > 1};
         double worst = 0, least = 1;
         for (const Claim& a : areas) {
             values.push_back(V.share(a.n - first_scale + 1, Ball(a.load)));
             const double value = nearest(values.back());
-            if (!(value > smallest)) throw BeyondReach(fmt::format("{} below {} have no certificate", density ? "densities" : "shares", smallest));
+            if (!(value > smallest))
+                throw BeyondReach(fmt::format("{} below {} have no certificate", density ? "densities" : "shares", smallest));
             worst = std::max(worst, spare / goal * values.back().radius_bound() / value);
             least = std::min(least, std::ldexp(value, static_cast<int>(choices.lift(a.n - first_scale))));
         }
@@ -187,7 +202,8 @@ void write_full_contact(const std::vector<Claim>& areas, long digits, std::size_
             head += fmt::format("claim {} n={:x}{} load={} G={} value={} error={}\n", first_claim + i, areas[i].n, p,
                                 areas[i].load.get_str(), named(areas[i].G), dyadic_midpoint(values[i]), dyadic(rounded_up(error)));
         }
-        head += section_line(section, first, lines.count(), {{"meshes", 1}, {"polynomials", rests_on.size() - 1}, {"shares", areas.size()}});
+        head +=
+            section_line(section, first, lines.count(), {{"meshes", 1}, {"polynomials", rests_on.size() - 1}, {"shares", areas.size()}});
         return;
     }
 }

@@ -96,7 +96,8 @@ Real integral(F&& f, const Real& from, const Real& to, const Real& least)
 
 /// The integrand in u = v, or in u = s = sqrt(1 - v^2).
 template <class Real>
-Real integrand(const Real& Y, const std::function<Real(const Place<Real>&)>& phi, const Place<Real>& place, const Real& u, bool in_s, Read read)
+Real integrand(const Real& Y, const std::function<Real(const Place<Real>&)>& phi, const Place<Real>& place, const Real& u, bool in_s,
+               Read read)
 {
     const Real k = in_s ? u * u : 1 - u * u, c2 = in_s ? 1 - u * u : u * u;
     const Real r = place.T * k, rest = place.rest + place.T * c2, x = Y * rest;
@@ -168,7 +169,8 @@ Real Piece<Real>::operator()(const Real& T) const
 }
 
 template <class Real>
-Real over_pieces(const Real& Y, const std::vector<Real>& cuts, const std::function<Real(const Place<Real>&)>& phi, const Place<Real>& place, Read read)
+Real over_pieces(const Real& Y, const std::vector<Real>& cuts, const std::function<Real(const Place<Real>&)>& phi, const Place<Real>& place,
+                 Read read)
 {
     std::vector<Real> k;
     for (const Real& r : cuts) k.push_back(std::min(Real(1), r / place.T));
@@ -193,7 +195,8 @@ Piece<Real> fitted(double least, double low, double high, int power, const std::
     for (int j = 0; j < count; ++j) {
         const Real T = p.centre + p.radius * cosine<Real>(1, j);
         const Real weight = half_power(T, power);
-        if (!(weight > least_weight<Real>)) throw BeyondReach("next to where it begins the law of so many scales is below the numbers of binary64");
+        if (!(weight > least_weight<Real>))
+            throw BeyondReach("next to where it begins the law of so many scales is below the numbers of binary64");
         values[static_cast<std::size_t>(j)] = density(T) / weight;
     }
     for (int k = 0; k < count; ++k)
@@ -252,7 +255,8 @@ std::string coefficients(const Piece<Real>& p)
 
 #define TOUCHSTONE_LAW_PIECES(Real)                                                                                                        \
     template struct Piece<Real>;                                                                                                           \
-    template Real over_pieces(const Real&, const std::vector<Real>&, const std::function<Real(const Place<Real>&)>&, const Place<Real>&, Read); \
+    template Real over_pieces(const Real&, const std::vector<Real>&, const std::function<Real(const Place<Real>&)>&, const Place<Real>&,   \
+                              Read);                                                                                                       \
     template Piece<Real> fitted(double, double, double, int, const std::function<Real(const Real&)>&, double);                             \
     template Piece<Real> shortened(Piece<Real>, double);                                                                                   \
     template int power_between(double, double, const std::function<Real(const Real&)>&);                                                   \

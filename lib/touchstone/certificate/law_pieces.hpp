@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Densities of load ratios by pieces, and what one more wave makes of them, in binary64 or, for more than ten digits or so, in pairs of it. Internal to certificate/.
+/// Densities of load ratios by pieces, and what one more wave makes of them, in binary64 or, for more than ten digits or so, in pairs of
+/// it. Internal to certificate/.
 ///
 /// x has the density x phi(T), T = 1 - (x/Y)^2, on 0 < x < Y; phi is T^(power/2) times a polynomial on each of some pieces of 0 <= T <= 1.
 #pragma once
@@ -44,7 +45,8 @@ enum class Read { density, share, force };
 
 /// The integral over 0 <= v <= 1 of what is read off phi at r = T (1 - v^2); cuts are those of phi, as r = 1 - x/Y, from where it begins.
 template <class Real>
-Real over_pieces(const Real& Y, const std::vector<Real>& cuts, const std::function<Real(const Place<Real>&)>& phi, const Place<Real>&, Read);
+Real over_pieces(const Real& Y, const std::vector<Real>& cuts, const std::function<Real(const Place<Real>&)>& phi, const Place<Real>&,
+                 Read);
 
 /// A piece for low <= T <= high, continued a little below where `least` < low, and shortened.
 /// \throws BeyondReach where T^(power/2) is below the numbers of binary64, from level 42 on, or 38 in pairs

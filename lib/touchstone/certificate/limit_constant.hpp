@@ -2,8 +2,9 @@
 /// \file
 /// Why C(G) = lim A_n G^n/(lambda_0 load) is what it is: a certificate (docs/certificate.md).
 ///
-/// In partial contact, for any m and numbers w_j of sum 1, C(G) is the limit of the mean of sum w_j h_{m+j}. The w_j are found so that this sum
-/// hardly depends on the load ratio; nobody has to trust how. With full contact, G < 2.009: by Poisson's equation (certificate/poisson.hpp).
+/// In partial contact, for any m and numbers w_j of sum 1, C(G) is the limit of the mean of sum w_j h_{m+j}. The w_j are found so that this
+/// sum hardly depends on the load ratio; nobody has to trust how. With full contact, G < 2.009: by Poisson's equation
+/// (certificate/poisson.hpp).
 #pragma once
 
 #include "touchstone/scalar/accuracy.hpp"

@@ -18,7 +18,8 @@
 namespace touchstone::certificate {
 namespace {
 
-constexpr int waves = 60; ///< what is left of the law begun with falls by about 1/2 each, and weighs twice as much on each part below another
+/// What is left of the law begun with falls by about 1/2 each, and weighs twice as much on each part below another.
+constexpr int waves = 60;
 constexpr int interval_bits = 128;
 
 /// The law that one wave leaves as it is, 0 below its first piece, as if the force were 1.
@@ -61,7 +62,8 @@ private:
     {
         for (int k = 0; k < many; ++k) {
             std::vector<Piece<Real>> next;
-            for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) next.push_back(between(i, [&](const Real& T) { return density({T, 1 - T}); }));
+            for (std::size_t i = 0; i + 1 < cuts_.size(); ++i)
+                next.push_back(between(i, [&](const Real& T) { return density({T, 1 - T}); }));
             pieces_ = std::move(next);
             const Real force = read({1, 0}, Read::force);
             for (Piece<Real>& p : pieces_)
@@ -354,7 +356,8 @@ std::string limit_distributions(const std::vector<LimitClaim>& all, Accuracy wan
     std::size_t claims = 0, written = 0;
     for (const auto& members : sections) {
         if (is_partial(members.front().G)) {
-            claims += write_section(members, std::min(wanted.digits, most_digits_of_limit_distributions), claims + 1, ++written, head, lines);
+            claims +=
+                write_section(members, std::min(wanted.digits, most_digits_of_limit_distributions), claims + 1, ++written, head, lines);
         }
         else {
             write_quotients(members, std::min(wanted.digits, most_digits_of_quotients), claims + 1, ++written, head, lines);

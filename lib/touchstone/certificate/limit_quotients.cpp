@@ -37,7 +37,8 @@ struct Said {
 
 std::string refusal_of_quotient(const LimitClaim& c)
 {
-    if (c.of == Of::distance) return "where G < 2.05 contact.exceedance, contact.area and limit.exceedance have certificates: checker/check.py makes a distance of them";
+    if (c.of == Of::distance)
+        return "where G < 2.05 contact.exceedance, contact.area and limit.exceedance have certificates: checker/check.py makes a distance of them";
     if (power(Rational(51, 50), static_cast<long>(c.G.degree)) > c.G.base) return "G < 1.02: certificates are made where G >= 1.02";
     if (c.of == Of::density && 512 * c.at < 1) return "the density has certificates from the pressure 1/512 on where G < 2.05";
     if (c.at <= 0) return "at 0 the checker needs no certificate";
@@ -46,7 +47,8 @@ std::string refusal_of_quotient(const LimitClaim& c)
     return "";
 }
 
-void write_quotients(const std::vector<LimitClaim>& claims, long digits, std::size_t first_claim, std::size_t section, std::string& head, Lines& lines)
+void write_quotients(const std::vector<LimitClaim>& claims, long digits, std::size_t first_claim, std::size_t section, std::string& head,
+                     Lines& lines)
 {
     const WorkingPrecision precision(256);
     const Of of = claims.front().of;
@@ -58,7 +60,8 @@ void write_quotients(const std::vector<LimitClaim>& claims, long digits, std::si
         const WrittenMean w = write_mean(q, p, G, each, lines);
         ++means;
         polynomials += w.lines.size() - 1;
-        return {lines.add("mean", w.lines, fmt::format("value={} error={}", dyadic(w.value), dyadic(rounded_up(w.error)))), w.value.get_d()};
+        return {lines.add("mean", w.lines, fmt::format("value={} error={}", dyadic(w.value), dyadic(rounded_up(w.error)))),
+                w.value.get_d()};
     };
     std::optional<Said> contact;
     if (of != Of::force) contact = mean({}, 0);
@@ -68,10 +71,11 @@ void write_quotients(const std::vector<LimitClaim>& claims, long digits, std::si
         const double value = contact ? above.value / contact->value : above.value;
         const std::vector<std::size_t> rests_on = contact ? std::vector{contact->line, above.line} : std::vector{above.line};
         lines.add("quotient", rests_on, fmt::format("claim={}", first_claim + i));
-        head += fmt::format("claim {} {}={} G={} value={} error={}\n", first_claim + i, of == Of::segments ? "a" : "p", c.at.get_str(), named(G),
-                            dyadic(exactly(value)), dyadic(rounded_up(narrow * goal * value)));
+        head += fmt::format("claim {} {}={} G={} value={} error={}\n", first_claim + i, of == Of::segments ? "a" : "p", c.at.get_str(),
+                            named(G), dyadic(exactly(value)), dyadic(rounded_up(narrow * goal * value)));
     }
-    head += section_line(section, first, lines.count(), {{"meshes", means}, {"polynomials", polynomials}, {"means", means}, {"quotients", claims.size()}});
+    head += section_line(section, first, lines.count(),
+                         {{"meshes", means}, {"polynomials", polynomials}, {"means", means}, {"quotients", claims.size()}});
 }
 
 } // namespace touchstone::certificate

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The lines mean and quotient: limiting shares of the area and of the force above a pressure and of segments, full contact included (docs/certificate.md, lemma W).
-/// Internal to certificate/.
+/// The lines mean and quotient: limiting shares of the area and of the force above a pressure and of segments, full contact included
+/// (docs/certificate.md, lemma W). Internal to certificate/.
 #pragma once
 
 #include "touchstone/certificate/limit_distributions.hpp"

@@ -67,7 +67,8 @@ Section find(const std::vector<ScaleClaim>& claims)
         narrowest = std::min(narrowest, c.tolerance);
     }
     constexpr double spare_digits = 4;
-    const double digits = spare_digits - std::log10(narrowest.get_d()) - std::log10(least.get_d()) / 2; // far panels count the more, the smaller a load
+    const double digits =
+        spare_digits - std::log10(narrowest.get_d()) - std::log10(least.get_d()) / 2; // far panels count the more, the smaller a load
     constexpr long more = 4;
     for (auto last = static_cast<long>(std::ceil(-std::log2(narrowest.get_d()))) + more; last < most_levels; last += more) {
         Section s{grid_for(claims.front().G, last + 1, digits, least, largest), {}, {}};
@@ -85,7 +86,8 @@ Section find(const std::vector<ScaleClaim>& claims)
     throw BeyondReach(fmt::format("the limit does not hold soon enough: certificates have levels up to {}", most_levels));
 }
 
-void write(const Section& s, const std::vector<ScaleClaim>& claims, std::size_t first_claim, std::size_t section, std::string& head, Lines& lines)
+void write(const Section& s, const std::vector<ScaleClaim>& claims, std::size_t first_claim, std::size_t section, std::string& head,
+           Lines& lines)
 {
     const WrittenSection written = write_levels(s.grid, s.levels, lines);
     for (std::size_t i = 0; i < claims.size(); ++i) {
@@ -107,7 +109,8 @@ std::string refusal_of_scale(const ScaleClaim& c)
 {
     std::string why = refusal_of_limit(c.G);
     if (!why.empty()) return why;
-    if (power(Rational(2009, 1000), static_cast<long>(c.G.degree)) > c.G.base) return "the scale from which on the limit holds has a certificate where G >= 2.009";
+    if (power(Rational(2009, 1000), static_cast<long>(c.G.degree)) > c.G.base)
+        return "the scale from which on the limit holds has a certificate where G >= 2.009";
     Rational least(1);
     mpz_mul_2exp(least.get_den_mpz_t(), least.get_den_mpz_t(), 40);
     if (c.load < least || c.load > 1) return "the scale from which on the limit holds has a certificate where 2^-40 <= load <= 1";

@@ -19,7 +19,8 @@ struct ScaleClaim {
     Rational load, tolerance;
 };
 
-/// 2.009 <= G <= 2^20, 2^-40 <= load <= 1, 10^-15 <= tolerance < 1. \returns why not; empty: there is a certificate if the scale is between 2 and 50 or so
+/// 2.009 <= G <= 2^20, 2^-40 <= load <= 1, 10^-15 <= tolerance < 1. \returns why not; empty: there is a certificate if the scale is between
+/// 2 and 50 or so
 std::string refusal_of_scale(const ScaleClaim&);
 
 /// A certificate of these claims, a section for each G in the order in which they first come.

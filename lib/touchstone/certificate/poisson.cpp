@@ -43,7 +43,8 @@ WrittenMean write_mean(const limit::Question& q, const Rational& p, const Root& 
     const Ball G = number(root);
     const double g = nearest(G);
     const bool density = q.of == limit::Question::Of::density;
-    const limit::PoissonSearch::Real times = density ? transfer::to_real(G) : limit::PoissonSearch::Real(1); // the mean of G D_1 is what is written
+    const limit::PoissonSearch::Real times =
+        density ? transfer::to_real(G) : limit::PoissonSearch::Real(1); // the mean of G D_1 is what is written
     double residual = residual_for(goal, about_C(g), g);
     const double spare = spare_tolerance(g) * (density ? spare_next_to_logarithms : 1);
     const auto search = [&] { return limit::search_poisson(q, G, residual / (spare * double(times))); };
@@ -55,18 +56,21 @@ WrittenMean write_mean(const limit::Question& q, const Rational& p, const Root& 
         found = search();
     }
     const long accuracy = static_cast<long>(std::ceil(-std::log2(residual))) + spare_bits, kept = accuracy + 26;
-    const long bits = density ? 4 * (accuracy + 8) : 2 * accuracy + 96; // a root at the end of a wave takes half of them, and so does what is left out next to a logarithm
+    const long bits =
+        density ? 4 * (accuracy + 8)
+                : 2 * accuracy + 96; // a root at the end of a wave takes half of them, and so does what is left out next to a logarithm
     Rational load = rounded_above(1 / (g - 1)); // no ratio of the limit is above
     load.canonicalize();
 
-    std::string mesh = fmt::format("G={} p={} scale=0 load={} bits={:x} kept={:x} accuracy={:x} rise=0", named(root), p.get_str(), load.get_str(), bits, kept, accuracy);
+    std::string mesh = fmt::format("G={} p={} scale=0 load={} bits={:x} kept={:x} accuracy={:x} rise=0", named(root), p.get_str(),
+                                   load.get_str(), bits, kept, accuracy);
     for (const auto& panel : found.panels) mesh += ' ' + hex(units(panel.y0, bits));
     mesh += ' ' + hex(units(found.panels.back().y1, bits));
     std::vector<std::size_t> rests_on{lines.add("mesh", {}, mesh)};
     for (std::size_t i = 0; i < found.panels.size(); ++i) {
         const auto& panel = found.panels[i];
-        std::string data = fmt::format("panel={:x} middle={} half={} terms={:x} aim={:x}", i, hex(units(panel.centre, bits)), hex(units(panel.half, bits)),
-                                       panel.coefficients.size(), accuracy);
+        std::string data = fmt::format("panel={:x} middle={} half={} terms={:x} aim={:x}", i, hex(units(panel.centre, bits)),
+                                       hex(units(panel.half, bits)), panel.coefficients.size(), accuracy);
         for (const auto& c : panel.coefficients) data += ' ' + hex(units(times * c, kept));
         rests_on.push_back(lines.add("polynomials", {rests_on.front()}, data));
     }
@@ -78,7 +82,8 @@ void write_poisson(const Root& root, long digits, std::size_t claim, std::size_t
     const WrittenMean mean = write_mean({}, 0, root, std::pow(10.0, -static_cast<double>(digits)) / 2, lines);
     lines.add("share", mean.lines, fmt::format("claim={}", claim));
     head += fmt::format("claim {} G={} value={} error={}\n", claim, named(root), dyadic(mean.value), dyadic(rounded_up(mean.error)));
-    head += section_line(section, mean.lines.front(), lines.count(), {{"meshes", 1}, {"polynomials", mean.lines.size() - 1}, {"shares", 1}});
+    head +=
+        section_line(section, mean.lines.front(), lines.count(), {{"meshes", 1}, {"polynomials", mean.lines.size() - 1}, {"shares", 1}});
 }
 
 } // namespace touchstone::certificate

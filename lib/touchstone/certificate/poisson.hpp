@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The lines mesh, polynomials and share or mean of the limit, full contact included (docs/certificate.md, lemmas W and X): a function near the
-/// solution of Poisson's equation. Internal to certificate/.
+/// The lines mesh, polynomials and share or mean of the limit, full contact included (docs/certificate.md, lemmas W and X): a function near
+/// the solution of Poisson's equation. Internal to certificate/.
 #pragma once
 
 #include "touchstone/certificate/text.hpp"

@@ -29,7 +29,8 @@ void write(const Root& root, long digits, std::size_t claim, std::string& head, 
 
     const Rational last = exact_rational(std::floor(limit::highest_sigma(accuracy) / inside - 1) * inside);
     const Rational low = exact_rational(w.low), high = exact_rational(w.high);
-    std::string data = fmt::format("claim={} high={} centre={} radius={} exponent={}", claim, dyadic(last), dyadic((low + high) / 2), dyadic((high - low) / 2), -kept_bits);
+    std::string data = fmt::format("claim={} high={} centre={} radius={} exponent={}", claim, dyadic(last), dyadic((low + high) / 2),
+                                   dyadic((high - low) / 2), -kept_bits);
     for (const Ball& c : w.value) data += ' ' + hex(units(c, kept_bits));
     const std::size_t first = lines.add("steady", {}, fmt::format("G={} bits={:x}", named(root), bits_for_checker));
     lines.add("eigenvalue", {first}, data);
@@ -45,7 +46,8 @@ std::string refusal_of_eigenvalue(const Root& G)
     const auto degree = static_cast<long>(G.degree);
     Rational most(1);
     mpz_mul_2exp(most.get_num_mpz_t(), most.get_num_mpz_t(), static_cast<mp_bitcnt_t>(most_log2_of_G * degree));
-    return power(Rational(11, 5), degree) <= G.base && G.base <= most ? "" : "the second eigenvalue has a certificate where 2.2 <= G <= 2^20";
+    return power(Rational(11, 5), degree) <= G.base && G.base <= most ? ""
+                                                                      : "the second eigenvalue has a certificate where 2.2 <= G <= 2^20";
 }
 
 std::string second_eigenvalues(const std::vector<Root>& all, Accuracy wanted)

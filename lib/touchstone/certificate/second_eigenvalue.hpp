@@ -2,7 +2,8 @@
 /// \file
 /// Why the second eigenvalue is what it is, G >= 2.2: a certificate (docs/certificate.md, Z; docs/limit.md, theorem 8).
 ///
-/// It says a function w of log s, as a polynomial, and nothing else: the checker finds how far w is from an eigenfunction, and what that leaves open.
+/// It says a function w of log s, as a polynomial, and nothing else: the checker finds how far w is from an eigenfunction, and what that
+/// leaves open.
 #pragma once
 
 #include "touchstone/scalar/accuracy.hpp"

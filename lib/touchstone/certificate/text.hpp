@@ -51,7 +51,8 @@ double nearest(const Ball&);
 /// The midpoint in units of 2^-bits, rounded down.
 mpz_class units(const Ball&, long bits);
 
-/// The line of the header for the section whose lines are first to last: how many there are of each reason, as its plural, in the order of docs/certificate.md.
+/// The line of the header for the section whose lines are first to last: how many there are of each reason, as its plural, in the order of
+/// docs/certificate.md.
 using Counts = std::vector<std::pair<std::string_view, std::size_t>>;
 std::string section_line(std::size_t section, std::size_t first, std::size_t last, const Counts&);
 

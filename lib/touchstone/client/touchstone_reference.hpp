@@ -97,7 +97,8 @@ public:
             for (std::size_t i = 0; i < 4; ++i) v = v * base + (i < n ? b.limbs_[n - 1 - i] : 0);
             return v;
         };
-        return leading(*this) / leading(o) * std::pow(static_cast<double>(base), static_cast<double>(limbs_.size()) - static_cast<double>(o.limbs_.size()));
+        return leading(*this) / leading(o) *
+               std::pow(static_cast<double>(base), static_cast<double>(limbs_.size()) - static_cast<double>(o.limbs_.size()));
     }
 
 private:
@@ -211,12 +212,14 @@ struct Row {
     std::string value;          ///< decimal, as in the file
     std::string error;          ///< bound of |value - true value|, decimal, as in the file
     double nearest;             ///< the value rounded to double
-    double forced = -1;         ///< ulps (absolute where the value is 0) that rounding the inputs once can cost any code, four times the column where the
-                                ///< table's header calls that estimated; -1: not known
+    double forced =
+        -1; ///< ulps (absolute where the value is 0) that rounding the inputs once can cost any code, four times the column where the
+            ///< table's header calls that estimated; -1: not known
 };
 constexpr double estimated_margin = 4; ///< as in `touchstone judge`
 
-/// A row passes if |answer - value| <= atol + rtol |value|, or <= `ulps` units in the last place, and what its rounded inputs force beyond that.
+/// A row passes if |answer - value| <= atol + rtol |value|, or <= `ulps` units in the last place, and what its rounded inputs force beyond
+/// that.
 struct Tolerance {
     double rtol = 0;            ///< relative
     double atol = 0;            ///< absolute
@@ -325,7 +328,8 @@ inline Table load(const std::string& file)
             if (end == std::string::npos) break;
             i = end;
         }
-        if (words.size() != columns || columns < (with_forced ? 3u : 2u)) throw std::runtime_error(file + ": a row has the wrong number of columns: " + line);
+        if (words.size() != columns || columns < (with_forced ? 3u : 2u))
+            throw std::runtime_error(file + ": a row has the wrong number of columns: " + line);
         Row row;
         const std::size_t inputs = columns - (with_forced ? 3 : 2);
         for (std::size_t i = 0; i < inputs; ++i) row.inputs.push_back(std::strtod(words[i].c_str(), nullptr));
@@ -341,10 +345,12 @@ inline Table load(const std::string& file)
             if (row.forced > 0) row.forced *= margin;
         }
         const double bound = std::strtod(row.error.c_str(), &end);
-        if (end == row.error.c_str() || *end != 0 || !(bound >= 0) || std::isinf(bound)) throw std::runtime_error(file + ": an error bound is no finite number >= 0: " + line);
+        if (end == row.error.c_str() || *end != 0 || !(bound >= 0) || std::isinf(bound))
+            throw std::runtime_error(file + ": an error bound is no finite number >= 0: " + line);
         row.nearest = std::strtod(row.value.c_str(), &end);
         if (*end != 0 || std::isnan(row.nearest)) throw std::runtime_error(file + ": a value is no number: " + line);
-        if (bound > 1e-20 * std::fabs(row.nearest)) throw std::runtime_error(file + ": an error bound is too large to test a double by: " + line);
+        if (bound > 1e-20 * std::fabs(row.nearest))
+            throw std::runtime_error(file + ": an error bound is too large to test a double by: " + line);
         table.rows.push_back(std::move(row));
     }
     if (table.rows.empty() || table.rows.size() != announced) throw std::runtime_error(file + ": cut off, or no canonical table");

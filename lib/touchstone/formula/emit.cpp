@@ -26,14 +26,66 @@ struct Language {
 const Language& language(std::string_view name)
 {
     static const std::map<std::string, Language, std::less<>> all{
-        {"c", {"//", {{"abs", "fabs"}, {"nearest", "nearbyint"}, {"min", "fmin"}, {"max", "fmax"}, {"gamma", "tgamma"}}, {}, "{}.0", "{}", "3.141592653589793",
-               "{} = {};", "if ({} < {}) {{", "}} else {{", "}}", "#include <math.h>\n"}},
-        {"fortran", {"!", {{"nearest", "anint"}}, {"expm1"}, "{}.0_dp", "{}_dp", "3.141592653589793_dp", "{} = {}", "if ({} < {}) then", "else", "end if", ""}},
-        {"python", {"#", {{"sqrt", "math.sqrt"}, {"exp", "math.exp"}, {"log", "math.log"}, {"sin", "math.sin"}, {"cos", "math.cos"}, {"asin", "math.asin"}, {"acos", "math.acos"},
-                          {"atan2", "math.atan2"}, {"pow", "math.pow"}, {"expm1", "math.expm1"}, {"hypot", "math.hypot"}, {"gamma", "math.gamma"}, {"nearest", "round"}},
-                    {"fma"}, "{}.0", "{}", "math.pi", "{} = {}", "if {} < {}:", "else:", "", "import math\n"}},
-        {"julia", {"#", {{"atan2", "atan"}, {"nearest", "round"}, {"pow", "^"}}, {}, "{}.0", "{}", "3.141592653589793", "{} = {}", "if {} < {}", "else", "end",
-                   ""}},
+        {"c",
+         {"//",
+          {{"abs", "fabs"}, {"nearest", "nearbyint"}, {"min", "fmin"}, {"max", "fmax"}, {"gamma", "tgamma"}},
+          {},
+          "{}.0",
+          "{}",
+          "3.141592653589793",
+          "{} = {};",
+          "if ({} < {}) {{",
+          "}} else {{",
+          "}}",
+          "#include <math.h>\n"}},
+        {"fortran",
+         {"!",
+          {{"nearest", "anint"}},
+          {"expm1"},
+          "{}.0_dp",
+          "{}_dp",
+          "3.141592653589793_dp",
+          "{} = {}",
+          "if ({} < {}) then",
+          "else",
+          "end if",
+          ""}},
+        {"python",
+         {"#",
+          {{"sqrt", "math.sqrt"},
+           {"exp", "math.exp"},
+           {"log", "math.log"},
+           {"sin", "math.sin"},
+           {"cos", "math.cos"},
+           {"asin", "math.asin"},
+           {"acos", "math.acos"},
+           {"atan2", "math.atan2"},
+           {"pow", "math.pow"},
+           {"expm1", "math.expm1"},
+           {"hypot", "math.hypot"},
+           {"gamma", "math.gamma"},
+           {"nearest", "round"}},
+          {"fma"},
+          "{}.0",
+          "{}",
+          "math.pi",
+          "{} = {}",
+          "if {} < {}:",
+          "else:",
+          "",
+          "import math\n"}},
+        {"julia",
+         {"#",
+          {{"atan2", "atan"}, {"nearest", "round"}, {"pow", "^"}},
+          {},
+          "{}.0",
+          "{}",
+          "3.141592653589793",
+          "{} = {}",
+          "if {} < {}",
+          "else",
+          "end",
+          ""}},
         {"octave", {"%", {{"nearest", "round"}, {"pow", "power"}}, {"fma"}, "{}", "{}", "pi", "{} = {};", "if {} < {}", "else", "end", ""}},
     };
     const auto found = all.find(name);
@@ -41,7 +93,8 @@ const Language& language(std::string_view name)
     return found->second;
 }
 
-/// Brackets open at once in an expression before a part of it gets a name: compilers stop at 63 (C99), 100 (CPython) or 256 (clang, Octave), readers earlier.
+/// Brackets open at once in an expression before a part of it gets a name: compilers stop at 63 (C99), 100 (CPython) or 256 (clang,
+/// Octave), readers earlier.
 constexpr int deepest = 12;
 
 int nesting(std::string_view text)
@@ -150,7 +203,8 @@ private:
         for (const Term& a : t->arguments) arguments.push_back(expression(a));
         const auto primitive = l_.functions.find(t->text);
         const std::string name = primitive != l_.functions.end() ? primitive->second : t->text;
-        if (t->text == "pow" && (name == "^" || l_.comment == "!")) return fmt::format("({} {} {})", arguments[0], name == "^" ? "^" : "**", arguments[1]);
+        if (t->text == "pow" && (name == "^" || l_.comment == "!"))
+            return fmt::format("({} {} {})", arguments[0], name == "^" ? "^" : "**", arguments[1]);
         if (helpers().contains(t->text) && (t->text != "fma" || l_.missing.contains("fma"))) called_.insert(t->text);
         return fmt::format("{}({})", name, fmt::join(arguments, ", "));
     }
@@ -164,7 +218,8 @@ private:
     std::size_t depth_ = 1;
 };
 
-std::string function_text(std::string_view name, const std::string& function, const std::vector<std::string>& parameters, const Term& body, bool helper, std::set<std::string>& called)
+std::string function_text(std::string_view name, const std::string& function, const std::vector<std::string>& parameters, const Term& body,
+                          bool helper, std::set<std::string>& called)
 {
     Body b(language(name), name, called);
     const std::string result = b.run(body);
@@ -177,11 +232,14 @@ std::string function_text(std::string_view name, const std::string& function, co
     const std::string plain = joined(parameters, "");
     const std::string& f = function;
     if (name == "c")
-        return fmt::format("{}double {}({})\n{{\n{}{}  return {};\n}}\n", helper ? "static " : "", f, parameters.empty() ? "void" : joined(parameters, "double "),
+        return fmt::format("{}double {}({})\n{{\n{}{}  return {};\n}}\n", helper ? "static " : "", f,
+                           parameters.empty() ? "void" : joined(parameters, "double "),
                            b.variables().empty() ? "" : "  double " + joined(b.variables(), "") + ";\n", inside, result);
     if (name == "fortran")
-        return fmt::format("  elemental function {0}({1}) result(value)\n{2}    real(dp) :: value\n{3}{4}    value = {5}\n  end function {0}\n", f, plain,
-                           plain.empty() ? "" : "    real(dp), intent(in) :: " + plain + "\n", b.variables().empty() ? "" : "    real(dp) :: " + joined(b.variables(), "") + "\n", inside, result);
+        return fmt::format(
+            "  elemental function {0}({1}) result(value)\n{2}    real(dp) :: value\n{3}{4}    value = {5}\n  end function {0}\n", f, plain,
+            plain.empty() ? "" : "    real(dp), intent(in) :: " + plain + "\n",
+            b.variables().empty() ? "" : "    real(dp) :: " + joined(b.variables(), "") + "\n", inside, result);
     if (name == "python") return fmt::format("def {}({}):\n{}    return {}\n", f, plain, inside, result);
     if (name == "julia") return fmt::format("function {}({})\n{}  return {}\nend\n", f, plain, inside, result);
     return fmt::format("function value = {}({})\n{}  value = {};\nend\n", f, plain, inside, result); // octave
@@ -216,8 +274,11 @@ std::string code(const Formula& f, std::string_view name)
     const Language& l = language(name);
     std::set<std::string> called, done;
     const std::string name_here = identifier(f.name);
-    std::string functions = fmt::format("{} free of cancellation\n", l.comment) + function_text(name, name_here, f.inputs, f.stable, false, called);
-    if (f.printed) functions += fmt::format("\n{} as the paper prints it: loses digits at edges\n", l.comment) + function_text(name, name_here + "_as_printed", f.inputs, *f.printed, false, called);
+    std::string functions =
+        fmt::format("{} free of cancellation\n", l.comment) + function_text(name, name_here, f.inputs, f.stable, false, called);
+    if (f.printed)
+        functions += fmt::format("\n{} as the paper prints it: loses digits at edges\n", l.comment) +
+                     function_text(name, name_here + "_as_printed", f.inputs, *f.printed, false, called);
     std::string before;
     while (called != done) { // helpers call helpers; those called stand first
         const auto next = *std::find_if(called.begin(), called.end(), [&](const auto& c) { return !done.contains(c); });
@@ -227,21 +288,32 @@ std::string code(const Formula& f, std::string_view name)
     }
     if (name == "c") { // each before its use, whatever the order
         std::string declared;
-        for (const auto& helper : done) declared += fmt::format("static double {}({});\n", helper, helpers().at(helper).parameters.size() == 1 ? "double" : helpers().at(helper).parameters.size() == 2 ? "double, double" : "double, double, double");
+        for (const auto& helper : done)
+            declared += fmt::format("static double {}({});\n", helper,
+                                    helpers().at(helper).parameters.size() == 1   ? "double"
+                                    : helpers().at(helper).parameters.size() == 2 ? "double, double"
+                                                                                  : "double, double, double");
         before = declared + (declared.empty() ? "" : "\n") + before;
     }
-    const std::string first = fmt::format("{} {}: written by Touchstone from the template that it computes with. SPDX-License-Identifier: MIT\n", l.comment, f.name)
-                            + fmt::format("{} binary64 arithmetic; compile without -ffast-math.\n", l.comment);
+    const std::string first =
+        fmt::format("{} {}: written by Touchstone from the template that it computes with. SPDX-License-Identifier: MIT\n", l.comment,
+                    f.name) +
+        fmt::format("{} binary64 arithmetic; compile without -ffast-math.\n", l.comment);
     if (name == "fortran") {
-        const std::string fma = "  interface\n    pure real(c_double) function c_fma(a, b, c) bind(C, name=\"fma\")\n      import :: c_double\n      real(c_double), value :: a, b, c\n    end function\n"
-                                "    pure real(c_double) function c_expm1(x) bind(C, name=\"expm1\")\n      import :: c_double\n      real(c_double), value :: x\n    end function\n  end interface\n";
-        const std::string wrappers = "  elemental function fma(a, b, c) result(value)\n    real(dp), intent(in) :: a, b, c\n    real(dp) :: value\n    value = c_fma(a, b, c)\n  end function fma\n\n"
-                                     "  elemental function expm1(x) result(value)\n    real(dp), intent(in) :: x\n    real(dp) :: value\n    value = c_expm1(x)\n  end function expm1\n\n";
-        return first + broken_lines(fmt::format("module {0}_formula\n  use, intrinsic :: iso_c_binding, only : c_double\n  implicit none\n  integer, parameter :: dp = c_double\n{1}contains\n{2}{3}{4}end module {0}_formula\n",
-                                                name_here, fma, wrappers, before, functions));
+        const std::string fma =
+            "  interface\n    pure real(c_double) function c_fma(a, b, c) bind(C, name=\"fma\")\n      import :: c_double\n      real(c_double), value :: a, b, c\n    end function\n"
+            "    pure real(c_double) function c_expm1(x) bind(C, name=\"expm1\")\n      import :: c_double\n      real(c_double), value :: x\n    end function\n  end interface\n";
+        const std::string wrappers =
+            "  elemental function fma(a, b, c) result(value)\n    real(dp), intent(in) :: a, b, c\n    real(dp) :: value\n    value = c_fma(a, b, c)\n  end function fma\n\n"
+            "  elemental function expm1(x) result(value)\n    real(dp), intent(in) :: x\n    real(dp) :: value\n    value = c_expm1(x)\n  end function expm1\n\n";
+        return first +
+               broken_lines(fmt::format(
+                   "module {0}_formula\n  use, intrinsic :: iso_c_binding, only : c_double\n  implicit none\n  integer, parameter :: dp = c_double\n{1}contains\n{2}{3}{4}end module {0}_formula\n",
+                   name_here, fma, wrappers, before, functions));
     }
     const bool special = name == "julia" && functions.find("gamma(") != std::string::npos;
-    if (name == "octave") return first + functions + (before.empty() ? "" : "\n" + before); // the file's first function is the one that is called
+    if (name == "octave")
+        return first + functions + (before.empty() ? "" : "\n" + before); // the file's first function is the one that is called
     return first + (special ? "using SpecialFunctions: gamma\n" : l.prelude) + "\n" + before + functions;
 }
 

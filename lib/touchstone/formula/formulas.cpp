@@ -46,16 +46,25 @@ Term density(const Term& p, const Term& load)
 const std::map<std::string, Entry>& entries()
 {
     static const std::map<std::string, Entry> all{
-        {"westergaard.half_width", {[](auto in, long) { return westergaard::half_width(in("load")); }, [](auto in, long) { return as_printed::half_width(in("load")); }}},
+        {"westergaard.half_width",
+         {[](auto in, long) { return westergaard::half_width(in("load")); },
+          [](auto in, long) { return as_printed::half_width(in("load")); }}},
         {"westergaard.pressure",
          {[](auto in, long) { return westergaard::pressure(in("x"), in("load")); },
-          [](auto in, long) { return by_load(in("load"), as_printed::pressure_partial(in("x"), in("load")), as_printed::pressure_full(in("x"), in("load"))); }}},
+          [](auto in, long) {
+              return by_load(in("load"), as_printed::pressure_partial(in("x"), in("load")), as_printed::pressure_full(in("x"), in("load")));
+          }}},
         {"westergaard.exceedance",
          {[](auto in, long) { return westergaard::exceedance(in("p"), in("load")); },
-          [](auto in, long) { return by_load(in("load"), as_printed::exceedance_partial(in("p"), in("load")), as_printed::exceedance_full(in("p"), in("load"))); }}},
+          [](auto in, long) {
+              return by_load(in("load"), as_printed::exceedance_partial(in("p"), in("load")),
+                             as_printed::exceedance_full(in("p"), in("load")));
+          }}},
         {"westergaard.density",
          {[](auto in, long) { return density(in("p"), in("load")); },
-          [](auto in, long) { return by_load(in("load"), as_printed::density_partial(in("p"), in("load")), as_printed::density_full(in("p"), in("load"))); }}},
+          [](auto in, long) {
+              return by_load(in("load"), as_printed::density_partial(in("p"), in("load")), as_printed::density_full(in("p"), in("load")));
+          }}},
         {"westergaard.energy", {[](auto in, long) { return westergaard::energy(in("load")); }, {}}},
         {"westergaard.gap",
          {[](auto in, long) { return westergaard::gap(in("x"), in("load")); },
@@ -63,18 +72,26 @@ const std::map<std::string, Entry>& entries()
         {"westergaard.mean_gap", {[](auto in, long) { return westergaard::mean_gap(in("load")); }, {}}},
         {"hertz.gap", {[](auto in, long) { return hertz::gap(in("x"), in("load")); }, {}}},
         {"hertz.half_width", {[](auto in, long) { return hertz::half_width(in("load")); }, {}}},
-        {"hertz.pressure", {[](auto in, long) { return hertz::pressure(in("x"), in("load")); }, [](auto in, long) { return as_printed::hertz_pressure(in("x"), in("load")); }}},
+        {"hertz.pressure",
+         {[](auto in, long) { return hertz::pressure(in("x"), in("load")); },
+          [](auto in, long) { return as_printed::hertz_pressure(in("x"), in("load")); }}},
         {"weierstrass.bound",
-         {[](auto in, long) { return weierstrass::bound(in("D"), in("gamma")); }, [](auto in, long) { return 1 / (1 - pow(in("gamma"), in("D") - 2)); }}},
+         {[](auto in, long) { return weierstrass::bound(in("D"), in("gamma")); },
+          [](auto in, long) { return 1 / (1 - pow(in("gamma"), in("D") - 2)); }}},
         {"peaks.f", {[](auto in, long) { return peaks::f(in("x")); }, {}}},
-        {"peaks.fixed_point", {[](auto in, long) { return peaks::fixed_point(in("G")); }, [](auto in, long) { return select(in("G"), Term(2), 1 / (in("G") - 1), 4 / (in("G") * in("G"))); }}},
+        {"peaks.fixed_point",
+         {[](auto in, long) { return peaks::fixed_point(in("G")); },
+          [](auto in, long) { return select(in("G"), Term(2), 1 / (in("G") - 1), 4 / (in("G") * in("G"))); }}},
         {"peaks.iterate", {[](auto in, long n) { return peaks::iterate(n, in("load"), in("G")); }, {}}},
         {"archard.K", {[](auto, long n) { return archard::K_by_recursion<Term>(n); }, {}}},
         {"archard.delta", {[](auto, long n) { return archard::delta<Term>(n); }, {}}},
         {"archard.alpha", {[](auto in, long n) { return archard::alpha<Term>(n, in("D")); }, {}}},
         {"archard.area", {[](auto in, long n) { return archard::area(n, in("load"), in("G"), archard::K_by_recursion<Term>(n)); }, {}}},
-        {"archard.segments", {[](auto in, long n) { return archard::segments(n, in("load"), in("D"), in("gamma"), archard::K_by_recursion<Term>(n - 1)); }, {}}},
-        {"archard.segments_limit", {[](auto in, long n) { return archard::segments_limit(n, in("load"), in("D"), in("gamma"), Term::literal(K_infinity)); }, {}}},
+        {"archard.segments",
+         {[](auto in, long n) { return archard::segments(n, in("load"), in("D"), in("gamma"), archard::K_by_recursion<Term>(n - 1)); },
+          {}}},
+        {"archard.segments_limit",
+         {[](auto in, long n) { return archard::segments_limit(n, in("load"), in("D"), in("gamma"), Term::literal(K_infinity)); }, {}}},
         {"segments.max_half_width", {[](auto in, long n) { return segments::max_half_width(n, in("load"), in("G")); }, {}}},
     };
     return all;
@@ -131,14 +148,18 @@ std::map<std::string, Helper> make_helpers()
     const Term square = (pi_ * x) * (pi_ * x);
     h["minus_sin_square"] = {{"a", "x"}, minus_pi_square(a, x) + square * square * sum_of_powers(sine_terms, square)};
     // the gap's roots: the same differences, the other way round
-    h["sqrt_pi_square_minus"] = {{"x", "a"}, select(a, constant(0x1p-800),
-                                                    select(constant(0x1p-300), absolute(x), pi_ * absolute(x), positive(-minus_pi_square(a * f * f, x * f)) / f),
-                                                    positive(-minus_pi_square(a, x)))};
+    h["sqrt_pi_square_minus"] = {
+        {"x", "a"},
+        select(a, constant(0x1p-800),
+               select(constant(0x1p-300), absolute(x), pi_ * absolute(x), positive(-minus_pi_square(a * f * f, x * f)) / f),
+               positive(-minus_pi_square(a, x)))};
     const Term far = positive(minus_sin_square(1 - a, half - absolute(x)));
-    const Term close = select(a, constant(0x1p-800),
-                              select(constant(0x1p-300), absolute(x), ScalarTraits<Term>::sin_pi(absolute(x)), ScalarTraits<Term>::sqrt_pi_square_minus(x, a)),
-                              positive(-minus_sin_square(a, absolute(x))));
-    h["sqrt_sin_pi_square_minus"] = {{"x", "a"}, select(Term::literal("0.3"), absolute(x), far, select(quarter, absolute(x), select(a, half, close, far), close))};
+    const Term close = select(
+        a, constant(0x1p-800),
+        select(constant(0x1p-300), absolute(x), ScalarTraits<Term>::sin_pi(absolute(x)), ScalarTraits<Term>::sqrt_pi_square_minus(x, a)),
+        positive(-minus_sin_square(a, absolute(x))));
+    h["sqrt_sin_pi_square_minus"] = {
+        {"x", "a"}, select(Term::literal("0.3"), absolute(x), far, select(quarter, absolute(x), select(a, half, close, far), close))};
     const auto half_angle = [](const Term& of) { const Term root = 1 + sqrt(1 - of); return of / (root * root); };
     const auto doubled = [](const Term& half_of, const Term& sum) { return (1 + half_of) * (1 + (1 - half_of) * sum) / 4; };
     const Term once = half_angle(x), twice = half_angle(once);
@@ -149,18 +170,25 @@ std::map<std::string, Helper> make_helpers()
     h["asin_sqrt_over_pi"] = {{"x"}, select(half, x, half - of_smaller, of_smaller)};
     const Term n = at_least(a, Term(0)), d = at_least(b, Term(0)), of_quotient = asin(sqrt(at_most(n, d) / (n + d))) / pi_;
     h["atan_sqrt_over_pi"] = {{"a", "b"}, select(d, n, half - of_quotient, of_quotient)};
-    h["atan_minus_square_over_pi"] = {{"a", "b", "c"}, select(a, constant(0x1p-800), atan2(ScalarTraits<Term>::sqrt_minus_square(a, b), sqrt(c)) / pi_,
-                                                              ScalarTraits<Term>::atan_sqrt_over_pi(fma(-b, b, a), c))};
+    h["atan_minus_square_over_pi"] = {{"a", "b", "c"},
+                                      select(a, constant(0x1p-800), atan2(ScalarTraits<Term>::sqrt_minus_square(a, b), sqrt(c)) / pi_,
+                                             ScalarTraits<Term>::atan_sqrt_over_pi(fma(-b, b, a), c))};
     const Term squares = a * a + b * b, hypot = Term::call("hypot", {a, b});
-    h["root_of_squares"] = {{"a", "b"}, select(constant(0x1p-900), squares, select(squares, constant(0x1p900), sqrt(squares), hypot), hypot)};
-    const Term share = 1 - b, sum_of_squares = share * share + a * a, room = at_least(fma(-a, a, 4 * b), Term(0)), least = constant(0x1p-300);
+    h["root_of_squares"] = {{"a", "b"},
+                            select(constant(0x1p-900), squares, select(squares, constant(0x1p900), sqrt(squares), hypot), hypot)};
+    const Term share = 1 - b, sum_of_squares = share * share + a * a, room = at_least(fma(-a, a, 4 * b), Term(0)),
+               least = constant(0x1p-300);
     const Term safe = westergaard::density_partial(a, b, ScalarTraits<Term>::sqrt_minus_square(4 * b, a));
-    h["density_partial"] = {{"a", "b"}, select(least, sum_of_squares, select(least, b, westergaard::density_under_one_root(a, b, sum_of_squares, room), safe), safe)};
+    h["density_partial"] = {
+        {"a", "b"},
+        select(least, sum_of_squares, select(least, b, westergaard::density_under_one_root(a, b, sum_of_squares, room), safe), safe)};
     const Term e = a * b;
     h["pow_product"] = {{"x", "a", "b"}, pow(x, e) * (1 + fma(a, b, -e) * log(x))};
     const Term size = absolute(x);
-    h["sqrt_minus_sin_pi_square"] = {{"a", "x"}, select(quarter, size, positive(-minus_sin_square(1 - a, half - size)),
-                                                        select(a, constant(0x1p-800), ScalarTraits<Term>::sqrt_minus_pi_square(a, x), positive(minus_sin_square(a, size))))};
+    h["sqrt_minus_sin_pi_square"] = {
+        {"a", "x"},
+        select(quarter, size, positive(-minus_sin_square(1 - a, half - size)),
+               select(a, constant(0x1p-800), ScalarTraits<Term>::sqrt_minus_pi_square(a, x), positive(minus_sin_square(a, size))))};
     // for languages without it: a product in two parts (Veltkamp and Dekker) and a sum in two parts (Knuth)
     const auto high = [](const Term& v) {
         const Term g = Term(134217729) * v;
@@ -235,7 +263,8 @@ Formula formula_of(std::string_view name, std::optional<long> n)
     if (scale && !n) throw DomainError(fmt::format("{} is written out for one scale: give n=0, 1, ... {}", name, most_scales));
     if (!scale && n) throw DomainError(fmt::format("{} has no n", name));
     const long first = name.starts_with("archard.segments") ? 1 : 0;
-    if (n && (*n < first || *n > most_scales)) throw DomainError(fmt::format("n = {}: must be an integer from {} to {}", *n, first, most_scales));
+    if (n && (*n < first || *n > most_scales))
+        throw DomainError(fmt::format("n = {}: must be an integer from {} to {}", *n, first, most_scales));
     std::map<std::string, Term> inputs; // the same node wherever it occurs
     for (const auto& input : f.inputs) inputs.emplace(input, Term::input(input));
     const auto in = [&inputs](const char* key) { return inputs.at(key); };

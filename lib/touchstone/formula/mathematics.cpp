@@ -137,7 +137,9 @@ class Latex : public Writer {
         };
         switch (t->op) {
         case Op::number:
-            return t->q != 1 ? fmt::format("\\frac{{{}}}{{{}}}", t->p, t->q) : t->p < 0 ? bracketed(std::to_string(t->p)) : std::to_string(t->p);
+            return t->q != 1  ? fmt::format("\\frac{{{}}}{{{}}}", t->p, t->q)
+                   : t->p < 0 ? bracketed(std::to_string(t->p))
+                              : std::to_string(t->p);
         case Op::literal: return t->text;
         case Op::pi: return "\\pi";
         case Op::input: return input(t->text);
@@ -235,7 +237,8 @@ std::string fpcore(const Formula& f, const Term& t, std::string_view what, std::
         for (const Part& p : writer.parts()) bindings += fmt::format("{}[{} {}]", bindings.empty() ? "" : "\n        ", p.name, p.text);
         body = fmt::format("(let* ({})\n   {})", bindings, body);
     }
-    return fmt::format("; {}, {}\n(FPCore ({})\n :name \"{}\"\n :precision binary64\n {})\n", f.name, what, fmt::join(f.inputs, " "), id, body);
+    return fmt::format("; {}, {}\n(FPCore ({})\n :name \"{}\"\n :precision binary64\n {})\n", f.name, what, fmt::join(f.inputs, " "), id,
+                       body);
 }
 
 std::string sympy(const Term& t, std::string_view what, std::string_view id)
@@ -247,7 +250,8 @@ std::string sympy(const Term& t, std::string_view what, std::string_view id)
         symbols += fmt::format("{0} = sympy.Symbol(\"{0}\", real=True)\n", p.name);
         parts += fmt::format("    ({}, {}),\n", p.name, p.text);
     }
-    if (!parts.empty()) parts = fmt::format("{}_parts = [  # what is used more than once, in order, as sympy.cse gives it\n{}]\n", id, parts);
+    if (!parts.empty())
+        parts = fmt::format("{}_parts = [  # what is used more than once, in order, as sympy.cse gives it\n{}]\n", id, parts);
     return fmt::format("{}{}{} = {}  # {}\n", symbols, parts, id, whole, what);
 }
 

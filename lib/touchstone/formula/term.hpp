@@ -39,7 +39,10 @@ public:
     explicit Term(Node node) : node_(std::make_shared<const Node>(std::move(node))) {}
     static Term input(std::string name) { return Term(Node{Op::input, std::move(name)}); }
     static Term literal(std::string decimal) { return Term(Node{Op::literal, std::move(decimal)}); }
-    static Term call(std::string function, std::vector<Term> arguments) { return Term(Node{Op::call, std::move(function), std::move(arguments)}); }
+    static Term call(std::string function, std::vector<Term> arguments)
+    {
+        return Term(Node{Op::call, std::move(function), std::move(arguments)});
+    }
 
     const Node& operator*() const { return *node_; }
     const Node* operator->() const { return node_.get(); }
@@ -58,7 +61,10 @@ private:
 };
 
 /// below < above ? yes : no
-inline Term select(const Term& below, const Term& above, const Term& yes, const Term& no) { return Term(Term::Node{Op::select, {}, {below, above, yes, no}}); }
+inline Term select(const Term& below, const Term& above, const Term& yes, const Term& no)
+{
+    return Term(Term::Node{Op::select, {}, {below, above, yes, no}});
+}
 
 inline Term sqrt(const Term& x) { return Term::call("sqrt", {x}); }
 inline Term exp(const Term& x) { return Term::call("exp", {x}); }
@@ -92,7 +98,10 @@ struct ScalarTraits<Term> {
     static Term sqrt_sin_pi_square_minus(const Term& x, const Term& a) { return Term::call("sqrt_sin_pi_square_minus", {x, a}); }
     static Term asin_sqrt_over_pi(const Term& s) { return Term::call("asin_sqrt_over_pi", {s}); }
     static Term atan_sqrt_over_pi(const Term& n, const Term& d) { return Term::call("atan_sqrt_over_pi", {n, d}); }
-    static Term atan_minus_square_over_pi(const Term& a, const Term& b, const Term& d) { return Term::call("atan_minus_square_over_pi", {a, b, d}); }
+    static Term atan_minus_square_over_pi(const Term& a, const Term& b, const Term& d)
+    {
+        return Term::call("atan_minus_square_over_pi", {a, b, d});
+    }
     static Term pow_product(const Term& x, const Term& a, const Term& b) { return Term::call("pow_product", {x, a, b}); }
     /// sum_j x^j/coefficient(j): a helper, named after its first two coefficients.
     template <class Coefficient>

@@ -91,7 +91,10 @@ Ball rate(const Ball& highest)
 }
 
 /// At least every ratio that is met after one below `highest`.
-Ball next_highest(const Ball& highest, const Ball& G) { return certainly(less(highest, Ball(1))) ? 2 * sqrt(highest) / G : (highest + 1) / G; }
+Ball next_highest(const Ball& highest, const Ball& G)
+{
+    return certainly(less(highest, Ball(1))) ? 2 * sqrt(highest) / G : (highest + 1) / G;
+}
 
 } // namespace
 
@@ -103,7 +106,8 @@ Ball distance_from_limit(long n, const Ball& G, const Ball& load)
     const Ball d = abs(log(load)) + log(larger(one, X)) + log(1 + squared);
     Ball product(1);
     constexpr long most_ratios = 500;                 // scales, after which X is not made smaller
-    const Ball hardly(Rational(999'999, 1'000'000)); // nor where it falls by less than this: it only decreases, and n rates at 1e-6 are no digit
+    const Ball hardly(
+        Rational(999'999, 1'000'000)); // nor where it falls by less than this: it only decreases, and n rates at 1e-6 are no digit
     for (long k = 0; k < n; ++k) {
         const Ball lambda = rate(X), next = larger(in_the_limit, next_highest(X, G));
         if (k == most_ratios || certainly(less(X * hardly, next))) {

@@ -49,7 +49,8 @@ std::string area_constant_certificate(transfer::Scheme scheme, const std::functi
 {
     const WorkingPrecision precision(128);
     const long n = scale_for(G(), wanted);
-    return fmt::format("C(G) = h_n(1/2)/(1 + d), n = {}, |d| <= delta_n = {} (docs/limit.md, theorem 2)\n{}", n, relative_error(n, G(), load()).to_string(3),
+    return fmt::format("C(G) = h_n(1/2)/(1 + d), n = {}, |d| <= delta_n = {} (docs/limit.md, theorem 2)\n{}", n,
+                       relative_error(n, G(), load()).to_string(3),
                        transfer::area_certificate(scheme, n, {load, G}, {wanted.digits + spare_digits}));
 }
 

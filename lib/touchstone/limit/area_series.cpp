@@ -71,7 +71,8 @@ private:
             at = at / 2;
         }
         sums_.push_back(std::move(sum));
-        rest_.push_back(4 * share.back() * abs(at)); // the rest of that sum: |a/2^k| halves, and the shares change by less than a factor 2 in all
+        rest_.push_back(4 * share.back() *
+                        abs(at)); // the rest of that sum: |a/2^k| halves, and the shares change by less than a factor 2 in all
         total_.push_back(total);
         hertzian_.push_back(share.back() * exp(within(Ball(0), 2 * abs(at))));
         beta_.push_back(beta(a));
@@ -89,7 +90,8 @@ private:
             for (int j = 1; j <= N; ++j) {
                 delta *= (Ball(j - 1) - half) * (2 * j - 1) / (2 * j * (Ball(j + 1) + half));
                 const auto& lower = series_[static_cast<std::size_t>(N - j)];
-                sum += delta * within(dot(steps_[i][static_cast<std::size_t>(j - 1)], lower.c), bound_ * Traits::power_of_two(N - j) * grid_.error() + lower.error);
+                sum += delta * within(dot(steps_[i][static_cast<std::size_t>(j - 1)], lower.c),
+                                      bound_ * Traits::power_of_two(N - j) * grid_.error() + lower.error);
             }
             g.push_back(beta_[i] * sum / points_[i]);
         }
@@ -97,7 +99,8 @@ private:
         // g_N(a) = m_N(a) - beta(a) m_N(a/2), |beta| <= beta(-to_pole) there. It vanishes at 0, which is more than 1 away from the ellipse.
         const Ball bound = (1 + beta(-Ball::exactly(to_pole))) * bound_ * Traits::power_of_two(N);
         Balls m;
-        for (std::size_t i = 0; i < sums_.size(); ++i) m.push_back(within(dot(sums_[i], by_a.c), (bound * grid_.error() + by_a.error) * total_[i] + bound * rest_[i]));
+        for (std::size_t i = 0; i < sums_.size(); ++i)
+            m.push_back(within(dot(sums_[i], by_a.c), (bound * grid_.error() + by_a.error) * total_[i] + bound * rest_[i]));
         ratio_.push_back(m.front() / hertzian_.front());
         series_.push_back(grid_.series(m));
     }
@@ -153,7 +156,8 @@ Witness area_ratio_to_first_order(const Ball& G)
 {
     const WorkingPrecision precision(72);
     Ball first(0), b(1);
-    for (long k = 0; k < precision.bits(); ++k, b = b / 2) first += b / (2 * (4 - b)) * hertzian_moment(1 - b / 2) / hertzian_moment(-b / 2);
+    for (long k = 0; k < precision.bits(); ++k, b = b / 2)
+        first += b / (2 * (4 - b)) * hertzian_moment(1 - b / 2) / hertzian_moment(-b / 2);
     const Ball e = 4 / (G * G);
     return {1 + first * e, e * e / 16};
 }

@@ -86,7 +86,8 @@ double power_method(Matrix& C, std::vector<double>& c)
 {
     const std::size_t n = c.size();
     std::vector<double> entries(n * n), next(n);
-    for (std::size_t i = 0; i < n * n; ++i) entries[i] = arf_get_d(arb_midref(C(static_cast<slong>(i / n), static_cast<slong>(i % n))), ARF_RND_NEAR);
+    for (std::size_t i = 0; i < n * n; ++i)
+        entries[i] = arf_get_d(arb_midref(C(static_cast<slong>(i / n), static_cast<slong>(i % n))), ARF_RND_NEAR);
     double lambda = 0;
     for (int step = 0; step < most_steps; ++step) {
         for (std::size_t i = 0; i < n; ++i) {
@@ -129,11 +130,13 @@ double highest_sigma(Accuracy a)
 
 std::vector<double> panels_of_noise(double sigma)
 {
-    // narrow next to 0, where s' is smallest; an ellipse of axes 1.25 and 0.76 half widths about a panel of width 3 stays away from i pi/2, a zero of cosh
+    // narrow next to 0, where s' is smallest; an ellipse of axes 1.25 and 0.76 half widths about a panel of width 3 stays away from i pi/2,
+    // a zero of cosh
     constexpr double growth = 1.5, first = 0.8, widest = 3;
     const double last = sigma / 2 + M_LN2; // cosh(last) > exp(sigma/2)
     std::vector<double> ends{0};
-    for (double width = first; ends.back() < last; width = std::min(widest, width * growth)) ends.push_back(std::min(last, ends.back() + width));
+    for (double width = first; ends.back() < last; width = std::min(widest, width * growth))
+        ends.push_back(std::min(last, ends.back() + width));
     if (last - ends[ends.size() - 2] < first / 2) ends.erase(ends.end() - 2);
     ends.back() = std::acosh(std::exp(sigma / 2)) * (1 - 1e-12);
     return ends;
@@ -178,7 +181,8 @@ std::vector<Ball> chebyshev_derivative(const std::vector<Ball>& c)
 
 Eigenfunction approximate_eigenfunction(const Ball& G, Accuracy wanted)
 {
-    const double lowest = arf_get_d(arb_midref((2 * log(G / 2)).get()), ARF_RND_NEAR), sigma = highest_sigma(wanted); // G may be beyond binary64
+    const double lowest = arf_get_d(arb_midref((2 * log(G / 2)).get()), ARF_RND_NEAR),
+                 sigma = highest_sigma(wanted); // G may be beyond binary64
     constexpr double enough = 1e-9; // the interval is to hold log s of the smallest s
     Eigenfunction w{std::log(lowest) - enough, std::log(lowest + sigma) + enough, {}, {}};
     const double rate = std::asinh(2 * strip / (w.high - w.low)), digits = static_cast<double>(wanted.digits + 2) * M_LN10;

@@ -2,9 +2,11 @@
 /// \file
 /// A function near the one that the approach to the fractal limit is made of: docs/limit.md, theorem 8. Internal to limit/.
 ///
-/// With s = -log x, the slope g = dh/ds of a function of the load ratio becomes (D g)(s) = E[psi g(s')] by one wave, where with u = tanh tau
+/// With s = -log x, the slope g = dh/ds of a function of the load ratio becomes (D g)(s) = E[psi g(s')] by one wave, where with u = tanh
+/// tau
 ///
-///     s' = s/2 + log(G/2) + log cosh tau - log(1 - v)/2,   v = exp(-s) u^2,   psi = ds'/ds = (1 - 2v)/(2(1 - v)),   E[f] = (4/pi) int_0^oo sech^3(tau) f dtau.
+///     s' = s/2 + log(G/2) + log cosh tau - log(1 - v)/2,   v = exp(-s) u^2,   psi = ds'/ds = (1 - 2v)/(2(1 - v)),   E[f] = (4/pi) int_0^oo
+///     sech^3(tau) f dtau.
 ///
 /// D has the eigenvalues of h -> E[h(y)] but for 1, whose function is constant.
 #pragma once
@@ -32,8 +34,8 @@ struct Eigenfunction {
     Ball stretch() const { return 2 / (Ball::exactly(high) - Ball::exactly(low)); }
 };
 
-/// Where the noise is cut into panels for Gauss and Legendre's rule: 0 and the ends of the panels, the last of which takes s' from the largest s, that of
-/// `highest_sigma` + log(G^2/4), just there.
+/// Where the noise is cut into panels for Gauss and Legendre's rule: 0 and the ends of the panels, the last of which takes s' from the
+/// largest s, that of `highest_sigma` + log(G^2/4), just there.
 std::vector<double> panels_of_noise(double highest_sigma);
 
 /// A node of the rule for E.

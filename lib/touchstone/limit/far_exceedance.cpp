@@ -44,8 +44,10 @@ std::string no_far_exceedance(const FarPressure& at, const Ball& G)
 {
     const WorkingPrecision precision(bits_of_powers);
     const Ball pressure = at.in_own_units(), highest = certainly(less(Ball(2), G)) ? 4 / G : G / (G - 1); // (5.10)
-    if (!certainly(less(Ball(Rational(51, 50)), G)) || !certainly(less(G, Ball(1000)))) return "the limiting distributions are certified for 1.02 < G = gamma^(D-1) < 1000 only";
-    if (!certainly(less(ScalarTraits<Ball>::power_of_two(-lowest_pressure_bits), pressure))) return "the pressure is too low for the limiting distribution: below p*_n/1024";
+    if (!certainly(less(Ball(Rational(51, 50)), G)) || !certainly(less(G, Ball(1000))))
+        return "the limiting distributions are certified for 1.02 < G = gamma^(D-1) < 1000 only";
+    if (!certainly(less(ScalarTraits<Ball>::power_of_two(-lowest_pressure_bits), pressure)))
+        return "the pressure is too low for the limiting distribution: below p*_n/1024";
     return certainly(less(pressure, highest)) ? "" : "the limiting distribution has no pressure as high";
 }
 
@@ -69,8 +71,8 @@ Witness far_exceedance_by_limit_law(const FarPressure& at, const transfer::Argum
 std::string far_exceedance_certificate(const FarPressure& at, const transfer::Arguments& a, Accuracy wanted)
 {
     const WorkingPrecision precision(bits_of_powers);
-    return fmt::format("share = G^-n load (mean +- rho_n), rho_n <= {} (docs/limit.md, theorem 7)\n{}", distance_from_limit(at.n, a.G(), a.load()).to_string(3),
-                       mean_by_poisson_certificate(question(at), a.G, wanted));
+    return fmt::format("share = G^-n load (mean +- rho_n), rho_n <= {} (docs/limit.md, theorem 7)\n{}",
+                       distance_from_limit(at.n, a.G(), a.load()).to_string(3), mean_by_poisson_certificate(question(at), a.G, wanted));
 }
 
 } // namespace touchstone::limit

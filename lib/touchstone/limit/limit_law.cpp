@@ -62,7 +62,8 @@ struct Wave {
     {
         const double P = G * y;
         if (full()) return 2 * std::atan2(std::sqrt(std::max(0., 1 + x - P)), std::sqrt(std::max(0., P - x + 1)));
-        const double R = wave::radius<double>(1 - x, P * P), v = std::max(0., wave::one_minus_c_partial<double>(x, R, P * P) / (2 * x)); // sin^2 psi
+        const double R = wave::radius<double>(1 - x, P * P),
+                     v = std::max(0., wave::one_minus_c_partial<double>(x, R, P * P) / (2 * x)); // sin^2 psi
         return std::atan2(std::sqrt(v), std::sqrt(P * P / (4 * x * (1 - x * v))));
     }
     double ratio(double angle) const
@@ -79,7 +80,10 @@ struct Wave {
 
 } // namespace
 
-LimitLaw::LimitLaw(const Ball& G, const Grading& grading, int order) : G_(double(transfer::to_real(G))), order_(order), points_(chebyshev_points(order))
+LimitLaw::LimitLaw(const Ball& G, const Grading& grading, int order)
+    : G_(double(transfer::to_real(G)))
+    , order_(order)
+    , points_(chebyshev_points(order))
 {
     for (const auto& p : graded_panels(G, grading)) {
         if (edges_.empty()) edges_.push_back(double(p.y0));
@@ -207,7 +211,8 @@ LimitLaw::Interpolant::Interpolant(const LimitLaw& law_, const Vector& values) :
         for (std::size_t k = 0; k < order; ++k) {
             double sum = 0;
             for (std::size_t i = 0; i < order; ++i)
-                sum += values[first + i] * std::cos(pi * static_cast<double>(k) * (2 * static_cast<double>(i) + 1) / (2 * static_cast<double>(order)));
+                sum += values[first + i] *
+                       std::cos(pi * static_cast<double>(k) * (2 * static_cast<double>(i) + 1) / (2 * static_cast<double>(order)));
             coefficients[first + k] = sum * (k == 0 ? 1 : 2) / static_cast<double>(order);
         }
 }
@@ -236,12 +241,15 @@ double highest_ratio(const Ball& G)
 Witness mean_in_the_limit(const Ball& G, const std::vector<Ball>& further, const std::function<double(double)>& f)
 {
     const double highest = highest_ratio(G);
-    const auto by = [&](double lowest, double tolerance, int order) { return LimitLaw(G, {lowest, highest, tolerance, further}, order).mean(f); };
+    const auto by = [&](double lowest, double tolerance, int order) {
+        return LimitLaw(G, {lowest, highest, tolerance, further}, order).mean(f);
+    };
     const double value = by(1e-10, 1e-6, 10), coarse = by(1e-8, 1e-4, 6);
     return {Ball::exactly(value), Ball::exactly(4 * std::fabs(value - coarse)) + Ball::exactly(1e-13 * std::fabs(value))};
 }
 
-Witness distance_in_the_mean(const Ball& G, double load, long n, const std::vector<Ball>& further, const std::function<double(double)>& f, const std::function<double(double)>& g)
+Witness distance_in_the_mean(const Ball& G, double load, long n, const std::vector<Ball>& further, const std::function<double(double)>& f,
+                             const std::function<double(double)>& g)
 {
     const double highest = std::max(1.01 * load, highest_ratio(G));
     const auto by = [&](double lowest, double tolerance, int order) {
@@ -276,8 +284,11 @@ double density_after_two_waves(double G, double P, double x)
             const double phi = pi * (i + 0.5) / points, angle = cuts[k] + length * (1 - std::cos(phi)) / 2, y = wave.ratio(angle);
             if (!(y > lower && y < upper)) continue;
             const double R = std::hypot(1 - y, P);
-            const double density = y >= 1 ? 1 / (pi * std::sqrt((y - P + 1) * (upper - y))) : P / (2 * pi * R) * std::sqrt((1 + y + R) / ((1 - y + R) * (y - P * P / 4)));
-            const double share = wave.full() ? 1 / pi : 2 / pi * std::sqrt(x) * std::cos(angle) / std::sqrt(1 - x * std::sin(angle) * std::sin(angle)); // of length
+            const double density = y >= 1 ? 1 / (pi * std::sqrt((y - P + 1) * (upper - y)))
+                                          : P / (2 * pi * R) * std::sqrt((1 + y + R) / ((1 - y + R) * (y - P * P / 4)));
+            const double share =
+                wave.full() ? 1 / pi
+                            : 2 / pi * std::sqrt(x) * std::cos(angle) / std::sqrt(1 - x * std::sin(angle) * std::sin(angle)); // of length
             sum += share * density * length / 2 * std::sin(phi) * pi / points;
         }
     }

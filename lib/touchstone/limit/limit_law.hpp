@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The limit law of the chain of load ratios, forwards: docs/limit.md. An estimate in binary64, that looks again at what the backward route proves, and
-/// a coarse solver for its search. Nothing here is trusted.
+/// The limit law of the chain of load ratios, forwards: docs/limit.md. An estimate in binary64, that looks again at what the backward route
+/// proves, and a coarse solver for its search. Nothing here is trusted.
 ///
-/// pi is the stationary law of the ratio x that a randomly chosen unit of force meets at a scale, E_pi[f(x)] = E_pi[E_x[f(y)]]. On Chebyshev points of
-/// graded panels one wave is a matrix M, (M f)_i = E_{x_i}[f(y)] by Gauss-Legendre between the panels' edges; pi is its left eigenvector, and
+/// pi is the stationary law of the ratio x that a randomly chosen unit of force meets at a scale, E_pi[f(x)] = E_pi[E_x[f(y)]]. On
+/// Chebyshev points of graded panels one wave is a matrix M, (M f)_i = E_{x_i}[f(y)] by Gauss-Legendre between the panels' edges; pi is its
+/// left eigenvector, and
 ///
 ///     C(G) = lim A_n G^n/load = E_pi[B_0(x)/x].
 #pragma once
@@ -52,11 +53,15 @@ private:
     Vector edges_, points_, nodes_, matrix_, weights_; // points_: on [-1, 1]
 };
 
-/// E_pi[f] on a mesh graded for G and those points, and what a coarser one changes. f has to be known to few digits less than it is wanted to.
+/// E_pi[f] on a mesh graded for G and those points, and what a coarser one changes. f has to be known to few digits less than it is wanted
+/// to.
 Witness mean_in_the_limit(const Ball& G, const std::vector<Ball>& further, const std::function<double(double x)>& f);
-/// E[f(x_n)]/E[g(x_n)] of the chain that begins at `load`, less E_pi[f]/E_pi[g]: both by the same grid, so that small differences keep their digits.
-Witness distance_in_the_mean(const Ball& G, double load, long n, const std::vector<Ball>& further, const std::function<double(double x)>& f, const std::function<double(double x)>& g);
-/// The density of p/p*_n = P after two waves, D_1(x), in binary64: by the angle of the first wave, between the angles where the second's density is not smooth.
+/// E[f(x_n)]/E[g(x_n)] of the chain that begins at `load`, less E_pi[f]/E_pi[g]: both by the same grid, so that small differences keep
+/// their digits.
+Witness distance_in_the_mean(const Ball& G, double load, long n, const std::vector<Ball>& further, const std::function<double(double x)>& f,
+                             const std::function<double(double x)>& g);
+/// The density of p/p*_n = P after two waves, D_1(x), in binary64: by the angle of the first wave, between the angles where the second's
+/// density is not smooth.
 double density_after_two_waves(double G, double P, double x);
 /// The share of one wave of mean x above P, over x: in binary64.
 double exceedance_over_x(double P, double x);

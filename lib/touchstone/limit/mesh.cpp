@@ -41,8 +41,10 @@ public:
     {
         targets.push_back({0, 1, 1, 1}); // x^(1/2) of the function
         int generations = 1;
-        while (generations < most_generations && what_is_left(strength_of(generations), exponent_of(generations), widest) > 1) ++generations;
-        for (const SingularPoint& s : area_points(G, {Ball::exactly(g.highest), generations, same_point}, g.further)) add(s.position, s.generation);
+        while (generations < most_generations && what_is_left(strength_of(generations), exponent_of(generations), widest) > 1)
+            ++generations;
+        for (const SingularPoint& s : area_points(G, {Ball::exactly(g.highest), generations, same_point}, g.further))
+            add(s.position, s.generation);
     }
     bool too_wide(const Panel& p) const
     {
@@ -50,7 +52,8 @@ public:
         return std::any_of(targets.begin(), targets.end(), [&](const Target& s) {
             const double left = what_is_left(s.strength, s.exponent, p.width() / s.scale);
             if (left <= 1) return false;
-            const double rho = std::pow(std::min(left, 1 / left_alone), 1. / terms), distance = std::max({0.0, double((s.at - p.y1) * (s.at + p.y1)), double((p.y0 - s.at) * (p.y0 + s.at))});
+            const double rho = std::pow(std::min(left, 1 / left_alone), 1. / terms),
+                         distance = std::max({0.0, double((s.at - p.y1) * (s.at + p.y1)), double((p.y0 - s.at) * (p.y0 + s.at))});
             return width * (overlap * (rho + 1 / rho) / 4 - inside) > distance; // coefficients fall like rho^-terms
         });
     }
@@ -81,7 +84,8 @@ std::vector<Panel> graded_panels(const Ball& G, const Grading& g)
         waiting.push_back(panel(y * y, next * next, waiting.empty()));
         y = next;
     }
-    for (int beyond = 0; beyond < 2; ++beyond) { // beyond the last one functions jump to 0, which counts wherever an end of a wave is within two panels of it
+    for (int beyond = 0; beyond < 2;
+         ++beyond) { // beyond the last one functions jump to 0, which counts wherever an end of a wave is within two panels of it
         const Real last = waiting.back().z1;
         waiting.push_back(panel(last, last * beyond_highest, false));
     }

@@ -36,7 +36,12 @@ struct Equation {
     Wide f;
 
     Equation(const Rules& rules_, const First& first, const Real& G_, double tolerance_, std::vector<Panel> panels_)
-        : rules(rules_), G(G_), tolerance(tolerance_), panels(std::move(panels_)), identity(panels.size() * rules.own.at.size()), f(identity.size())
+        : rules(rules_)
+        , G(G_)
+        , tolerance(tolerance_)
+        , panels(std::move(panels_))
+        , identity(panels.size() * rules.own.at.size())
+        , f(identity.size())
     {
         in_parallel(identity.size(), [&](std::size_t i) {
             const Panel& p = panels[i / rules.own.at.size()];
@@ -49,7 +54,8 @@ struct Equation {
     double weighed(const Vector& at_nodes) const
     {
         double most = 0;
-        for (std::size_t i = 0; i < at_nodes.size(); ++i) most = std::max(most, std::fabs(at_nodes[i]) * largest_share(double(G), panels[i / terms()].width()));
+        for (std::size_t i = 0; i < at_nodes.size(); ++i)
+            most = std::max(most, std::fabs(at_nodes[i]) * largest_share(double(G), panels[i / terms()].width()));
         return most;
     }
     Wide residual(const Wide& phi, const Real& c) const
@@ -99,11 +105,16 @@ struct Solution {
     Real c = 0;
 };
 
-/// What the equation asks of a change of Phi and c whose residual has to be `rest`, in binary64: by Nystroem's method on two grids (Brakhage 1960). With r = R/x and d of the
-/// coarse grid's d - M d = r - c', phi = Phi/x gets r - c' + M d. What is not smooth is in r.
+/// What the equation asks of a change of Phi and c whose residual has to be `rest`, in binary64: by Nystroem's method on two grids
+/// (Brakhage 1960). With r = R/x and d of the coarse grid's d - M d = r - c', phi = Phi/x gets r - c' + M d. What is not smooth is in r.
 class Correction {
 public:
-    Correction(const Equation& e_, const LimitLaw& coarse_) : e(e_), coarse(coarse_), rough(e.rules, layer_on(e.rules, e.G, e.tolerance, e.panels, 1), e.identity) {}
+    Correction(const Equation& e_, const LimitLaw& coarse_)
+        : e(e_)
+        , coarse(coarse_)
+        , rough(e.rules, layer_on(e.rules, e.G, e.tolerance, e.panels, 1), e.identity)
+    {
+    }
 
     /// Until the residual is that small, or falls no more. \returns what is left of it, as far as binary64 can tell
     double find(const Vector& right, double wanted)
@@ -198,7 +209,8 @@ Found found_on(const Equation& e, const Solution& s)
     return found;
 }
 
-Found search(const Rules& rules, const First& first, const std::vector<Ball>& of_f, const Ball& G, double lowest, double highest, double tolerance, const SpoiledPhi& spoiled)
+Found search(const Rules& rules, const First& first, const std::vector<Ball>& of_f, const Ball& G, double lowest, double highest,
+             double tolerance, const SpoiledPhi& spoiled)
 {
     constexpr double coarse_lowest = 1e-8, coarse_tolerance = 1e-4; // a finer grid gains more at a step, and takes longer than that saves
     constexpr int coarse_order = 8;
@@ -248,13 +260,15 @@ struct LocalPoints {
         for (std::size_t n = 0; n < check.points.at.size(); ++n) {
             at.push_back(reach * to_ball(check.points.at[n]));
             T.emplace_back(terms);
-            for (int k = 0; k < terms; ++k) arb_chebyshev_t_ui(T.back()[k], static_cast<ulong>(k), at.back().get(), WorkingPrecision::bits());
+            for (int k = 0; k < terms; ++k)
+                arb_chebyshev_t_ui(T.back()[k], static_cast<ulong>(k), at.back().get(), WorkingPrecision::bits());
         }
     }
 };
 
-/// sup |V_1 - V_0/G + P - c x| on the panels, V_0 = G Phi, P the polynomial near f: one polynomial of z on each of them, and c z^(1/2), at Chebyshev points of an
-/// interval that holds the panel; what these leave of z^(1/2), |z^(1/2)| <= (2 z)^(1/2), z the middle, on an ellipse that stays away from 0, is charged.
+/// sup |V_1 - V_0/G + P - c x| on the panels, V_0 = G Phi, P the polynomial near f: one polynomial of z on each of them, and c z^(1/2), at
+/// Chebyshev points of an interval that holds the panel; what these leave of z^(1/2), |z^(1/2)| <= (2 z)^(1/2), z the middle, on an ellipse
+/// that stays away from 0, is charged.
 double polynomial_defect(const Found& f)
 {
     constexpr slong bits = 160;
@@ -269,13 +283,16 @@ double polynomial_defect(const Found& f)
         const WorkingPrecision here(bits);
         const Panel& p = f.steps->panels[panel];
         const LocalPoints& local = p.first ? of_first : of_others;
-        const Ball middle = to_ball(p.centre), half = to_ball(p.half), radius = half * local.reach, left = middle - radius * Ball::exactly(check.spread); // of the ellipse
+        const Ball middle = to_ball(p.centre), half = to_ball(p.half), radius = half * local.reach,
+                   left = middle - radius * Ball::exactly(check.spread); // of the ellipse
         const bool holds_panel = certainly(less(middle - radius, to_ball(p.z0))) && certainly(less(to_ball(p.z1), middle + radius));
         defects[panel] = infinite;
         if (!holds_panel || !certainly(less(Ball(0), left))) return;
         Row series(terms);
         for (int k = 0; k < terms; ++k) {
-            const auto coefficient = [&](const Layer& of, int m) { return to_ball(of.coefficients[of.row(panel, k) + static_cast<std::size_t>(m)]); };
+            const auto coefficient = [&](const Layer& of, int m) {
+                return to_ball(of.coefficients[of.row(panel, k) + static_cast<std::size_t>(m)]);
+            };
             arb_set(series[k], (coefficient(*f.steps, 1) - coefficient(*f.steps, 0) / G + coefficient(*f.area, 0)).get());
         }
         double most = 0;
@@ -290,7 +307,8 @@ double polynomial_defect(const Found& f)
     return *std::max_element(defects.begin(), defects.end());
 }
 
-/// f, divided by `unit`, which is 1 but for densities of small pressures; where it is not smooth, apart from 1; and below which ratio the mesh need not reach.
+/// f, divided by `unit`, which is 1 but for densities of small pressures; where it is not smooth, apart from 1; and below which ratio the
+/// mesh need not reach.
 struct Function {
     std::unique_ptr<const First> f;
     double unit = 1;
@@ -313,7 +331,8 @@ Function function_of(const Question& q, const Ball& G, double tolerance)
         const double unit = unit_of(q);
         auto density = std::make_unique<Density>(G, q.pressure, unit, tolerance / 64);
         const double lowest = std::min(negligible, density->waves.lowest() / 2); // it is 0 below
-        if (!(unit >= least_unit && lowest > lowest_of_densities)) throw BeyondReach("the pressure is too low for the density of the limit");
+        if (!(unit >= least_unit && lowest > lowest_of_densities))
+            throw BeyondReach("the pressure is too low for the density of the limit");
         return {std::move(density), unit, singular_points_of_density(G, q.pressure), lowest};
     }
     const auto [low, high] = ends_of_exceeding(q.pressure);
@@ -333,7 +352,8 @@ double end_of_mesh(const Ball& G)
     require_binary64_arithmetic();
     const Real nearest = to_real(G);
     const Ball off = abs(to_ball(nearest) / G - Ball(1));
-    if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u)))) throw BeyondReach("G must be above 1 and known to 101 bits");
+    if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u))))
+        throw BeyondReach("G must be above 1 and known to 101 bits");
     const double highest = 1.1 * highest_ratio(double(nearest));
     if (!(highest <= 60)) throw BeyondReach("G too near 1 for the constant of the limit");
     return highest;
@@ -352,7 +372,8 @@ PoissonSearch search_poisson(const Question& q, const Ball& G, double of_mean)
     for (std::size_t i = 0; i < found.steps->panels.size(); ++i) {
         const Panel& p = found.steps->panels[i];
         result.panels.push_back({p.y0, p.y1, p.centre, p.half, {}});
-        for (int k = 0; k < found.steps->orders.terms; ++k) result.panels.back().coefficients.push_back(unit * Real(found.steps->coefficients[found.steps->row(i, k)]));
+        for (int k = 0; k < found.steps->orders.terms; ++k)
+            result.panels.back().coefficients.push_back(unit * Real(found.steps->coefficients[found.steps->row(i, k)]));
     }
     return result;
 }
@@ -373,18 +394,25 @@ Poisson solve_poisson(const Question& q, const Ball& G, double tolerance, const 
     const double polynomial = polynomial_defect(found);
     const double reach = highest_ratio(g);                       // the limit law has no ratio above
     const double below = double(found.steps->panels.front().y0); // Phi = P = 0 there
-    Poisson result{to_ball(found.c), 0, first.is_share() ? of_zero.effect(0, reach) : of_zero.second_effect(0, reach), of_step.second_effect(1, reach), polynomial,
-                   margin * (std::fabs(double(found.c)) * below + std::sqrt(below) * found.steps->largest[0]) * largest_share(g, below), found.steps->panels.size()};
+    Poisson result{to_ball(found.c),
+                   0,
+                   first.is_share() ? of_zero.effect(0, reach) : of_zero.second_effect(0, reach),
+                   of_step.second_effect(1, reach),
+                   polynomial,
+                   margin * (std::fabs(double(found.c)) * below + std::sqrt(below) * found.steps->largest[0]) * largest_share(g, below),
+                   found.steps->panels.size()};
     const double sup = (first.is_share() ? 1 : g) * result.level_zero + result.polynomial + result.below + g * result.step;
     result.error = sup <= infinite ? margin * g * g * g * sup : infinite;
     result.c = result.c * Ball::exactly(function.unit);
-    for (double* part : {&result.error, &result.level_zero, &result.step, &result.polynomial, &result.below}) *part *= function.unit; // a power of two
+    for (double* part : {&result.error, &result.level_zero, &result.step, &result.polynomial, &result.below})
+        *part *= function.unit; // a power of two
     return result;
 }
 
 namespace {
 
-/// Digits that G^4 and the defects' sum take from the tolerance of the mesh: that counts some fifteen times (measured), and a tenth of the last digit has to decide it.
+/// Digits that G^4 and the defects' sum take from the tolerance of the mesh: that counts some fifteen times (measured), and a tenth of the
+/// last digit has to decide it.
 double spare_digits(const Question& q, const Ball& G)
 {
     const double lost = 4 * std::log10(double(to_real(G)));
@@ -404,7 +432,8 @@ Poisson kept(const Question& q, const Ball& G, Accuracy wanted)
     static std::vector<Kept> all; // the latest last
     const std::lock_guard lock(mutex);
     const double tolerance = std::pow(10.0, -static_cast<double>(std::max(6L, wanted.digits)) - spare_digits(q, G));
-    const std::string which = fmt::format("{} {} {}", static_cast<int>(q.of), q.of == Question::Of::contact ? "" : q.pressure.dump(), G.dump());
+    const std::string which =
+        fmt::format("{} {} {}", static_cast<int>(q.of), q.of == Question::Of::contact ? "" : q.pressure.dump(), G.dump());
     for (const Kept& k : all)
         if (k.of == which && k.tolerance <= tolerance) return k.found;
     std::erase_if(all, [&](const Kept& k) { return k.of == which; });
@@ -431,9 +460,10 @@ std::string mean_by_poisson_certificate(const Question& q, const std::function<B
 {
     const WorkingPrecision precision(256);
     const Poisson p = kept(q, G(), wanted);
-    return fmt::format("mean = c +- (G^3 sup T|R_1| + G^4 sup T^2|R_2|), R_1 + R_2 = f - c x - Phi + G T Phi (docs/limit.md, theorem 4), on {} panels\n"
-                       "  {} of |f - its polynomial| <= {:.2e}, T^2 of the step's defect <= {:.2e}, of the rest on the mesh <= {:.2e}, below it <= {:.2e}; |mean - c| <= {:.2e}\n",
-                       p.panels, q.of == Question::Of::density ? "T^2" : "T", p.level_zero, p.step, p.polynomial, p.below, p.error);
+    return fmt::format(
+        "mean = c +- (G^3 sup T|R_1| + G^4 sup T^2|R_2|), R_1 + R_2 = f - c x - Phi + G T Phi (docs/limit.md, theorem 4), on {} panels\n"
+        "  {} of |f - its polynomial| <= {:.2e}, T^2 of the step's defect <= {:.2e}, of the rest on the mesh <= {:.2e}, below it <= {:.2e}; |mean - c| <= {:.2e}\n",
+        p.panels, q.of == Question::Of::density ? "T^2" : "T", p.level_zero, p.step, p.polynomial, p.below, p.error);
 }
 
 } // namespace touchstone::limit

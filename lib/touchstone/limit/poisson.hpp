@@ -30,8 +30,8 @@ struct Question {
 /// The most digits by this.
 constexpr long most_digits_by_poisson = 15;
 
-/// C(G) for contact; the limits of G^n/load times the share of lambda_0 where p_n is above that pressure; of the share of the force that is carried there; and of
-/// G^(n-1)/load times the density of p_n/p*_n.
+/// C(G) for contact; the limits of G^n/load times the share of lambda_0 where p_n is above that pressure; of the share of the force that is
+/// carried there; and of G^(n-1)/load times the density of p_n/p*_n.
 /// \param G known to 101 bits, at least 1.02
 /// \throws BeyondReach where the mesh would be too large, or the residual is not small enough for the digits asked for
 Ball mean_by_poisson(const Question&, const std::function<Ball()>& G, Accuracy);
@@ -57,7 +57,8 @@ using SpoiledPhi = std::function<double(double y0, double y1)>;
 struct Poisson {
     Ball c;        ///< near the mean
     double error;  ///< at least |mean - c|
-    double level_zero, step, polynomial, below; ///< of R: sup T|f - P| (of a density T^2), sup T^2|T V_0 - V_1|, the rest on the mesh, sup T of what is below it
+    /// Of R: sup T|f - P| (of a density T^2), sup T^2|T V_0 - V_1|, the rest on the mesh, sup T of what is below it.
+    double level_zero, step, polynomial, below;
     std::size_t panels;
 };
 Poisson solve_poisson(const Question&, const Ball& G, double tolerance, const SpoiledPhi& = {});

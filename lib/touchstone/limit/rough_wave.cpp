@@ -38,7 +38,11 @@ struct Wave {
         const double gz = G * G * z;
         return std::max(0., full ? 1 + x - std::sqrt(gz) : wave::one_minus_c_partial<double>(x, wave::radius<double>(rest, gz), gz));
     }
-    double one_plus_c(double z) const { return std::max(0., full ? std::sqrt(G * G * z) + rest : wave::one_plus_c_partial<double>(rest, wave::radius<double>(rest, G * G * z))); }
+    double one_plus_c(double z) const
+    {
+        return std::max(0.,
+                        full ? std::sqrt(G * G * z) + rest : wave::one_plus_c_partial<double>(rest, wave::radius<double>(rest, G * G * z)));
+    }
 };
 
 /// The sum of weights[q] dtheta/dz at middle + half at[q], over pi.
@@ -103,9 +107,18 @@ void add_moments(const double* local, const double* weight, int count, int terms
 } // namespace
 
 RoughWave::RoughWave(const transfer::levels::Rules& rules, const transfer::levels::Layer& mesh, const transfer::Wide& nodes)
-    : terms(rules.orders.terms), G(double(mesh.G)), admissible(admissible_distance(terms)), x(nodes.high), chebyshev(rules.own.at.high), gauss_at(rules.gauss.nodes.high),
-      gauss_weight(rules.gauss.weights.high), exact_at(rules.exact.nodes.high), exact_weight(rules.exact.weights.high), cosines(rules.own.T.high),
-      coefficients(mesh.panels.size() * static_cast<std::size_t>(terms)), weights(mesh.clusters.size() * static_cast<std::size_t>(terms))
+    : terms(rules.orders.terms)
+    , G(double(mesh.G))
+    , admissible(admissible_distance(terms))
+    , x(nodes.high)
+    , chebyshev(rules.own.at.high)
+    , gauss_at(rules.gauss.nodes.high)
+    , gauss_weight(rules.gauss.weights.high)
+    , exact_at(rules.exact.nodes.high)
+    , exact_weight(rules.exact.weights.high)
+    , cosines(rules.own.T.high)
+    , coefficients(mesh.panels.size() * static_cast<std::size_t>(terms))
+    , weights(mesh.clusters.size() * static_cast<std::size_t>(terms))
 {
     for (const auto& p : mesh.panels) panels.push_back({double(p.z0), double(p.z1), double(p.centre), double(p.half)});
     for (const auto& c : mesh.clusters) {
@@ -170,8 +183,14 @@ double RoughWave::at(std::size_t node) const
                 density = G2 * up / (2 * R * std::sqrt(up * (4 * w.x - gz) * (R + w.rest)));
             }
             else {
-                if (w.full) z = (variable == By::sine ? wave::square_full_from_above<double>(w.x, q) : wave::square_full_from_below<double>(w.x, q)) / G2;
-                else z = (variable == By::sine ? wave::square_partial_from_above<double>(w.x, q) : wave::square_partial_from_below<double>(w.rest, q)) / G2;
+                if (w.full)
+                    z = (variable == By::sine ? wave::square_full_from_above<double>(w.x, q)
+                                              : wave::square_full_from_below<double>(w.x, q)) /
+                        G2;
+                else
+                    z = (variable == By::sine ? wave::square_partial_from_above<double>(w.x, q)
+                                              : wave::square_partial_from_below<double>(w.rest, q)) /
+                        G2;
                 density = 2 / std::sqrt(1 - q);
             }
             local[i] = std::clamp((z - p.centre) / p.half, -1., 1.);

@@ -111,8 +111,8 @@ public:
         for (std::size_t j = 0; j + 1 < panels.size(); ++j) add_panel(j, tolerance);
         cut_off(G);
     }
-    /// (D w)'(s) where s >= log(G^2/4), s <= exp(high). A little below, from exp(low) on, it encloses what the rule is of, which is all that
-    /// interpolation asks of it.
+    /// (D w)'(s) where s >= log(G^2/4), s <= exp(high). A little below, from exp(low) on, it encloses what the rule is of, which is all
+    /// that interpolation asks of it.
     Ball slope(const Ball& s) const { return within(sum(s, true), error_ + slope_beyond_); }
     Ball value(const Ball& s) const { return within(sum(s, false), error_ + value_beyond_); }
     /// At least |(D w)' - lambda w'| on the ellipse about all log s, without what was cut off.
@@ -148,14 +148,16 @@ private:
         Ball cosh;
         arb_cosh(cosh.get(), Ball::exactly(panels.back()).get(), WorkingPrecision::bits());
         for (const Ball& s : {s_low, s_high})
-            if (!certainly(less(s / 2 + log_half_G + log(cosh) - log(1 - exp(-s)) / 2, s_high))) throw BeyondReach("the noise is cut off too late");
+            if (!certainly(less(s / 2 + log_half_G + log(cosh) - log(1 - exp(-s)) / 2, s_high)))
+                throw BeyondReach("the noise is cut off too late");
     }
 
     /// What is left out beyond the last tau: |w| <= sum |c_k| and |w'| <= sum |c'_k| dt/ds, also where w is constant.
     void cut_off(const Ball& G)
     {
         const auto [mass, psi, bend] = beyond_the_noise(G, Ball::exactly(panels.back()));
-        const Ball most = size_on_ellipse(w.value, Ball(1)), steepest = size_on_ellipse(w.slope, Ball(1)) * w.stretch() / exp(Ball::exactly(w.low));
+        const Ball most = size_on_ellipse(w.value, Ball(1)),
+                   steepest = size_on_ellipse(w.slope, Ball(1)) * w.stretch() / exp(Ball::exactly(w.low));
         slope_beyond_ = upper_ball(mass * (bend * most + psi * psi * steepest));
         value_beyond_ = upper_ball(mass * psi * most);
     }
@@ -167,7 +169,8 @@ private:
         const Ball middle_of_s = (Ball::exactly(w.high) + Ball::exactly(w.low)) / 2, sigma = Ball::exactly(sigma_of_noise);
         const int of_s = pieces / 2; // both ellipses upside down give the conjugate
         std::vector<ComplexBall> s;
-        for (int k = 0; k < of_s / 2; ++k) s.push_back(exp(real_sum(on_ellipse(sigma_of_s, k, of_s) * ComplexBall(1 / w.stretch()), middle_of_s)));
+        for (int k = 0; k < of_s / 2; ++k)
+            s.push_back(exp(real_sum(on_ellipse(sigma_of_s, k, of_s) * ComplexBall(1 / w.stretch()), middle_of_s)));
         for (int k = 0; k < pieces; ++k) {
             const ComplexBall tau = real_sum(on_ellipse(sigma, k, pieces) * ComplexBall(half), centre);
             ComplexBall cosh, tanh;
@@ -192,7 +195,8 @@ private:
 
     void add_panel(std::size_t j, double tolerance)
     {
-        const Ball centre = (Ball::exactly(panels[j + 1]) + Ball::exactly(panels[j])) / 2, half = (Ball::exactly(panels[j + 1]) - Ball::exactly(panels[j])) / 2;
+        const Ball centre = (Ball::exactly(panels[j + 1]) + Ball::exactly(panels[j])) / 2,
+                   half = (Ball::exactly(panels[j + 1]) - Ball::exactly(panels[j])) / 2;
         Ball size;
         {
             const WorkingPrecision precision(bits_of_bounds);
@@ -291,7 +295,8 @@ private:
     /// cos^2 |V - V(place)| where r may be 0: log(1/r)/2 <= r^-1/2.
     Ball near_the_end(const Ball& rho, const Ball& cosine, const Ball& remains) const
     {
-        return Traits::sqrt_positive_part(cosine / (rho * remains)) + cosine * (1 + upper_ball(V_at_place)) + Ball(growing) / (2 * rho * remains);
+        return Traits::sqrt_positive_part(cosine / (rho * remains)) + cosine * (1 + upper_ball(V_at_place)) +
+               Ball(growing) / (2 * rho * remains);
     }
     Ball largest_x, V_at_place;
     std::vector<Square> squares;
@@ -326,7 +331,8 @@ Ball Slopes::steepest(double from, double to) const
 
 namespace {
 
-/// sup over sigma >= 0 of (E[psi^2 W] + E[bend |V - V(place)|] + |w'| coupling/|w(place)|)/W: intervals of sigma, the worst halved until that is below `goal`.
+/// sup over sigma >= 0 of (E[psi^2 W] + E[bend |V - V(place)|] + |w'| coupling/|w(place)|)/W: intervals of sigma, the worst halved until
+/// that is below `goal`.
 class Remainder {
 public:
     Remainder(const Ball& G, const Eigenfunction& w_, const Rows& rows_, const Ball& per_slope_, slong bits_)
@@ -394,10 +400,12 @@ Ball largest_defect(const Derivative& D, const Eigenfunction& w, const Ball& lam
     std::vector<Ball> values(static_cast<std::size_t>(n) + 1);
     transfer::in_parallel(values.size(), [&](std::size_t i) {
         const WorkingPrecision precision(bits);
-        const Ball t = -Traits::cos_pi(Ball(static_cast<long>(i)) / Ball(n)), s = exp((Ball::exactly(w.high) + Ball::exactly(w.low)) / 2 + t / w.stretch());
+        const Ball t = -Traits::cos_pi(Ball(static_cast<long>(i)) / Ball(n)),
+                   s = exp((Ball::exactly(w.high) + Ball::exactly(w.low)) / 2 + t / w.stretch());
         values[i] = D.slope(s) - lambda * chebyshev_sum(w.slope, t) * w.stretch() / s;
     });
-    // The values' balls hold what was cut off too, and so does that of their mean, the coefficient of T_0: its upper end pays for it between the nodes.
+    // The values' balls hold what was cut off too, and so does that of their mean, the coefficient of T_0: its upper end pays for it
+    // between the nodes.
     Ball sum = off(n);
     for (long k = 0; k <= n; ++k) { // the coefficient of T_k
         Ball c(0);
@@ -458,8 +466,10 @@ std::string second_eigenvalue_certificate(const std::function<Ball()>& G, Accura
 {
     const WorkingPrecision precision(bits_for_proof(wanted));
     const EigenvalueProof p = proof_for(G, wanted);
-    return fmt::format("second eigenvalue: D w/w = {} at sigma = 0.7; |(D w)' - lambda w'| <= {} W; coupling {}, norm of the remainder {} < lambda (docs/limit.md, theorem 8)\n",
-                       p.lambda.to_string(wanted.digits + 2), quadrature::bound_text(p.defect), quadrature::bound_text(p.coupling), quadrature::bound_text(p.remainder));
+    return fmt::format(
+        "second eigenvalue: D w/w = {} at sigma = 0.7; |(D w)' - lambda w'| <= {} W; coupling {}, norm of the remainder {} < lambda (docs/limit.md, theorem 8)\n",
+        p.lambda.to_string(wanted.digits + 2), quadrature::bound_text(p.defect), quadrature::bound_text(p.coupling),
+        quadrature::bound_text(p.remainder));
 }
 
 Ball second_eigenvalue(const std::function<Ball()>& G, Accuracy wanted)

@@ -51,8 +51,8 @@ private:
 /// \throws BeyondReach if w is not analytic enough about the real line for its rule to be proven
 EigenvalueProof prove_eigenvalue(const Ball& G, const Eigenfunction& w, Accuracy);
 
-/// The second eigenvalue of T over its first, 1/G, for G > 2: simple and real, all others smaller. \throws BeyondReach where that is not proven,
-/// which it is from G = 2.2 on (next to 2.17 two eigenvalues meet, and below they are complex)
+/// The second eigenvalue of T over its first, 1/G, for G > 2: simple and real, all others smaller. \throws BeyondReach where that is not
+/// proven, which it is from G = 2.2 on (next to 2.17 two eigenvalues meet, and below they are complex)
 Ball second_eigenvalue(const std::function<Ball()>& G, Accuracy);
 /// One line for a person.
 std::string second_eigenvalue_certificate(const std::function<Ball()>& G, Accuracy);

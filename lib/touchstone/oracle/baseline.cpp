@@ -66,8 +66,10 @@ std::vector<std::string> differences(const Baseline& before, const Baseline& aft
     for (const auto& [key, bound] : after.bounds) {
         const auto old = before.bounds.find(key);
         if (old == before.bounds.end()) lines.push_back(fmt::format("new      {}: {} ulps", key, shortest(bound)));
-        else if (bound > old->second) lines.push_back(fmt::format("raised   {}: {} to {} ulps", key, shortest(old->second), shortest(bound)));
-        else if (bound < old->second) lines.push_back(fmt::format("lowered  {}: {} to {} ulps", key, shortest(old->second), shortest(bound)));
+        else if (bound > old->second)
+            lines.push_back(fmt::format("raised   {}: {} to {} ulps", key, shortest(old->second), shortest(bound)));
+        else if (bound < old->second)
+            lines.push_back(fmt::format("lowered  {}: {} to {} ulps", key, shortest(old->second), shortest(bound)));
     }
     for (const auto& [key, bound] : before.bounds)
         if (!after.bounds.contains(key)) lines.push_back(fmt::format("gone     {}: {} ulps", key, shortest(bound)));

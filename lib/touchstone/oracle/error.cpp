@@ -111,7 +111,8 @@ bool quickly_certified(const Quantity& q, const std::vector<double>& row)
     return !q.costly && in.compare_G(2) > 0 && in.real("load") <= 1;
 }
 
-Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const CertifiedValue& truth, int pieces, std::optional<double> known)
+Forced forced_by_inputs(const Quantity& q, const std::vector<double>& row, const CertifiedValue& truth, int pieces,
+                        std::optional<double> known)
 {
     if (of_the_recursion(q)) {
         const auto ulps = forced_ulps(q, row, truth.value);

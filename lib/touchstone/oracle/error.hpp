@@ -49,7 +49,8 @@ struct Forced {
 /// more `pieces` each side of each input is cut into; inputs outside the quantity's domain do not count.
 /// Cost for k real inputs: 3^k (nothing if known) + (2 pieces)^k evaluations at 192 bits.
 /// For the recursion it is as in table/forced.hpp, and an estimate may be off by a factor of `estimate_slack`.
-Forced forced_by_inputs(const Quantity&, const std::vector<double>& inputs, const CertifiedValue& truth, int pieces, std::optional<double> known = {});
+Forced forced_by_inputs(const Quantity&, const std::vector<double>& inputs, const CertifiedValue& truth, int pieces,
+                        std::optional<double> known = {});
 
 /// How far an estimated condition number is trusted: beyond this many times it a row fails, between it and that it is undecided.
 inline constexpr double estimate_slack = 4;

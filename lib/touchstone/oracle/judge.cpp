@@ -20,7 +20,8 @@
 namespace touchstone::oracle {
 namespace {
 
-/// Of rows held out: eight digits beyond binary64 decide what can be decided; twice as many take a mesh of the recursion four times as long.
+/// Of rows held out: eight digits beyond binary64 decide what can be decided; twice as many take a mesh of the recursion four times as
+/// long.
 constexpr long recursion_digits = 24, closed_form_digits = 40;
 
 /// The most that is allowed for certain, and the least that is certainly too much.
@@ -47,7 +48,8 @@ double own_allowance(const Question& question, const Bound& bound)
     if (bound.relative == 0 && bound.at_least == 0) return least;
     const Rational unit = question.truth.is_zero() ? Rational(1) : ulp_at(question.truth.value);
     const Rational tolerance = (exact_rational(bound.at_least) + exact_rational(bound.relative) * abs(question.truth.value)) / unit;
-    return std::max(least, tolerance >= exact_rational(std::numeric_limits<double>::max()) ? std::numeric_limits<double>::max() : tolerance.get_d());
+    return std::max(least, tolerance >= exact_rational(std::numeric_limits<double>::max()) ? std::numeric_limits<double>::max()
+                                                                                           : tolerance.get_d());
 }
 
 /// What rounding the inputs forces: as the table has it, and at first no more; then with a bound that a row must be over to fail.
@@ -69,14 +71,19 @@ JudgedRow judge_row(const Quantity& q, const Question& question, double answer, 
     if (row.special) {
         row.error = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
         row.verdict = Verdict::fail;
-        row.why = fmt::format("{} where the true value is {}", std::isnan(answer) ? "nan" : answer > 0 ? "inf" : "-inf", shown_decimal(question.value));
+        row.why = fmt::format("{} where the true value is {}",
+                              std::isnan(answer) ? "nan"
+                              : answer > 0       ? "inf"
+                                                 : "-inf",
+                              shown_decimal(question.value));
         return row;
     }
     row.error = error_of(answer, question.truth);
     if (bound.baseline != nullptr && !question.held_out) {
         const double before = bound.baseline->bounds.at(row_key(question.inputs));
         row.verdict = compare(row, {before, before});
-        if (row.verdict != Verdict::pass) row.why = fmt::format("{} ulps, and {} in the baseline", shortest(row.error.most), shortest(before));
+        if (row.verdict != Verdict::pass)
+            row.why = fmt::format("{} ulps, and {} in the baseline", shortest(row.error.most), shortest(before));
         return row;
     }
     const double own = own_allowance(question, bound);
@@ -118,7 +125,8 @@ void find_order_violations(const std::vector<Question>& questions, Judgement& re
             }
             for (const std::size_t a : line) {
                 if (!(input(a) > 0)) continue;
-                const auto mirror = std::lower_bound(line.begin(), line.end(), -input(a), [&](std::size_t b, double x) { return input(b) < x; });
+                const auto mirror =
+                    std::lower_bound(line.begin(), line.end(), -input(a), [&](std::size_t b, double x) { return input(b) < x; });
                 if (mirror == line.end() || input(*mirror) != -input(a)) continue;
                 const double x = result.rows[a].answer, y = result.rows[*mirror].answer;
                 const Rational& u = questions[a].truth.value;
@@ -223,7 +231,8 @@ void recheck(const Quantity& q, const StoredTable& table, const std::vector<std:
             throw CorruptTable(fmt::format("{}: row {} ({}): {}", file, i + 1, row_key(row.inputs), error.what()));
         }
         const auto both_hold = [&] { // the two may have the true value in common
-            return abs(Rational(*parse_rational(e.value) - *parse_rational(row.value))) <= *parse_rational(e.error_bound) + *parse_rational(row.error);
+            return abs(Rational(*parse_rational(e.value) - *parse_rational(row.value))) <=
+                   *parse_rational(e.error_bound) + *parse_rational(row.error);
         };
         if (fewer ? !both_hold() : e.value != row.value || e.error_bound != row.error)
             throw CorruptTable(fmt::format("{}: row {} ({}) holds {} +- {}, certified is {} +- {}", file, i + 1, row_key(row.inputs),

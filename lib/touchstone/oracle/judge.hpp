@@ -112,7 +112,8 @@ std::vector<Question> held_out(const Quantity&, const std::vector<Question>&, st
 /// right hash and still lie. Of the recursion, whose every digit costs, what decides a verdict is enough for a verdict: eight digits
 /// beyond binary64. \throws CorruptTable
 enum class Recheck { every_digit, what_decides };
-void recheck(const Quantity&, const StoredTable&, const std::vector<std::size_t>& rows, std::string_view file, Recheck = Recheck::every_digit);
+void recheck(const Quantity&, const StoredTable&, const std::vector<std::size_t>& rows, std::string_view file,
+             Recheck = Recheck::every_digit);
 /// Of one row only what it says that rounded inputs force. \throws CorruptTable
 void recheck_forced(const Quantity&, const StoredTable&, std::size_t row, std::string_view file);
 

@@ -112,7 +112,9 @@ void add_sums_cut_off(const Quantity& q, std::vector<OtherFormula>& chosen)
     for (long terms = 1; terms <= most_terms; ++terms) {
         const std::string name = fmt::format("the series cut off after {} term{}", terms, terms == 1 ? "" : "s");
         if (q.name == "weierstrass.profile")
-            chosen.push_back({name, [terms](const Inputs& in) { return weierstrass::profile_sum(in.ball("x"), in.ball("D"), in.ball("gamma"), terms); }});
+            chosen.push_back({name, [terms](const Inputs& in) {
+                                  return weierstrass::profile_sum(in.ball("x"), in.ball("D"), in.ball("gamma"), terms);
+                              }});
         if (q.name == "weierstrass.bound")
             chosen.push_back({name, [terms](const Inputs& in) {
                                   const Ball r = weierstrass::amplitude_ratio(in.ball("D"), in.ball("gamma"));
@@ -129,26 +131,33 @@ std::vector<OtherFormula> other_formulas(const Quantity& q)
     };
     static const std::vector<Named> all{
         {"archard.K", {"(7.17) as the paper prints it", [](const Inputs& in) { return K_as_printed(in.integer("n")); }}},
-        {"archard.area", {"(7.18) as the paper prints it",
-         [](const Inputs& in) { return archard::area(in.integer("n"), in.ball("load"), in.G_ball(), K_as_printed(in.integer("n"))); }}},
-        {"archard.segments", {"(8.2) with K of (7.17) as the paper prints it",
-         [](const Inputs& in) {
-             return archard::segments(in.integer("n"), in.ball("load"), in.ball("D"), in.ball("gamma"), K_as_printed(in.integer("n") - 1));
-         }}},
-        {"segments.max_half_width", {"(9.4) as the paper prints it, without the square root",
-         [](const Inputs& in) {
-             const long n = in.integer("n");
-             const Ball x = n == 0 ? in.ball("load") : peaks::iterate(n - 1, in.ball("load"), in.G_ball());
-             return asin(at_most(x, Ball(1))) / pi<Ball>();
-         }}},
+        {"archard.area",
+         {"(7.18) as the paper prints it",
+          [](const Inputs& in) { return archard::area(in.integer("n"), in.ball("load"), in.G_ball(), K_as_printed(in.integer("n"))); }}},
+        {"archard.segments",
+         {"(8.2) with K of (7.17) as the paper prints it",
+          [](const Inputs& in) {
+              return archard::segments(in.integer("n"), in.ball("load"), in.ball("D"), in.ball("gamma"), K_as_printed(in.integer("n") - 1));
+          }}},
+        {"segments.max_half_width",
+         {"(9.4) as the paper prints it, without the square root",
+          [](const Inputs& in) {
+              const long n = in.integer("n");
+              const Ball x = n == 0 ? in.ball("load") : peaks::iterate(n - 1, in.ball("load"), in.G_ball());
+              return asin(at_most(x, Ball(1))) / pi<Ball>();
+          }}},
         {"westergaard.half_width", {"the Hertzian half-width (2.7)", [](const Inputs& in) { return hertz::half_width(in.ball("load")); }}},
-        {"westergaard.pressure", {"the Hertzian pressure (2.6)", [](const Inputs& in) { return hertz::pressure(in.ball("x"), in.ball("load")); }}},
-        {"westergaard.pressure", {"(2.2) cut off at zero: the full-contact pressure where contact is partial",
-         [](const Inputs& in) { return at_least(westergaard::pressure_full(in.ball("x"), in.ball("load")), Ball(0)); }}},
-        {"westergaard.pressure", {"(2.2) of full contact where contact is partial: nothing keeps the pressure from tension",
-         [](const Inputs& in) { return westergaard::pressure_full(in.ball("x"), in.ball("load")); }}},
+        {"westergaard.pressure",
+         {"the Hertzian pressure (2.6)", [](const Inputs& in) { return hertz::pressure(in.ball("x"), in.ball("load")); }}},
+        {"westergaard.pressure",
+         {"(2.2) cut off at zero: the full-contact pressure where contact is partial",
+          [](const Inputs& in) { return at_least(westergaard::pressure_full(in.ball("x"), in.ball("load")), Ball(0)); }}},
+        {"westergaard.pressure",
+         {"(2.2) of full contact where contact is partial: nothing keeps the pressure from tension",
+          [](const Inputs& in) { return westergaard::pressure_full(in.ball("x"), in.ball("load")); }}},
         {"hertz.half_width", {"Westergaard's half-width (2.5)", [](const Inputs& in) { return westergaard::half_width(in.ball("load")); }}},
-        {"hertz.pressure", {"Westergaard's pressure (2.4)", [](const Inputs& in) { return westergaard::pressure(in.ball("x"), in.ball("load")); }}},
+        {"hertz.pressure",
+         {"Westergaard's pressure (2.4)", [](const Inputs& in) { return westergaard::pressure(in.ball("x"), in.ball("load")); }}},
     };
     std::vector<OtherFormula> chosen;
     for (const Named& n : all)

@@ -66,11 +66,13 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& all)
     return some;
 }
 
-std::vector<Evidence> evidence(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const std::vector<std::size_t>& chosen)
+std::vector<Evidence> evidence(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers,
+                               const std::vector<std::size_t>& chosen)
 {
     std::vector<Evidence> rows;
     for (const std::size_t i : spread(chosen))
-        if (std::isfinite(answers[i])) rows.push_back({exact_inputs(q, questions[i].inputs), Ball(questions[i].truth.value), Ball::exactly(answers[i])});
+        if (std::isfinite(answers[i]))
+            rows.push_back({exact_inputs(q, questions[i].inputs), Ball(questions[i].truth.value), Ball::exactly(answers[i])});
     return rows;
 }
 
@@ -171,11 +173,13 @@ std::string fitted_name(const Ratio& ratio)
     constexpr double fewest = 2, most_shown = 9;
     const double c = ratio.median;
     const double spread = std::max(std::fabs((ratio.upper - ratio.lower) / c), 1e-16);
-    std::string name = fmt::format("factor {:#.{}g} throughout", c, static_cast<int>(std::clamp(std::ceil(-std::log10(spread)), fewest, most_shown)));
+    std::string name =
+        fmt::format("factor {:#.{}g} throughout", c, static_cast<int>(std::clamp(std::ceil(-std::log10(spread)), fewest, most_shown)));
     const double complement = c < 1 ? 1 - c : 1 - 1 / c;
     constexpr double least = 1e-3, most = 0.25; // nu from 0.03 to 0.5
     if (c > 0 && complement >= least && complement <= most)
-        name += fmt::format(": {} with nu = {:.4g}", c < 1 ? "1 - nu^2, E for E/(1 - nu^2)," : "1/(1 - nu^2), E/(1 - nu^2) for E,", std::sqrt(complement));
+        name += fmt::format(": {} with nu = {:.4g}", c < 1 ? "1 - nu^2, E for E/(1 - nu^2)," : "1/(1 - nu^2), E/(1 - nu^2) for E,",
+                            std::sqrt(complement));
     return name;
 }
 
@@ -192,7 +196,8 @@ public:
             for (const auto& e : rows) factors.back().push_back(o.factor(e.in));
         }
         const std::vector<double> ones(rows.size(), 1);
-        for (const auto& f : other_formulas(q)) all_.push_back({f.name, 1, add(rows, [&](const Evidence& e) { return std::optional(f.value(e.in)); }), ones});
+        for (const auto& f : other_formulas(q))
+            all_.push_back({f.name, 1, add(rows, [&](const Evidence& e) { return std::optional(f.value(e.in)); }), ones});
         for (const auto& mistake : input_mistakes(q)) {
             const auto* values = add(rows, [&](const Evidence& e) -> std::optional<Ball> {
                 auto moved = e.in.values();
@@ -268,7 +273,8 @@ Ratio ratio_of(const std::vector<Question>& questions, const std::vector<double>
 {
     std::vector<double> ratios;
     for (const std::size_t i : chosen)
-        if (std::isfinite(answers[i]) && questions[i].truth.value != 0) ratios.push_back(nearest_double(Rational(exact_rational(answers[i]) / questions[i].truth.value)));
+        if (std::isfinite(answers[i]) && questions[i].truth.value != 0)
+            ratios.push_back(nearest_double(Rational(exact_rational(answers[i]) / questions[i].truth.value)));
     if (ratios.empty()) return {};
     return {ratios.size(), quantile(ratios, 0.5), quantile(ratios, 0.25), quantile(ratios, 0.75)};
 }
@@ -287,8 +293,8 @@ void look_at_the_numbers(const std::vector<Question>& questions, const std::vect
         const std::string text = shortest(std::fabs(a));
         const std::string digits = text.substr(0, text.find('e'));
         const auto first = digits.find_first_not_of("0.");
-        lengths.push_back(static_cast<double>(std::count_if(digits.begin() + static_cast<long>(std::min(first, digits.size())), digits.end(),
-                                                            [](char c) { return c != '.'; })));
+        lengths.push_back(static_cast<double>(std::count_if(digits.begin() + static_cast<long>(std::min(first, digits.size())),
+                                                            digits.end(), [](char c) { return c != '.'; })));
     }
     if (lengths.size() < fewest) return;
     const double digits = quantile(lengths, most);
@@ -296,8 +302,11 @@ void look_at_the_numbers(const std::vector<Question>& questions, const std::vect
         std::size_t right = 0;
         for (std::size_t i = 0; i < answers.size(); ++i)
             if (std::isfinite(answers[i]) && questions[i].truth.value != 0)
-                right += abs(Rational(exact_rational(answers[i]) / questions[i].truth.value - 1)) <= power(Rational(10), 1 - static_cast<long>(digits));
-        findings.push_back(fmt::format("answers carry {:.0f} significant digits, and {} of {} are right to a unit of the last: print 17 (%.17g, es24.16e3, repr)", digits, right, answers.size()));
+                right += abs(Rational(exact_rational(answers[i]) / questions[i].truth.value - 1)) <=
+                         power(Rational(10), 1 - static_cast<long>(digits));
+        findings.push_back(fmt::format(
+            "answers carry {:.0f} significant digits, and {} of {} are right to a unit of the last: print 17 (%.17g, es24.16e3, repr)",
+            digits, right, answers.size()));
     }
     else if (static_cast<double>(single) >= most * static_cast<double>(lengths.size()))
         findings.push_back("answers are single-precision numbers (float32, 24 bits): somewhere on the way they were rounded to that");
@@ -318,7 +327,8 @@ bool one_answer_to_all(const std::vector<Question>& questions, const std::vector
 /// Some of the rows, and what would explain them.
 class Part {
 public:
-    Part(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const std::vector<std::size_t>& chosen)
+    Part(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers,
+         const std::vector<std::size_t>& chosen)
         : rows_(evidence(q, questions, answers, chosen))
     {
         if (!empty()) explanations_.emplace(q, questions, rows_, ratio_of(questions, answers, chosen));
@@ -342,7 +352,8 @@ private:
 
 } // namespace
 
-Diagnosis diagnose(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Tolerance& asked, bool look_for_mixup)
+Diagnosis diagnose(const Quantity& q, const std::vector<Question>& questions, const std::vector<double>& answers, const Tolerance& asked,
+                   bool look_for_mixup)
 {
     Diagnosis d;
     std::vector<std::size_t> all(questions.size()), ordinary;
@@ -355,7 +366,8 @@ Diagnosis diagnose(const Quantity& q, const std::vector<Question>& questions, co
     look_at_the_numbers(questions, answers, d.findings);
     if (!look_for_mixup) return d;
     const WorkingPrecision precision(bits);
-    std::copy_if(all.begin(), all.end(), std::back_inserter(ordinary), [&](std::size_t i) { return regime_of(q, questions[i]) == "ordinary"; });
+    std::copy_if(all.begin(), all.end(), std::back_inserter(ordinary),
+                 [&](std::size_t i) { return regime_of(q, questions[i]) == "ordinary"; });
     const Part every(q, questions, answers, all);
     d.mixup = every.best(asked, enough);
     if (d.mixup || every.empty()) return d;

@@ -27,6 +27,7 @@ struct Tolerance {
 /// At most 96 rows are tried, spread over the table without a period that a grid might share; the
 /// ratio is taken over all, also where no mix-up is looked for because nothing is wrong. For a quantity of the recursion a mistake in
 /// the inputs is tried only where it leads to another row.
-Diagnosis diagnose(const Quantity&, const std::vector<Question>&, const std::vector<double>& answers, const Tolerance&, bool look_for_mixup);
+Diagnosis diagnose(const Quantity&, const std::vector<Question>&, const std::vector<double>& answers, const Tolerance&,
+                   bool look_for_mixup);
 
 } // namespace touchstone::oracle

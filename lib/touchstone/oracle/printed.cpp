@@ -21,7 +21,8 @@ struct Printed {
 Printed read(std::string_view text)
 {
     const auto value = parse_rational(text);
-    if (!value || !is_printed_decimal(text)) throw DomainError(fmt::format("'{:.60}' is not a decimal number as it may be printed, such as 0.416550 or 4.1655e-1", text));
+    if (!value || !is_printed_decimal(text))
+        throw DomainError(fmt::format("'{:.60}' is not a decimal number as it may be printed, such as 0.416550 or 4.1655e-1", text));
     const std::size_t mantissa_end = std::min(text.find_first_of("eE"), text.size());
     const auto point = text.substr(0, mantissa_end).find('.');
     const long after_point = point == std::string_view::npos ? 0 : static_cast<long>(mantissa_end - point - 1);
@@ -38,7 +39,10 @@ Integer units_below(const Rational& x, const Rational& unit)
     return whole;
 }
 Integer units_nearest(const Rational& x, const Rational& unit) { return units_below(Rational(x + unit / 2), unit); }
-Integer units_cut(const Rational& x, const Rational& unit) { return x < 0 ? Integer(-units_below(Rational(-x), unit)) : units_below(x, unit); }
+Integer units_cut(const Rational& x, const Rational& unit)
+{
+    return x < 0 ? Integer(-units_below(Rational(-x), unit)) : units_below(x, unit);
+}
 
 /// units 10^place with its zeros, in the style of what was printed.
 std::string shown(const Integer& units, const Printed& like)
@@ -104,12 +108,14 @@ PrintedEntry check_printed(const Quantity& q, const Inputs& in, std::string_view
             return entry;
         }
         // as many digits as lead to the last place printed, and some more each time
-        const long magnitude = static_cast<long>(mpz_sizeinbase(value->get_num_mpz_t(), 10)) - static_cast<long>(mpz_sizeinbase(value->get_den_mpz_t(), 10));
+        const long magnitude =
+            static_cast<long>(mpz_sizeinbase(value->get_num_mpz_t(), 10)) - static_cast<long>(mpz_sizeinbase(value->get_den_mpz_t(), 10));
         is_looked_at = is_looked_at || digits > magnitude - p.place + 1;
         digits = std::max(digits + 1, magnitude - p.place + 1 + spare);
     }
-    entry.note = is_looked_at ? fmt::format("not decided with {} digits: the true value is next to a place where roundings change", most_digits)
-                              : fmt::format("more places are printed than the {} that are looked at", most_digits);
+    entry.note = is_looked_at
+                     ? fmt::format("not decided with {} digits: the true value is next to a place where roundings change", most_digits)
+                     : fmt::format("more places are printed than the {} that are looked at", most_digits);
     return entry;
 }
 

@@ -18,7 +18,8 @@ constexpr double most_digits = 17;
 
 const std::vector<std::string>& names()
 {
-    static const std::vector<std::string> all{"ordinary", "near the edge", "nearly full contact", "full contact", "tiny load", "subnormal", "true value zero"};
+    static const std::vector<std::string> all{"ordinary",  "near the edge", "nearly full contact", "full contact",
+                                              "tiny load", "subnormal",     "true value zero"};
     return all;
 }
 
@@ -62,11 +63,13 @@ void name_faults(Regime& r, const std::vector<std::size_t>& rows, const std::vec
         infinite += std::isinf(row.answer);
         sign += std::isfinite(row.answer) && right != 0 && row.answer * right < 0;
     }
-    for (const auto& [count, what] : {std::pair{zero, "0"}, std::pair{nan, "nan"}, std::pair{infinite, "infinite"}, std::pair{sign, "of the wrong sign"}})
+    for (const auto& [count, what] :
+         {std::pair{zero, "0"}, std::pair{nan, "nan"}, std::pair{infinite, "infinite"}, std::pair{sign, "of the wrong sign"}})
         if (count >= std::min(several, rows.size())) r.faults.push_back(fmt::format("{} of {} answers are {}", count, rows.size(), what));
 }
 
-Regime summary(const Quantity& q, const std::string& name, const std::vector<std::size_t>& rows, const std::vector<Question>& questions, const Judgement& judgement)
+Regime summary(const Quantity& q, const std::string& name, const std::vector<std::size_t>& rows, const std::vector<Question>& questions,
+               const Judgement& judgement)
 {
     Regime r;
     r.name = name;
@@ -93,7 +96,8 @@ Regime summary(const Quantity& q, const std::string& name, const std::vector<std
         r.forced = row.forced;
         if (!r.forced) r.forced = question.forced;
         if (!r.forced && !of_the_recursion(q)) r.forced = forced_by_inputs(q, question.inputs, question.truth, 1);
-        if (r.forced) r.forced_relative = r.forced->least * nearest_double(Rational(ulp_at(question.truth.value) / abs(question.truth.value)));
+        if (r.forced)
+            r.forced_relative = r.forced->least * nearest_double(Rational(ulp_at(question.truth.value) / abs(question.truth.value)));
     }
     name_faults(r, rows, questions, judgement);
     return r;

@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 
 /// One part of the rows, and how the code does there.
 struct Regime {
-    std::string name;                   ///< "ordinary", "near the edge", "nearly full contact", "full contact", "tiny load", "subnormal", "true value zero"
+    std::string name; ///< "ordinary", "near the edge", "nearly full contact", "full contact", "tiny load", "subnormal", "true value zero"
     std::size_t rows = 0, failed = 0, undecided = 0; ///< how many
     double worst_absolute = 0;          ///< |answer - truth|, of the answers that are finite numbers
     std::optional<double> worst_relative; ///< nothing where the truth is zero

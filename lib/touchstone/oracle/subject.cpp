@@ -33,7 +33,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t longest_line = 4096;   ///< no number needs more
-constexpr int first_of_others = 3;           ///< of the descriptors: a subject has none from here on that whoever started the judge left open
+constexpr int first_of_others = 3; ///< of the descriptors: a subject has none from here on that whoever started the judge left open
 constexpr std::size_t kept_chatter = 2000;
 constexpr std::chrono::milliseconds weighing{200}; ///< between two looks at the memory of a subject
 
@@ -197,7 +197,8 @@ private:
         if (text.empty()) return true;
         const auto value = parse_answer(text);
         if (!value) return fault(FaultKind::garbage, fmt::format("answered {}, which is not one number,", quoted(text)));
-        if (answers_.values.size() == rows_) return fault(FaultKind::too_many, fmt::format("wrote more answers than the {} rows asked,", rows_));
+        if (answers_.values.size() == rows_)
+            return fault(FaultKind::too_many, fmt::format("wrote more answers than the {} rows asked,", rows_));
         answers_.values.push_back(*value);
         return true;
     }
@@ -212,7 +213,8 @@ private:
 };
 
 /// Talks to a running child until it has ended or broken a limit.
-Answers converse(pid_t pid, Descriptor to, Descriptor from, Descriptor chatter, const std::string& questions, std::size_t rows, const Limits& limits)
+Answers converse(pid_t pid, Descriptor to, Descriptor from, Descriptor chatter, const std::string& questions, std::size_t rows,
+                 const Limits& limits)
 {
     Process process(pid);
     Answers answers;
@@ -232,7 +234,8 @@ Answers converse(pid_t pid, Descriptor to, Descriptor from, Descriptor chatter, 
         const auto quiet = (spoke ? active + limits.silence : start + limits.start) - now;
         if (whole.count() <= 0) fault(FaultKind::hang, fmt::format("was not done within {:g} s (the limit in all)", seconds(limits.total)));
         else if (quiet.count() <= 0 && spoke) fault(FaultKind::hang, fmt::format("was silent for {:g} s", seconds(limits.silence)));
-        else if (quiet.count() <= 0) fault(FaultKind::hang, fmt::format("gave no answer within {:g} s of its start", seconds(limits.start)));
+        else if (quiet.count() <= 0)
+            fault(FaultKind::hang, fmt::format("gave no answer within {:g} s of its start", seconds(limits.start)));
         return std::chrono::ceil<std::chrono::milliseconds>(std::min(whole, quiet)).count();
     };
     auto weighed = start - weighing;
@@ -297,7 +300,8 @@ Answers converse(pid_t pid, Descriptor to, Descriptor from, Descriptor chatter, 
             fault(FaultKind::killed, fmt::format("was killed by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))));
         else if (WEXITSTATUS(status) != 0) fault(FaultKind::exit_status, fmt::format("ended with exit status {}", WEXITSTATUS(status)));
         else if (stopped_reading)
-            fault(FaultKind::closed_input, fmt::format("closed its input when {} of {} bytes had been sent, and ended", sent, questions.size()));
+            fault(FaultKind::closed_input,
+                  fmt::format("closed its input when {} of {} bytes had been sent, and ended", sent, questions.size()));
         else if (answers.values.size() < rows) fault(FaultKind::too_few, "ended");
     }
     return answers;
@@ -464,7 +468,8 @@ Answers read_answers(std::istream& in, std::size_t rows)
     std::string line;
     std::size_t unused = 0;
     const auto fault = [&](const std::string& what) {
-        answers.fault = Fault{FaultKind::endless_line, fmt::format("{} after {} of {} rows", what, answers.values.size(), rows), answers.values.size()};
+        answers.fault =
+            Fault{FaultKind::endless_line, fmt::format("{} after {} of {} rows", what, answers.values.size(), rows), answers.values.size()};
     };
     for (bool more = true; more && !answers.fault;) {
         errno = 0;
@@ -484,7 +489,8 @@ Answers read_answers(std::istream& in, std::size_t rows)
         line.clear();
     }
     if (!answers.fault && answers.values.size() < rows)
-        answers.fault = Fault{FaultKind::too_few, fmt::format("holds {} answers where {} rows were asked", answers.values.size(), rows), answers.values.size()};
+        answers.fault = Fault{FaultKind::too_few, fmt::format("holds {} answers where {} rows were asked", answers.values.size(), rows),
+                              answers.values.size()};
     return answers;
 }
 

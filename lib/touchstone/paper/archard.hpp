@@ -41,7 +41,8 @@ T step(const T& delta)
            / (sqrt(pi<T>()) * gamma_function(T(ratio<3, 2, T>() + half)));
 }
 
-/// (7.13) with K_0 = 2/pi: K_n, n >= 0, by the recursion itself, n steps with two Gamma functions each. In `double` errors of all steps add.
+/// (7.13) with K_0 = 2/pi: K_n, n >= 0, by the recursion itself, n steps with two Gamma functions each. In `double` errors of all steps
+/// add.
 template <Scalar T>
 T K_by_recursion(long n)
 {

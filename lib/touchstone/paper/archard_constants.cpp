@@ -44,15 +44,16 @@ bool to_fixed_point(Integer& result, const Ball& x, slong F)
 
 /// zeta(2), ..., zeta(last), the k-th to about 2^-(bits - k step): the even ones are Bernoulli numbers times powers of pi,
 /// the odd ones by Ramanujan's formula (Berndt, Rocky Mountain J. Math. 7, 1977, theorem 2.2): for s = 2n + 1 > 1 and alpha beta = pi^2,
-///     alpha^-n (zeta(s)/2 + S(alpha)) - (-beta)^-n (zeta(s)/2 + S(beta)) = -2^(2n) sum_{j=0}^{n+1} (-1)^j b_j b_{n+1-j} alpha^(n+1-j) beta^j,
+///     alpha^-n (zeta(s)/2 + S(alpha)) - (-beta)^-n (zeta(s)/2 + S(beta)) = -2^(2n) sum_{j=0}^{n+1} (-1)^j b_j b_{n+1-j} alpha^(n+1-j)
+///     beta^j,
 /// S(alpha) = sum_k k^-s/(e^(2 alpha k) - 1), b_j = B_2j/(2j)! = -(-1)^j 2 zeta(2j)/(2 pi)^(2j), zeta(0) = -1/2.
 /// At alpha = pi with odd n, and for even n from its derivative there, with h = n + 1, x_k = 1/(e^(2 pi k) - 1), X_s = sum x_k k^-s
 /// and Y_s = sum x_k (1 + x_k) k^-s:
 ///     zeta(s) = -2 X_s - (1/pi) sum_{j=0}^h (-1)^j zeta(2j) zeta(2h - 2j)                         s = 3, 7, 11, ...
 ///     zeta(s) = -2 X_s - (4 pi/n) Y_{s-1} + (2/(n pi)) sum_{j=0}^h (-1)^j j zeta(2j) zeta(2h - 2j)    s = 5, 9, 13, ...
 /// X and Y in fixed point, 2^-F at first and 2^(4 step) times larger units at each next t: u = x_k/k^(4t+3) gives s = 4t + 3 and, times
-/// k^2, 4t + 1. u is within 4 of them: its error is divided by k^4 2^(4 step) and joined by two truncations, neither of which happens where that is 1.
-/// The terms k > N of either sum are below 1.01 e^(-2 pi (N+1)) together.
+/// k^2, 4t + 1. u is within 4 of them: its error is divided by k^4 2^(4 step) and joined by two truncations, neither of which happens where
+/// that is 1. The terms k > N of either sum are below 1.01 e^(-2 pi (N+1)) together.
 std::vector<Ball> zeta_values(long last, slong bits, slong step)
 {
     std::vector<Ball> zeta(static_cast<std::size_t>(last + 2), Ball::indeterminate());
@@ -124,8 +125,8 @@ Ball K_gamma_product(long n)
     const long m = std::max(4L, static_cast<long>(0.33 * std::sqrt(static_cast<double>(bits))));
     const long direct = n < 0 ? m : std::min(n, m);
     // With x_i = 2^-(i+2), b_i = Gamma(3/2 - x_i) and a_i = Gamma(2 - x_i) the factor is 2^(1 - x_{i-1}) b_i/(sqrt(pi) a_i), and by the
-    // duplication formula a_i b_i = 2^(x_{i-1} - 2) sqrt(pi) (2 - x_{i-1}) a_{i-1}, from a_{-1} = sqrt(pi)/2. So b_i is left in a_i and in all
-    // after it, and in its own factor: direct + 1 - i times.
+    // duplication formula a_i b_i = 2^(x_{i-1} - 2) sqrt(pi) (2 - x_{i-1}) a_{i-1}, from a_{-1} = sqrt(pi)/2. So b_i is left in a_i and in
+    // all after it, and in its own factor: direct + 1 - i times.
     const Ball root_pi = sqrt(pi<Ball>());
     Ball K = 2 / pi<Ball>(), a = root_pi / 2, power = sqrt(Ball(2)); // 2^x_{i-1}
     std::vector<unsigned long> times_b;

@@ -18,9 +18,10 @@ inline constexpr long infinity = -1;
 
 /// K_n (n >= 0, or `infinity`) to about the working precision.
 /// Route: m factors (7.13) with one Gamma function each, Gamma(3/2 - 2^-(i+2)), the other by the duplication formula, all of them
-/// at once (gamma_product.hpp); the factors after them through the Taylor series of log Gamma at 3/2 and 2. The k-th coefficient of log step in x = 2^-(i+2) is,
-/// for k >= 2, (zeta(k, 3/2) - zeta(k, 2))/k, an alternating sum below (2/3)^k/k, which bounds what is left out; the first is -1.
-/// Riemann's zeta is for even k a Bernoulli number times pi^k, for odd k by Ramanujan's formula, whose sums shrink like e^(-2 pi n).
+/// at once (gamma_product.hpp); the factors after them through the Taylor series of log Gamma at 3/2 and 2. The k-th coefficient of log
+/// step in x = 2^-(i+2) is, for k >= 2, (zeta(k, 3/2) - zeta(k, 2))/k, an alternating sum below (2/3)^k/k, which bounds what is left out;
+/// the first is -1. Riemann's zeta is for even k a Bernoulli number times pi^k, for odd k by Ramanujan's formula, whose sums shrink like
+/// e^(-2 pi n).
 Ball K_gamma_product(long n);
 
 /// zeta(2), ..., zeta(last), the k-th to about 2^-(bits - k step).

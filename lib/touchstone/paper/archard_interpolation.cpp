@@ -18,10 +18,12 @@ Ball dyadic(long exponent) { return power_of_two<Ball>(exponent); }
 } // namespace
 
 /// With the nodes u_i = 2^-i and the polynomial P, kappa(u) - P(u) is (1/2 pi i) times the integral over |w| = 4 of
-/// kappa(w)/(w - u) prod_i (u - u_i)/(w - u_i). There |kappa| < 7: by the series of K_gamma_product, log F(x) = -x + sum_{k>=2} e_k x^k/k with
-/// 0 < e_k < (2/3)^k, |log F(x)| <= |x| + sum_{k>=2} (2/3)^k |x|/k < 1.44 |x| for |x| <= 1, so that |log kappa/K_inf| < 1.44 (1 + 1/2 + 1/4 + ...) =
-/// 2.88, and K_inf < 0.3915, since K_n descends. And |u - u_i| <= u_i, |w - u| >= 3, |w - u_i| >= 4 (1 - 2^-(i+2)), where the product of the
-/// brackets is at least 1 - 1/4 - 1/8 - ... = 1/2. So the difference is below 7 (4/3) 2 4^-(M+1) prod_i 2^-i < 2^5 4^-(M+1) 2^-(M(M+1)/2).
+/// kappa(w)/(w - u) prod_i (u - u_i)/(w - u_i). There |kappa| < 7: by the series of K_gamma_product, log F(x) = -x + sum_{k>=2} e_k x^k/k
+/// with 0 < e_k < (2/3)^k, |log F(x)| <= |x| + sum_{k>=2} (2/3)^k |x|/k < 1.44 |x| for |x| <= 1, so that |log kappa/K_inf| < 1.44 (1 + 1/2
+/// + 1/4 + ...) =
+/// 2.88, and K_inf < 0.3915, since K_n descends. And |u - u_i| <= u_i, |w - u| >= 3, |w - u_i| >= 4 (1 - 2^-(i+2)), where the product of
+/// the brackets is at least 1 - 1/4 - 1/8 - ... = 1/2. So the difference is below 7 (4/3) 2 4^-(M+1) prod_i 2^-i < 2^5 4^-(M+1)
+/// 2^-(M(M+1)/2).
 slong interpolation_error(long M) { return 5 - 2 * (M + 1) - M * (M + 1) / 2; }
 
 namespace {

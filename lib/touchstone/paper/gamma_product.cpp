@@ -76,15 +76,16 @@ Ball sum_of_logarithms(const Shifted& g)
     return sum;
 }
 
-/// How many terms of Stirling's series are needed: the first one left out, (2L)! |B_{2L+2}|/(2L+2)! y^-(2L+1), is small enough. At most z/3,
-/// which the shift makes more than are needed.
+/// How many terms of Stirling's series are needed: the first one left out, (2L)! |B_{2L+2}|/(2L+2)! y^-(2L+1), is small enough. At most
+/// z/3, which the shift makes more than are needed.
 long stirling_terms(const Shifted& g)
 {
     const double z = static_cast<double>(g.twice_z - 1) / 2, wanted = -static_cast<double>(g.bits) * std::log(2.0);
     long L = 1;
     const auto left_out = [&](long terms) { // its logarithm; B_2l as below
         const double after = static_cast<double>(2 * terms);
-        return std::log(4.0 * static_cast<double>(g.W)) + log_factorial(after) - (after + 2) * std::log(2 * M_PI) - (after + 1) * std::log(z);
+        return std::log(4.0 * static_cast<double>(g.W)) + log_factorial(after) - (after + 2) * std::log(2 * M_PI) -
+               (after + 1) * std::log(z);
     };
     while (left_out(L) > wanted && 6 * L < g.twice_z) ++L;
     return L;

@@ -51,7 +51,8 @@ bool negligible(const T& power, long) { return T(1 + power) == 1; }
 /// the series too, and the tail is as wide as they are.
 inline bool negligible(const Ball& power, long terms)
 {
-    return !power.is_finite() || terms > 7 * (WorkingPrecision::bits() + 8) || certainly(less(power, power_of_two<Ball>(-WorkingPrecision::bits() - 8)));
+    return !power.is_finite() || terms > 7 * (WorkingPrecision::bits() + 8) ||
+           certainly(less(power, power_of_two<Ball>(-WorkingPrecision::bits() - 8)));
 }
 /// What is left out becomes part of a ball's radius.
 template <class T>
@@ -63,7 +64,8 @@ inline void add_tail(Ball& sum, const Ball& tail) { arb_add_error(sum.get(), tai
 template <OrderedScalar T, class Coefficient>
 T series(const T& x, Coefficient coefficient)
 {
-    if constexpr (requires { ScalarTraits<T>::series(x, coefficient); }) return ScalarTraits<T>::series(x, coefficient); // written down, not summed
+    if constexpr (requires { ScalarTraits<T>::series(x, coefficient); })
+        return ScalarTraits<T>::series(x, coefficient); // written down, not summed
     else {
         std::vector<T> terms;
         T power = integer<T>(1);
@@ -88,8 +90,8 @@ inline constexpr std::array<double, 16> gap_terms = [] {
 /// sum_j m^j/((2j+1)(2j+3)), the series of the gap.
 template <OrderedScalar T>
 T gap_series(const T& m) { return series(m, [](long j) { return (2 * j + 1) * (2 * j + 3); }); }
-/// The same for 0 <= m <= 3/4 by two half angles, which leave at most 0.11: with m' = m/(1 + sqrt(1 - m))^2 artanh sqrt(m) = 2 artanh sqrt(m') makes the sum
-/// (1 + m')(1 + (1 - m') sum')/4, where every term is positive.
+/// The same for 0 <= m <= 3/4 by two half angles, which leave at most 0.11: with m' = m/(1 + sqrt(1 - m))^2 artanh sqrt(m) = 2 artanh
+/// sqrt(m') makes the sum (1 + m')(1 + (1 - m') sum')/4, where every term is positive.
 inline double gap_series(double m)
 {
     const auto half_angle = [](double of) { const double root = 1 + std::sqrt(1 - of); return of / (root * root); };
@@ -131,7 +133,8 @@ T gap_slope(const T& x, const T& load)
     return 4 * (pi<T>() * cos_pi(x) * sqrt_sin_pi_square_minus(x, load));
 }
 
-/// The gap h/g for a <= x <= 1/2, 0 < load <= 1, as (closed form) above has it: for symbols, and as a second opinion; it cancels at the edge.
+/// The gap h/g for a <= x <= 1/2, 0 < load <= 1, as (closed form) above has it: for symbols, and as a second opinion; it cancels at the
+/// edge.
 template <Scalar T>
 T gap_closed_form(const T& x, const T& load)
 {
@@ -151,7 +154,8 @@ T gap(const T& x, const T& load)
         [](const T&) { return integer<T>(0); });
 }
 
-/// The mean gap C/g over a wavelength, load > 0: (mean gap) above, by its series from load 1/4 on; 0 from full contact on. `double`: within 4 ulp.
+/// The mean gap C/g over a wavelength, load > 0: (mean gap) above, by its series from load 1/4 on; 0 from full contact on. `double`: within
+/// 4 ulp.
 template <OrderedScalar T>
 T mean_gap(const T& load)
 {

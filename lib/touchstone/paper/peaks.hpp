@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Section 5: the pressure at the highest peaks, scale after scale. Pressures in p*_n; G = gamma^(D-1) > 1. `double`: 4 ulp beyond the inputs' rounding.
+/// Section 5: the pressure at the highest peaks, scale after scale. Pressures in p*_n; G = gamma^(D-1) > 1. `double`: 4 ulp beyond the
+/// inputs' rounding.
 #pragma once
 
 #include "touchstone/scalar/scalar.hpp"

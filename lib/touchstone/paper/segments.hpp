@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Sections 8 and 9: the contact area as a set of segments. Numbers N_n are per lambda_0, widths in lambda_n. `double`: 4 ulp beyond the inputs' rounding.
+/// Sections 8 and 9: the contact area as a set of segments. Numbers N_n are per lambda_0, widths in lambda_n. `double`: 4 ulp beyond the
+/// inputs' rounding.
 #pragma once
 
 #include "touchstone/paper/archard.hpp"

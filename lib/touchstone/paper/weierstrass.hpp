@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Section 3: the Weierstrass profile. Units: heights in g0, lengths in lambda0.
-/// gamma > 1, 1 < D < 2 throughout; gamma^(D-2) < 1 is the ratio of successive amplitudes. `double`: 4 ulp beyond the inputs' rounding, profile_sum apart.
+/// gamma > 1, 1 < D < 2 throughout; gamma^(D-2) < 1 is the ratio of successive amplitudes. `double`: 4 ulp beyond the inputs' rounding,
+/// profile_sum apart.
 #pragma once
 
 #include "touchstone/scalar/scalar.hpp"

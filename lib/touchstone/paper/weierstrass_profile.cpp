@@ -200,7 +200,10 @@ bool vanishes(const Orbit& orbit, const Rational& x, const Rational& D, const Ra
 
 } // namespace
 
-Ball conjugates_bound(long phases, const Rational& e, const Rational& gamma) { return 4 * phases * pow(Ball(gamma), Ball(Rational(e * phases))); }
+Ball conjugates_bound(long phases, const Rational& e, const Rational& gamma)
+{
+    return 4 * phases * pow(Ball(gamma), Ball(Rational(e * phases)));
+}
 
 Exact profile_exact(const Rational& x, const Rational& D, const Rational& gamma)
 {

@@ -30,7 +30,8 @@ TOUCHSTONE_CLONES [[gnu::flatten]] std::optional<double> nearest_density(double 
 {
     if (!(to_nearest() && load > 0 && p >= 0)) return std::nullopt;
     const PairBall pressure = PairBall::exactly(p), s = PairBall::exactly(load);
-    const bool at_edge = load < 1 && less(pressure * pressure, 4 * s) == less(4 * s, pressure * pressure); // both no, or not known; load >= 1 divides by zero
+    const bool at_edge = load < 1 && less(pressure * pressure, 4 * s) ==
+                                         less(4 * s, pressure * pressure); // both no, or not known; load >= 1 divides by zero
     return at_edge ? std::nullopt : nearest_double(density(pressure, s));
 }
 

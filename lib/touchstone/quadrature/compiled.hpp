@@ -65,7 +65,8 @@ struct Node {
     Polynomial rest;               // factored: what remains; logarithm_of_fraction: 1 over the range's length
     std::array<std::optional<Zero>, 2> zero;
 
-    /// A constant, a coefficient: computed once at the highest precision asked for so far. So a compiled formula belongs to one thread at a time.
+    /// A constant, a coefficient: computed once at the highest precision asked for so far. So a compiled formula belongs to one thread at a
+    /// time.
     struct Kept {
         ComplexBall value;
         slong bits = 0;

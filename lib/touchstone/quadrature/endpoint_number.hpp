@@ -51,7 +51,8 @@ public:
     Exponent(long n, long d) : n_(n), d_(d) { reduce(); }
     explicit Exponent(const Rational& r)
     {
-        if (!r.get_num().fits_slong_p() || !r.get_den().fits_slong_p()) throw DomainError("exponents of the integrand, and what is made of them, need numerators and denominators below 2^63");
+        if (!r.get_num().fits_slong_p() || !r.get_den().fits_slong_p())
+            throw DomainError("exponents of the integrand, and what is made of them, need numerators and denominators below 2^63");
         n_ = r.get_num().get_si();
         d_ = r.get_den().get_si();
     }
@@ -91,7 +92,8 @@ private:
     static constexpr Exponent raw(long n, long d) { Exponent e; e.n_ = n; e.d_ = d; return e; }
     static long checked(Wide v)
     {
-        if (v > std::numeric_limits<long>::max() || v < -std::numeric_limits<long>::max()) throw DomainError("exponents of the integrand, and what is made of them, need numerators and denominators below 2^63");
+        if (v > std::numeric_limits<long>::max() || v < -std::numeric_limits<long>::max())
+            throw DomainError("exponents of the integrand, and what is made of them, need numerators and denominators below 2^63");
         return static_cast<long>(v);
     }
     static Exponent make(Wide n, Wide d)
@@ -126,7 +128,12 @@ inline ComplexBall sgn(const ComplexBall& z) { ComplexBall w; acb_real_sgn(w.get
 inline Ball sgn(const Ball& x) { Ball s; arb_sgn(s.get(), x.get()); return s; }
 inline ComplexBall exp(const ComplexBall& z) { ComplexBall w; acb_exp(w.get(), z.get(), WorkingPrecision::bits()); return w; }
 inline Ball exp(const Ball& x) { return touchstone::exp(x); }
-inline ComplexBall integer_power(const ComplexBall& z, long n) { ComplexBall w; acb_pow_si(w.get(), z.get(), n, WorkingPrecision::bits()); return w; }
+inline ComplexBall integer_power(const ComplexBall& z, long n)
+{
+    ComplexBall w;
+    acb_pow_si(w.get(), z.get(), n, WorkingPrecision::bits());
+    return w;
+}
 inline Ball integer_power(const Ball& x, long n)
 {
     Ball y;
@@ -315,7 +322,8 @@ public:
     /// Whether its factors are finite, those beside logarithms too.
     bool has_value() const
     {
-        return c_.is_finite() && std::all_of(logarithms().begin(), logarithms().end(), [](const LogarithmTerm<V>& t) { return t.c.is_finite(); });
+        return c_.is_finite() &&
+               std::all_of(logarithms().begin(), logarithms().end(), [](const LogarithmTerm<V>& t) { return t.c.is_finite(); });
     }
     const Frame<V>* frame() const { return frame_; }
     bool is_plain() const { return p_.is_zero() && q_.is_zero() && !logarithms_; }
@@ -460,7 +468,8 @@ EndpointNumber<V> exp(const EndpointNumber<V>& x) { return x.map([](const V& v) 
 template <class V>
 bool vanishes_at_an_end(const EndpointNumber<V>& x)
 {
-    return x.left().logs.is_zero() && x.right().logs.is_zero() && !(x.left().power < Exponent(0)) && !(x.right().power < Exponent(0)) && !x.is_plain();
+    return x.left().logs.is_zero() && x.right().logs.is_zero() && !(x.left().power < Exponent(0)) && !(x.right().power < Exponent(0)) &&
+           !x.is_plain();
 }
 template <class V>
 EndpointNumber<V> sin(const EndpointNumber<V>& x)
@@ -507,8 +516,8 @@ EndpointNumber<V> pow(const EndpointNumber<V>& x, const EndpointNumber<V>& y)
     else return y.is_plain() ? pow(x, y.factor()) : exp(y * log(x));
 }
 
-/// log(u^p r^q c) = p log u + q log r + log c, log c principal; so it is for a number without logarithms. On a piece that reaches an end the logarithm
-/// there is unbounded; it is returned as rho times a bounded factor.
+/// log(u^p r^q c) = p log u + q log r + log c, log c principal; so it is for a number without logarithms. On a piece that reaches an end
+/// the logarithm there is unbounded; it is returned as rho times a bounded factor.
 template <class V>
 EndpointNumber<V> log(const EndpointNumber<V>& x)
 {
@@ -519,7 +528,8 @@ EndpointNumber<V> log(const EndpointNumber<V>& x)
         if (p.is_zero()) continue;
         if (x.frame()->reaches(s)) {
             const Order rho{0, 1};
-            sum += EndpointNumber<V>(x.frame(), s == Side::left ? rho : Order{}, s == Side::right ? rho : Order{}, V(p.ball()) * x.frame()->logarithm_over_rho(s));
+            sum += EndpointNumber<V>(x.frame(), s == Side::left ? rho : Order{}, s == Side::right ? rho : Order{},
+                                     V(p.ball()) * x.frame()->logarithm_over_rho(s));
         }
         else if (x.frame()->keeps_logarithms()) {
             const bool left = s == Side::left;

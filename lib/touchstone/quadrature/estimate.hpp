@@ -46,7 +46,10 @@ struct RealArithmetic;
 
 template <>
 struct RealArithmetic<double> {
-    static double read(const Endpoint& e) { return e.exact() ? nearest_double(*e.exact()) : arf_get_d(arb_midref(e.ball().get()), ARF_RND_NEAR); }
+    static double read(const Endpoint& e)
+    {
+        return e.exact() ? nearest_double(*e.exact()) : arf_get_d(arb_midref(e.ball().get()), ARF_RND_NEAR);
+    }
     static double epsilon() { return std::numeric_limits<double>::epsilon(); }
 };
 
@@ -119,7 +122,8 @@ Estimated<double> boost_estimate(F&& f, const Interval& interval, double toleran
     try {
         double difference = 0;
         std::size_t levels = 0;
-        result.value = rule.integrate(g, 0.0, 1.0, std::max(std::sqrt(RealArithmetic<double>::epsilon()), tolerance), &difference, &result.magnitude, &levels);
+        result.value = rule.integrate(g, 0.0, 1.0, std::max(std::sqrt(RealArithmetic<double>::epsilon()), tolerance), &difference,
+                                      &result.magnitude, &levels);
         result.error = difference + 8 * RealArithmetic<double>::epsilon() * result.magnitude;
         result.converged = true;
     }

@@ -209,8 +209,8 @@ ComplexBall logarithm_over_argument(const ComplexBall& v, const Ball& size)
 }
 
 /// log x for x = 1 + v, with the zero where v has one. For |v| < 1/2 that is the principal logarithm; so is the continued one where its
-/// imaginary part is below pi in size, and on all of the strip where x shows no powers. Elsewhere too the powers with which v vanishes stand
-/// beside the factor: which root of it is taken must not depend on the piece.
+/// imaginary part is below pi in size, and on all of the strip where x shows no powers. Elsewhere too the powers with which v vanishes
+/// stand beside the factor: which root of it is taken must not depend on the piece.
 template <class V>
 N<V> logarithm_near_one(const N<V>& x, const N<V>& v)
 {

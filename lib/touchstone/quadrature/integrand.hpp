@@ -84,7 +84,8 @@ public:
                                    const EndpointNumber<ComplexBall>& right) const;
     /// Of a complex formula, the two parts of its value at a node; on a piece f and f*, which bound them (tanh_sinh.md, section 13).
     template <class V>
-    std::array<EndpointNumber<V>, 2> both_parts(const EndpointNumber<V>& x, const EndpointNumber<V>& left, const EndpointNumber<V>& right) const;
+    std::array<EndpointNumber<V>, 2> both_parts(const EndpointNumber<V>& x, const EndpointNumber<V>& left,
+                                                const EndpointNumber<V>& right) const;
     /// On a ball of the plane that has points of the range in it: non-finite unless analytic on the whole ball. For finite ranges.
     ComplexBall in_plane(const ComplexBall& z) const;
     /// As it goes on from that end of the range, or the same from both: what sqrt(x^2) is left of 0 depends on the way there.

@@ -277,8 +277,8 @@ bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long 
     return false;
 }
 
-/// In t = 1/(distance to a singular end), which makes exp(-1/x) an exponential and sin(1/x) a wave: the whole range, or the half beside the end
-/// with the rest as it is.
+/// In t = 1/(distance to a singular end), which makes exp(-1/x) an exponential and sin(1/x) a wave: the whole range, or the half beside the
+/// end with the rest as it is.
 bool Integration::add_about_infinity(const Limit& from, const Limit& to, bool left, long digits, int depth, Integral& out)
 {
     const Limit &end = left ? from : to, &other = left ? to : from;
@@ -287,8 +287,8 @@ bool Integration::add_about_infinity(const Limit& from, const Limit& to, bool le
         left ? std::string(" in 1/(x-").append(end.text).append(")") : std::string(" in 1/(").append(end.text).append("-x)");
     if (!other.infinite) // all of it, where the other end allows that
         if (const auto start = (*to.exact - *from.exact).inverse();
-            start && add_of_another(about_infinity(e_, *end.exact, left ? 1 : -1), limit_at(*start, text_of(*start)), parse_limit("inf"), in,
-                                    digits, out))
+            start && add_of_another(about_infinity(e_, *end.exact, left ? 1 : -1), limit_at(*start, text_of(*start)), parse_limit("inf"),
+                                    in, digits, out))
             return true;
     const ExactSum half = other.infinite ? *end.exact + ExactSum(left ? 1 : -1) : (*from.exact + *to.exact) * ExactSum(Rational(1, 2));
     const auto start = (left ? half - *end.exact : *end.exact - half).inverse();
@@ -373,10 +373,11 @@ bool Integration::add_part(const Limit& from, const Limit& to, long digits, int 
     }
     if (const auto cut = argument_on_cut(e_, from, to)) a.reason = *cut;
     else if (a.reason.find(" end ") != std::string::npos) // what can be done about an end
-        a.reason += from.infinite || to.infinite
-                        ? " (a tail that oscillates must be a sum of products of sin, cos, besselj of a linear argument, or of one power of x, "
-                          "with what tends to 0 as a power; one like exp(-log(x)^2) is not taken: substitute)"
-                        : " (if it is singular there in another way than powers, logarithms and exp(-1/x), substitute)";
+        a.reason +=
+            from.infinite || to.infinite
+                ? " (a tail that oscillates must be a sum of products of sin, cos, besselj of a linear argument, or of one power of x, "
+                  "with what tends to 0 as a power; one like exp(-log(x)^2) is not taken: substitute)"
+                : " (if it is singular there in another way than powers, logarithms and exp(-1/x), substitute)";
     out.reason = "not proved on [" + from.text + ", " + to.text + "]" + (a.at ? " near x = " + short_number(*a.at) : "") + ": " + a.reason;
     return false;
 }

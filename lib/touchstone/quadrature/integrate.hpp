@@ -76,8 +76,8 @@ Integral principal_value(const ExpressionPtr&, const Limit& from, const Limit& t
 /// Over the range the other way round, and so is each of its parts.
 Integral negated(Integral);
 
-/// The attempt repeated with more digits until the value has those asked for, at most a few times, and what the result then is; `reversed`: with
-/// the other sign, in what is said of it too.
+/// The attempt repeated with more digits until the value has those asked for, at most a few times, and what the result then is; `reversed`:
+/// with the other sign, in what is said of it too.
 Integral with_enough_digits(const IntegralOptions&, const std::function<bool(long digits, Integral&)>& attempt, bool reversed = false);
 
 } // namespace touchstone::quadrature

@@ -56,7 +56,10 @@ struct Abscissa {
 class Interval {
 public:
     static Interval finite(Endpoint a, Endpoint b) { return {Kind::finite, std::move(a), std::move(b)}; }
-    static Interval right_half_line(Endpoint a, Decay d) { return {d == Decay::algebraic ? Kind::ray_algebraic : Kind::ray_exponential, std::move(a), 0}; }
+    static Interval right_half_line(Endpoint a, Decay d)
+    {
+        return {d == Decay::algebraic ? Kind::ray_algebraic : Kind::ray_exponential, std::move(a), 0};
+    }
     static Interval left_half_line(Endpoint b, Decay d) { Interval i = right_half_line(std::move(b), d); i.mirrored_ = true; return i; }
     static Interval whole_line(Decay d) { return {d == Decay::algebraic ? Kind::line_algebraic : Kind::line_exponential, 0, 0}; }
 
@@ -124,7 +127,8 @@ Abscissa<EndpointNumber<V>> Interval::at(const EndpointNumber<V>& u, const Endpo
 {
     using N = EndpointNumber<V>;
     const auto ray = [&](N distance, N nearness, N slope) -> Abscissa<N> {
-        if (arb_is_zero(start_.get())) return mirrored_ ? Abscissa<N>{-distance, nearness, distance, slope} : Abscissa<N>{distance, distance, nearness, slope};
+        if (arb_is_zero(start_.get()))
+            return mirrored_ ? Abscissa<N>{-distance, nearness, distance, slope} : Abscissa<N>{distance, distance, nearness, slope};
         if (mirrored_) return {N(start_) - distance, std::move(nearness), std::move(distance), std::move(slope)};
         return {N(start_) + distance, std::move(distance), std::move(nearness), std::move(slope)};
     };
@@ -137,7 +141,8 @@ Abscissa<EndpointNumber<V>> Interval::at(const EndpointNumber<V>& u, const Endpo
     }
     case Kind::ray_algebraic: return ray(u / r, r, N(1) / (r * r));
     case Kind::ray_exponential: return ray(minus_log_of_complement(u, r), r, N(1) / r);
-    case Kind::line_algebraic: return {(u / r - r / u) * N(V(Ball(1) / Ball(2))), u, r, (u * u + r * r) * N(V(Ball(1) / Ball(2))) / (u * u * r * r)};
+    case Kind::line_algebraic:
+        return {(u / r - r / u) * N(V(Ball(1) / Ball(2))), u, r, (u * u + r * r) * N(V(Ball(1) / Ball(2))) / (u * u * r * r)};
     case Kind::line_exponential: return {log(u) - log(r), u, r, N(1) / (u * r)};
     }
     return {};

@@ -104,8 +104,8 @@ inline Ball gauss_legendre(const Ball& M, const Ball& sigma, long n)
     return Ball(64) / Ball(15) * M * exp(-Ball(2 * n) * sigma) / (Ball(1) - exp(-Ball(2) * sigma));
 }
 
-/// Interpolation: the rule on [-1, 1] that is exact up to degree n - 1, of a weight w; size is the integral of |w| and the sum of the sizes of
-/// the rule's weights; |F - m| <= M, m a constant, on the ellipse with rho = exp(sigma), n >= 1.
+/// Interpolation: the rule on [-1, 1] that is exact up to degree n - 1, of a weight w; size is the integral of |w| and the sum of the sizes
+/// of the rule's weights; |F - m| <= M, m a constant, on the ellipse with rho = exp(sigma), n >= 1.
 inline Ball interpolation(const Ball& M, const Ball& sigma, const Ball& size, long n)
 {
     return Ball(2) * M * size * exp(-Ball(n) * sigma) / (Ball(1) - exp(-sigma));

@@ -57,7 +57,9 @@ NodeTable::NodeTable(long m, long count, slong bits, double decay, Transformatio
     root_.resize(static_cast<std::size_t>(m));
     root_[0] = Ball(1);
     if (m > 1) root_[1] = exp(log2 / Ball(m));
-    for (long i = 2; i < m; ++i) root_[static_cast<std::size_t>(i)] = i % 2 == 0 ? root_[static_cast<std::size_t>(i / 2)] * root_[static_cast<std::size_t>(i / 2)] : root_[static_cast<std::size_t>(i - 1)] * root_[1];
+    for (long i = 2; i < m; ++i)
+        root_[static_cast<std::size_t>(i)] = i % 2 == 0 ? root_[static_cast<std::size_t>(i / 2)] * root_[static_cast<std::size_t>(i / 2)]
+                                                        : root_[static_cast<std::size_t>(i - 1)] * root_[1];
     entries_.resize(static_cast<std::size_t>(count + 1));
     transformation == Transformation::logistic ? fill_logistic() : fill_tanh_sinh(full, octaves);
 }
@@ -77,7 +79,8 @@ void NodeTable::fill_tanh_sinh(slong full, long octaves)
     const long lowest = -octaves * m;
     std::vector<Ball> up(static_cast<std::size_t>((octaves + 1) * m));
     for (long i = 0; i < m; ++i) up[static_cast<std::size_t>(i)] = exp(shifted(half_pi * root_[static_cast<std::size_t>(i)], -octaves));
-    for (std::size_t j = static_cast<std::size_t>(m); j < up.size(); ++j) arb_sqr(up[j].get(), up[j - static_cast<std::size_t>(m)].get(), full);
+    for (std::size_t j = static_cast<std::size_t>(m); j < up.size(); ++j)
+        arb_sqr(up[j].get(), up[j - static_cast<std::size_t>(m)].get(), full);
     const auto up_at = [&](long j) -> const Ball& { return up[static_cast<std::size_t>(j - lowest)]; };
 
     std::vector<Ball> down(static_cast<std::size_t>(std::max(m, count + 1))); // exp(-(pi/2) 2^(k/m)), k >= 0
@@ -86,7 +89,8 @@ void NodeTable::fill_tanh_sinh(slong full, long octaves)
         Entry& entry = entries_[static_cast<std::size_t>(k)];
         entry.depth = M_PI * std::sinh(static_cast<double>(k) * M_LN2 / static_cast<double>(m));
         entry.bits = bits_of(entry.depth, k / m);
-        if (k >= m) arb_sqr(down[static_cast<std::size_t>(k)].get(), down[static_cast<std::size_t>(k - m)].get(), entry.bits + 2 * octaves + 8);
+        if (k >= m)
+            arb_sqr(down[static_cast<std::size_t>(k)].get(), down[static_cast<std::size_t>(k - m)].get(), entry.bits + 2 * octaves + 8);
         const WorkingPrecision p(entry.bits + 8);
         entry.e = down[static_cast<std::size_t>(k)] * up_at(-k);
         entry.far = Ball(1) / (Ball(1) + entry.e);

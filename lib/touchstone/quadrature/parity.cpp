@@ -8,7 +8,10 @@ namespace touchstone::quadrature {
 
 namespace {
 
-bool is_even_function(Op op) { return op == Op::abs || op == Op::cos || op == Op::sec || op == Op::cosh || op == Op::sech || op == Op::sinc; }
+bool is_even_function(Op op)
+{
+    return op == Op::abs || op == Op::cos || op == Op::sec || op == Op::cosh || op == Op::sech || op == Op::sinc;
+}
 
 bool is_odd_function(Op op)
 {

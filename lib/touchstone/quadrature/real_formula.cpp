@@ -98,7 +98,8 @@ private:
         const auto exact = depends_on_x(*e->args[1]) ? std::nullopt : exact_value(*e->args[1]);
         const auto exponent = exact ? exact->rational() : std::nullopt;
         if (!base || !exponent || !exponent->get_num().fits_slong_p() || !exponent->get_den().fits_slong_p()) return std::nullopt;
-        return add({.op = Op::power, .first = *base, .numerator = exponent->get_num().get_si(), .denominator = exponent->get_den().get_si()});
+        return add(
+            {.op = Op::power, .first = *base, .numerator = exponent->get_num().get_si(), .denominator = exponent->get_den().get_si()});
     }
     std::optional<std::size_t> folded(const ExpressionPtr& e)
     {

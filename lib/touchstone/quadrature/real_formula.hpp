@@ -3,8 +3,8 @@
 /// A formula at real points, straight in balls (internal to quadrature/).
 ///
 /// Numbers that keep the powers of the distances to the ends (endpoint_number.hpp) cost several times what balls cost, and are needed only
-/// where differences cancel. At the nodes of a rule that stays away from the ends few bits do: there the formula is taken as it stands, with
-/// some bits more, and the ball itself says how many are left.
+/// where differences cancel. At the nodes of a rule that stays away from the ends few bits do: there the formula is taken as it stands,
+/// with some bits more, and the ball itself says how many are left.
 #pragma once
 
 #include "touchstone/quadrature/integrand.hpp"

@@ -208,7 +208,9 @@ std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f
     options.of_absolute = of_absolute;
     const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
     const auto interval = std::make_shared<Interval>(f->range().interval());
-    const detail::MakePanel make = [&](const Rational& from, const Rational& to) { return detail::panel_integrand(at, interval, from, to); };
+    const detail::MakePanel make = [&](const Rational& from, const Rational& to) {
+        return detail::panel_integrand(at, interval, from, to);
+    };
     const auto e = detail::integrate_by_product_rule(make, options);
     if (!e) return std::nullopt;
     Attempt a;

@@ -86,7 +86,8 @@ void add_stretch(const Formulas& all, const Limit& from, const Limit& to, long d
 std::vector<Integral> integrate_several(const Formulas& all, const Limit& from, const Limit& to, const IntegralOptions& options)
 {
     const WorkingPrecision precision(256);
-    const bool ascending = from.infinite < 0 || to.infinite > 0 || (!from.infinite && !to.infinite && arb_lt(from.ball().get(), to.ball().get()));
+    const bool ascending =
+        from.infinite < 0 || to.infinite > 0 || (!from.infinite && !to.infinite && arb_lt(from.ball().get(), to.ball().get()));
     std::vector<Integral> results;
     if (!ascending || from.infinite > 0 || to.infinite < 0 || !options.principal_value.empty()) {
         for (const ExpressionPtr& e : all) results.push_back(integrate(e, from, to, options));

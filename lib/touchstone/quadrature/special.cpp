@@ -106,8 +106,8 @@ ComplexBall bessel_k_of(const Ball& order, const ComplexBall& z)
     return w;
 }
 
-/// K_n off the cut. It is made of I_n and I_-n, exp(2 Re z) larger, so that far from 0 bits are lost, and any uncertainty of z grows as much.
-/// There: at the middle of a small ball with as many bits more, over the ball by K_n' = -(K_(n-1) + K_(n+1))/2.
+/// K_n off the cut. It is made of I_n and I_-n, exp(2 Re z) larger, so that far from 0 bits are lost, and any uncertainty of z grows as
+/// much. There: at the middle of a small ball with as many bits more, over the ball by K_n' = -(K_(n-1) + K_(n+1))/2.
 ComplexBall bessel_k(const Ball& order, const ComplexBall& z)
 {
     const ComplexBall plain = bessel_k_of(order, z);
@@ -122,7 +122,8 @@ ComplexBall bessel_k(const Ball& order, const ComplexBall& z)
         const WorkingPrecision more(bits() + static_cast<slong>(std::min(lost, 2.0 * static_cast<double>(bits()))));
         k = bessel_k_of(order, middle);
     }
-    const Ball slope = touchstone::abs(bessel_k_by_its_size(order - Ball(1), z)) + touchstone::abs(bessel_k_by_its_size(order + Ball(1), z));
+    const Ball slope =
+        touchstone::abs(bessel_k_by_its_size(order - Ball(1), z)) + touchstone::abs(bessel_k_by_its_size(order + Ball(1), z));
     widen(k, touchstone::abs(z - middle) * slope / Ball(2));
     return acb_rel_accuracy_bits(k.get()) > acb_rel_accuracy_bits(plain.get()) ? k : plain;
 }

@@ -48,8 +48,8 @@ struct FarAndNear {
     ComplexBall far, near, log_one_plus_e; // 1/(1 + E), E/(1 + E), log(1 + E)
 };
 
-/// An interval of real numbers with binary64 ends. Each operation rounds to nearest, so to within 2^-53 of its result (2^-1075 where that is
-/// subnormal), and the ends are moved outwards by more.
+/// An interval of real numbers with binary64 ends. Each operation rounds to nearest, so to within 2^-53 of its result (2^-1075 where that
+/// is subnormal), and the ends are moved outwards by more.
 struct Span {
     double low = 0, high = 0;
 

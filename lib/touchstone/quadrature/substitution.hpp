@@ -23,11 +23,12 @@ ExpressionPtr shifted(const ExpressionPtr&, const ExactSum& centre, int directio
 /// quotients are cleared, so exp(-1/x)/x^2 about 0 becomes exp(-x).
 ExpressionPtr about_infinity(const ExpressionPtr&, const ExactSum& end, int direction);
 
-/// The m != 1 for which x stands in the arguments of exponentials, sines, cosines and Bessel functions as x^m and in no other way, if there is
-/// one: with t = x^m they are exponentials and waves of t.
+/// The m != 1 for which x stands in the arguments of exponentials, sines, cosines and Bessel functions as x^m and in no other way, if there
+/// is one: with t = x^m they are exponentials and waves of t.
 std::optional<Rational> power_in_arguments(const Expression&);
 
-/// f(t^(1/m)) t^(1/m - 1)/m, in x for t: what is integrated over [a^m, oo) in place of f over [a, oo), a >= 0. Powers of x become powers of t.
+/// f(t^(1/m)) t^(1/m - 1)/m, in x for t: what is integrated over [a^m, oo) in place of f over [a, oo), a >= 0. Powers of x become powers of
+/// t.
 ExpressionPtr in_power(const ExpressionPtr&, const Rational& m);
 
 } // namespace touchstone::quadrature

@@ -275,8 +275,8 @@ std::string not_as_declared(const Options& options, const std::vector<ProvedPane
     return !left.empty() ? left : differs(options.right_exponent, panels.back().panel.beta, "right");
 }
 
-/// About log2 of the integral that is smallest (of that of |f|, if its digits are enough), by a few nodes of 53 bits: what the first tolerance
-/// goes by. Nothing is claimed of it; sizes below 2^-6 of the integral of |f| are not believed.
+/// About log2 of the integral that is smallest (of that of |f|, if its digits are enough), by a few nodes of 53 bits: what the first
+/// tolerance goes by. Nothing is claimed of it; sizes below 2^-6 of the integral of |f| are not believed.
 double rough_log2_size(std::vector<ProvedPanel>& panels, std::size_t count, bool of_absolute)
 {
     const Transformation transformation = panels.front().panel.transformation;

@@ -12,8 +12,8 @@
 /// x = tanh-sinh(t) after at most a few bisections of the interval, and there
 /// |f| <= K u^(alpha-1) r^(beta-1) with alpha, beta > 0 (times powers of logarithms).
 /// All of this is *proved* by the call, from f alone. What is not proved is not integrated:
-/// the result is then `indeterminate`, with the reason. An enclosure that lacks the digits asked for (the integral is 0, or far below what bounds the
-/// integrand on the strip) is `undecided`, and says how many it has.
+/// the result is then `indeterminate`, with the reason. An enclosure that lacks the digits asked for (the integral is 0, or far below what
+/// bounds the integrand on the strip) is `undecided`, and says how many it has.
 /// Contract on f: both instantiations are the same function, made of operations on its
 /// arguments (no look at midpoints, no branch on their values).
 ///
@@ -41,7 +41,8 @@
 
 namespace touchstone::quadrature {
 
-/// certified: the digits asked for are proven. undecided: a proven enclosure with fewer digits, `digits` of them. indeterminate: nothing is proven.
+/// certified: the digits asked for are proven. undecided: a proven enclosure with fewer digits, `digits` of them. indeterminate: nothing is
+/// proven.
 enum class Status { certified, undecided, indeterminate };
 std::string to_string(Status);
 
@@ -171,7 +172,9 @@ template <class F>
 std::vector<Enclosure> tanh_sinh_of_several(F f, std::size_t count, Interval interval, const Options& options = {})
 {
     const auto shared = std::make_shared<Interval>(std::move(interval));
-    const detail::MakePanel make = [f, shared](const Rational& from, const Rational& to) { return detail::panel_integrand(f, shared, from, to); };
+    const detail::MakePanel make = [f, shared](const Rational& from, const Rational& to) {
+        return detail::panel_integrand(f, shared, from, to);
+    };
     return detail::integrate(make, count, *shared, options);
 }
 

@@ -57,20 +57,26 @@ Method power_series()
         .refusal = [](const Problem& p) -> std::string {
             if (p.n < 2) return "n must be at least 2";
             if (p.load >= heaviest()) return "load above 1e-100, where there are two proofs";
-            if (p.compare_G(Rational(2'000'001, 1'000'000)) < 0 || p.compare_G(1'000'000'000) >= 0) return "the series is used for G from 2.000001 to 10^9";
+            if (p.compare_G(Rational(2'000'001, 1'000'000)) < 0 || p.compare_G(1'000'000'000) >= 0)
+                return "the series is used for G from 2.000001 to 10^9";
             return p.n <= 20 && terms(p, {1}) <= most_terms ? "" : "the power series would take too many terms";
         },
         .fewer_digits = digits_of_series,
-        .cost = [](const Problem& p, Accuracy a) {
-            const double count = terms(p, a), digits = static_cast<double>(std::max(a.digits, 20L)) / 20;
-            return digits * count * (1e-4 * static_cast<double>(p.n) + 5e-7 * count);
-        },
+        .cost =
+            [](const Problem& p, Accuracy a) {
+                const double count = terms(p, a), digits = static_cast<double>(std::max(a.digits, 20L)) / 20;
+                return digits * count * (1e-4 * static_cast<double>(p.n) + 5e-7 * count);
+            },
         .enclose = enclose,
-        .budget = [](const Problem& p, Accuracy a) {
-            return Budget{fmt::format("the power series in the load, {:.0f} terms in balls, what is cut off bounded by Cauchy's inequality (transfer/series.hpp)", terms(p, a))};
-        },
+        .budget =
+            [](const Problem& p, Accuracy a) {
+                return Budget{fmt::format(
+                    "the power series in the load, {:.0f} terms in balls, what is cut off bounded by Cauchy's inequality (transfer/series.hpp)",
+                    terms(p, a))};
+            },
         .second = "",
-        .shares = "the wave (2.2), (2.4) and nothing else: the series has no grid, no quadrature and no interpolation; the witness's error is an estimate",
+        .shares =
+            "the wave (2.2), (2.4) and nothing else: the series has no grid, no quadrature and no interpolation; the witness's error is an estimate",
     };
 }
 

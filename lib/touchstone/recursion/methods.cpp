@@ -86,29 +86,37 @@ long Method::most_digits(const Problem& p) const { return fewer_digits ? std::mi
 
 const std::vector<Method>& methods()
 {
-    static const std::vector<Method> all{single_wave_area(),     single_wave_exceedance(), single_wave_density(), one_integral(),    second_area(), power_series(), partial_area(),
-                                         partial_distribution(), heavy_load(),             proven_shares(),       third_wave_density(), proven_densities(), area_in_any_limit(),
-                                         exceedance_in_any_limit()};
+    static const std::vector<Method> all{single_wave_area(),  single_wave_exceedance(), single_wave_density(), one_integral(),
+                                         second_area(),       power_series(),           partial_area(),        partial_distribution(),
+                                         heavy_load(),        proven_shares(),          third_wave_density(),  proven_densities(),
+                                         area_in_any_limit(), exceedance_in_any_limit()};
     return all;
 }
 
 const std::vector<Observer>& observers()
 {
-    static const std::vector<Observer> all{{"blind-halving", [](const Problem& p, Accuracy a) { return observe(Grid::blind, p, a); }},
-                                           {"tracked-singular-points", [](const Problem& p, Accuracy a) { return observe(Grid::tracked, p, a); }}};
+    static const std::vector<Observer> all{
+        {"blind-halving", [](const Problem& p, Accuracy a) { return observe(Grid::blind, p, a); }},
+        {"tracked-singular-points", [](const Problem& p, Accuracy a) { return observe(Grid::tracked, p, a); }}};
     return all;
 }
 
-std::string observers_reach(Asked asked) { return fmt::format("n <= {}, load from 1e-300 to 10^6, 1.000001 < G < 10^9", observed_scales(asked)); }
+std::string observers_reach(Asked asked)
+{
+    return fmt::format("n <= {}, load from 1e-300 to 10^6, 1.000001 < G < 10^9", observed_scales(asked));
+}
 
 std::string observers_refusal(const Problem& p)
 {
     if (p.n > observed_scales(p.asked))
-        return p.asked == Asked::area ? fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", observed_scales(p.asked))
-                                      : fmt::format("{} of pressure are computed for the scales n <= {} only", p.asked == Asked::density ? "densities" : "exceedances", observed_scales(p.asked));
+        return p.asked == Asked::area
+                   ? fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", observed_scales(p.asked))
+                   : fmt::format("{} of pressure are computed for the scales n <= {} only",
+                                 p.asked == Asked::density ? "densities" : "exceedances", observed_scales(p.asked));
     if (!G_above(p, Rational(1'000'001, 1'000'000))) return "not computed for G within 1e-6 of 1";
     if (!G_below_10_9(p)) return "not computed for G of 10^9 and more";
-    if (p.load > 1'000'000 || p.load < power(Rational(10), -300)) return "not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)";
+    if (p.load > 1'000'000 || p.load < power(Rational(10), -300))
+        return "not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)";
     return p_is_0(p) ? no_density_at_0 : "";
 }
 
@@ -120,7 +128,8 @@ Choice choose(const Problem& p, Accuracy a)
         if (std::find(m.asked.begin(), m.asked.end(), p.asked) == m.asked.end()) continue;
         std::string refused = m.refusal(p);
         const long digits = refused.empty() ? std::min(m.most_digits(p), a.digits) : 0;
-        if (refused.empty() && digits < 1) refused = fmt::format("'{}' proves no digit of this: the inputs are too near an end of its reach", m.name);
+        if (refused.empty() && digits < 1)
+            refused = fmt::format("'{}' proves no digit of this: the inputs are too near an end of its reach", m.name);
         if (!refused.empty()) { // the last method of this scale is the one that reaches farthest: its reason counts
             if (!best.method && (best.refusal.empty() || !refused.starts_with("n must be"))) best.refusal = refused;
             continue;
@@ -155,9 +164,11 @@ std::vector<Reach> reach(Asked asked)
     for (const Method& m : methods()) {
         if (std::find(m.asked.begin(), m.asked.end(), asked) == m.asked.end()) continue;
         rows.push_back({m.reach, m.digits == any_digits ? "any" : fmt::format("{}", m.digits), m.name,
-                        m.second.empty() ? "witness " + (m.witness ? *m.witness : observers().front()).name : "proof " + m.second, m.shares});
+                        m.second.empty() ? "witness " + (m.witness ? *m.witness : observers().front()).name : "proof " + m.second,
+                        m.shares});
     }
-    rows.push_back({observers_reach(asked), fmt::format("{}", observed_digits), "", fmt::format("estimates {} and {}", observers()[0].name, observers()[1].name),
+    rows.push_back({observers_reach(asked), fmt::format("{}", observed_digits), "",
+                    fmt::format("estimates {} and {}", observers()[0].name, observers()[1].name),
                     "the wave (2.2), (2.4) and nothing else: neither grid nor splitting rule nor quadrature"});
     return rows;
 }
@@ -168,7 +179,8 @@ std::string reach_as_table()
     constexpr const char* names[] = {"area", "exceedance", "density"};
     for (const Asked asked : {Asked::area, Asked::exceedance, Asked::density})
         for (const Reach& r : reach(asked))
-            text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", names[static_cast<int>(asked)], r.where, r.digits, r.proof.empty() ? "none" : "`" + r.proof + "`", r.second_look, r.shares);
+            text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", names[static_cast<int>(asked)], r.where, r.digits,
+                                r.proof.empty() ? "none" : "`" + r.proof + "`", r.second_look, r.shares);
     return text;
 }
 

@@ -13,7 +13,8 @@ namespace touchstone::recursion {
 /// A way to the value without proof.
 struct Observer {
     std::string name;
-    std::function<Witness(const Problem&, Accuracy)> look; ///< \throws BeyondReach where observers_refusal() says so, or where a grid gets too large
+    /// \throws BeyondReach where observers_refusal() says so, or where a grid gets too large
+    std::function<Witness(const Problem&, Accuracy)> look;
 };
 
 /// A proof and its second look.
@@ -31,14 +32,15 @@ struct Method {
     std::function<Budget(const Problem&, Accuracy)> budget;
     std::string second = {};                                           ///< name of the second proof; empty: a witness looks
     std::function<Ball(const Problem&, Accuracy)> enclose_again = {};  ///< the second proof
-    std::optional<Observer> witness = {};                              ///< without a second proof, who looks; none: the first of observers()
+    std::optional<Observer> witness = {}; ///< without a second proof, who looks; none: the first of observers()
     std::string shares = {};                                           ///< what the second look has in common with the proof
 
     long most_digits(const Problem&) const;
 };
 const std::vector<Method>& methods();
 
-/// Two that serve all three laws, of different grids and rules. They look again at values that one method proves, and make an estimate where none does.
+/// Two that serve all three laws, of different grids and rules. They look again at values that one method proves, and make an estimate
+/// where none does.
 const std::vector<Observer>& observers();
 constexpr long observed_digits = 15;
 std::string observers_reach(Asked);

@@ -96,8 +96,8 @@ Decimal round_to_digits(const Rational& r, long digits)
 {
     if (r == 0) return {};
     const Rational a = abs(r);
-    // A guess of the exponent from the sizes, which is not too large and at most two too small: a is within a factor of two of the quotient of
-    // the powers of two, and 0.30103 exceeds log10(2) by so little that it counts for numbers of 10^8 bits alone.
+    // A guess of the exponent from the sizes, which is not too large and at most two too small: a is within a factor of two of the quotient
+    // of the powers of two, and 0.30103 exceeds log10(2) by so little that it counts for numbers of 10^8 bits alone.
     long e = static_cast<long>(std::floor((static_cast<double>(mpz_sizeinbase(a.get_num_mpz_t(), 2))
                                            - static_cast<double>(mpz_sizeinbase(a.get_den_mpz_t(), 2))) * 0.30103));
     while (a >= power(Rational(10), e)) ++e;

@@ -96,7 +96,12 @@ namespace detail {
 template <class F>
 Ball ball_of(F&& f, const Ball& x) { Ball r; f(r.get(), x.get(), WorkingPrecision::bits()); return r; } ///< f of Arb
 template <class F>
-Ball ball_of(F&& f, const Ball& x, const Ball& y) { Ball r; f(r.get(), x.get(), y.get(), WorkingPrecision::bits()); return r; } ///< the same of two
+Ball ball_of(F&& f, const Ball& x, const Ball& y)
+{
+    Ball r;
+    f(r.get(), x.get(), y.get(), WorkingPrecision::bits());
+    return r;
+} ///< the same of two
 } // namespace detail
 
 inline Ball sqrt(const Ball& x) { return detail::ball_of(arb_sqrt, x); } ///< indeterminate if x may be < 0
@@ -177,7 +182,12 @@ private:
 
 namespace detail {
 template <class F>
-ComplexBall complex_ball_of(F&& f, const ComplexBall& z) { ComplexBall r; f(r.get(), z.get(), WorkingPrecision::bits()); return r; } ///< f of Arb
+ComplexBall complex_ball_of(F&& f, const ComplexBall& z)
+{
+    ComplexBall r;
+    f(r.get(), z.get(), WorkingPrecision::bits());
+    return r;
+} ///< f of Arb
 } // namespace detail
 
 inline ComplexBall sqrt(const ComplexBall& z) { return detail::complex_ball_of(acb_sqrt, z); } ///< principal branch
@@ -205,7 +215,10 @@ struct ScalarTraits<ComplexBall> : ComposedTraits<ComplexBall> {
     static ComplexBall pi() { return ComplexBall(ScalarTraits<Ball>::pi()); } ///< encloses pi
     static ComplexBall sin_pi(const ComplexBall& z) { return detail::complex_ball_of(acb_sin_pi, z); } ///< sin(pi z)
     static ComplexBall cos_pi(const ComplexBall& z) { return detail::complex_ball_of(acb_cos_pi, z); } ///< cos(pi z)
-    static ComplexBall powm1(const ComplexBall& z, const ComplexBall& w) { return detail::complex_ball_of(acb_expm1, w * log(z)); } ///< z^w - 1
+    static ComplexBall powm1(const ComplexBall& z, const ComplexBall& w)
+    {
+        return detail::complex_ball_of(acb_expm1, w * log(z));
+    } ///< z^w - 1
     /// For complex arguments there is no part to cut off: the square root itself.
     static ComplexBall sqrt_positive_part(const ComplexBall& z) { return sqrt(z); }
     static ComplexBall hypot(const ComplexBall& a, const ComplexBall& b) { return sqrt(a * a + b * b); } ///< sqrt(a^2 + b^2)

@@ -36,9 +36,11 @@ namespace touchstone {
 /// Four binary64 side by side (GCC and clang; without such registers the compiler takes them apart).
 using Lanes = double __attribute__((vector_size(32)));
 
-/// Also for constructors: a clone for newer machines hands Lanes over in another register than a function that was compiled for all expects.
+/// Also for constructors: a clone for newer machines hands Lanes over in another register than a function that was compiled for all
+/// expects.
 #define TOUCHSTONE_INLINE [[gnu::always_inline]] inline
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__) // its runtime starts after clones are chosen
+// The runtime of the thread sanitizer starts after clones are chosen.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define TOUCHSTONE_CLONES [[gnu::target_clones("default", "arch=x86-64-v3")]] // the same results, faster
 #else
 #define TOUCHSTONE_CLONES
@@ -129,8 +131,9 @@ struct DoubleDouble {
         const D rest = x.low + double_double::fused(-s, s, x.high);
         return fast_two_sum(s, rest / (2 * double_double::divisor(s)));
     }
-    /// x^(-1/2), x > 0, within 2^-102 of itself. With s near the root and t near 1/s, d = x - s^2 and e = 1 - s t it is t (1 + e - d t^2/2 + ...): what follows is below 7/4 2^-105 and
-    /// the roundings are below 7/2 2^-105, as 1 - s t and s^2's distance from the head of x are exact.
+    /// x^(-1/2), x > 0, within 2^-102 of itself. With s near the root and t near 1/s, d = x - s^2 and e = 1 - s t it is t (1 + e - d t^2/2
+    /// + ...): what follows is below 7/4 2^-105 and the roundings are below 7/2 2^-105, as 1 - s t and s^2's distance from the head of x
+    /// are exact.
     TOUCHSTONE_INLINE friend DoubleDouble inverse_root(const DoubleDouble& x)
     {
         using double_double::fused;

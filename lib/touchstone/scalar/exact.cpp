@@ -108,7 +108,8 @@ Exact Exact::power(const Rational& e) const
     if (e.get_den() == 1) {
         if (is_zero()) return e > 0 ? Exact(0) : (e == 0 ? Exact(1) : throw NotExact());
         const long n = small_integer(e);
-        // s^(n/m) in lowest terms: where p divides what is left of m it does not divide what is left of n, and s^n is a p-th power only if s is
+        // s^(n/m) in lowest terms: where p divides what is left of m it does not divide what is left of n, and s^n is a p-th power only if
+        // s is
         const auto common = static_cast<long>(std::gcd(static_cast<unsigned long>(std::labs(n)), degree_));
         Exact r;
         r.factor_ = bounded_power(factor_, n);

@@ -88,7 +88,8 @@ private:
         std::size_t n = 0;
         while (n < rest_.size()) {
             const char c = rest_[n];
-            const bool exponent_sign = (c == '-' || c == '+') && n > 0 && std::string_view(hex ? "pP" : "eE").find(rest_[n - 1]) != std::string_view::npos;
+            const bool exponent_sign =
+                (c == '-' || c == '+') && n > 0 && std::string_view(hex ? "pP" : "eE").find(rest_[n - 1]) != std::string_view::npos;
             if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && !exponent_sign) break;
             ++n;
         }

@@ -3,10 +3,10 @@
 /// Balls whose midpoint is a pair of binary64 numbers and whose radius is one: enclosures of some 100 bits at the price of tens of
 /// floating-point operations, for a formula of the paper at many points.
 ///
-/// Nothing is counted by hand: each operation carries the radii of its operands through (a running error analysis), adds 2^-102 of its result
-/// for its own rounding (the theorems cited in double_double.hpp), and multiplies the radius by 1 + 2^-40, more than the rounding of the few
-/// binary64 operations that made it. Midpoints stay between 2^-430 and 2^430 or are zero, so that no product of two loses a bit to underflow;
-/// beyond, and for what is not provided here, the radius is infinite: a ball that knows nothing and decides nothing.
+/// Nothing is counted by hand: each operation carries the radii of its operands through (a running error analysis), adds 2^-102 of its
+/// result for its own rounding (the theorems cited in double_double.hpp), and multiplies the radius by 1 + 2^-40, more than the rounding of
+/// the few binary64 operations that made it. Midpoints stay between 2^-430 and 2^430 or are zero, so that no product of two loses a bit to
+/// underflow; beyond, and for what is not provided here, the radius is infinite: a ball that knows nothing and decides nothing.
 /// Compile with -ffp-contract=off. The theorems need the rounding mode to nearest, ties to even.
 #pragma once
 
@@ -75,8 +75,8 @@ public:
     TOUCHSTONE_INLINE friend PairBall at_most(const PairBall& x, const PairBall& bound) { return certainly(less(bound, x)) ? bound : x; }
     TOUCHSTONE_INLINE friend PairBall at_least(const PairBall& x, const PairBall& bound) { return certainly(less(x, bound)) ? bound : x; }
 
-    /// The binary64 number that every number of the ball rounds to, if there is one; nothing too where the value may be a binary64 number itself,
-    /// as a value in exact arithmetic is, but for zero. Rounding is monotonic, so that the two ends decide (Ziv's test).
+    /// The binary64 number that every number of the ball rounds to, if there is one; nothing too where the value may be a binary64 number
+    /// itself, as a value in exact arithmetic is, but for zero. Rounding is monotonic, so that the two ends decide (Ziv's test).
     TOUCHSTONE_INLINE friend std::optional<double> nearest_double(const PairBall& x)
     {
         const Pair& m = x.middle_;
@@ -95,7 +95,10 @@ private:
     static const Kept& kept();
 
     TOUCHSTONE_INLINE PairBall(const Pair& m, double radius) : middle_(m), radius_(in_range(m.high) ? radius : unknown) {}
-    TOUCHSTONE_INLINE static bool in_range(double x) { return x == 0 || (std::fabs(x) >= 0x1p-430 && std::fabs(x) <= 0x1p430); } // no for a NaN
+    TOUCHSTONE_INLINE static bool in_range(double x)
+    {
+        return x == 0 || (std::fabs(x) >= 0x1p-430 && std::fabs(x) <= 0x1p430);
+    } // no for a NaN
     TOUCHSTONE_INLINE static double size(const PairBall& x) { return std::fabs(x.middle_.high); }
     TOUCHSTONE_INLINE static bool both_short(const PairBall& x, const PairBall& y) { return x.middle_.low == 0 && y.middle_.low == 0; }
     TOUCHSTONE_INLINE static double rounding(const Pair& m) { return 0x1p-102 * std::fabs(m.high); }
@@ -148,8 +151,14 @@ struct ScalarTraits<PairBall> : ComposedTraits<PairBall> {
     static PairBall sqrt_positive_part(const PairBall& x) { return PairBall::root(x); } ///< sqrt(max(x, 0))
     static PairBall hypot(const PairBall& a, const PairBall& b) { return sqrt(a * a + b * b); } ///< sqrt(a^2 + b^2)
     static PairBall asin_sqrt_over_pi(const PairBall& s) { return atan_sqrt_over_pi(s, 1 - s); } ///< arcsin(sqrt s)/pi
-    static PairBall atan_sqrt_over_pi(const PairBall& n, const PairBall& d) { return angle_over_pi(sqrt_positive_part(n), sqrt_positive_part(d)); } ///< arctan(sqrt(n/d))/pi
-    static PairBall atan_minus_square_over_pi(const PairBall& a, const PairBall& b, const PairBall& d) { return atan_sqrt_over_pi(a - b * b, d); } ///< n = a - b^2
+    static PairBall atan_sqrt_over_pi(const PairBall& n, const PairBall& d)
+    {
+        return angle_over_pi(sqrt_positive_part(n), sqrt_positive_part(d));
+    } ///< arctan(sqrt(n/d))/pi
+    static PairBall atan_minus_square_over_pi(const PairBall& a, const PairBall& b, const PairBall& d)
+    {
+        return atan_sqrt_over_pi(a - b * b, d);
+    } ///< n = a - b^2
 };
 inline PairBall atan2(const PairBall&, const PairBall&) { return PairBall::indeterminate(); } ///< not provided
 inline PairBall pow(const PairBall&, const PairBall&) { return PairBall::indeterminate(); } ///< not provided

@@ -59,7 +59,8 @@ constexpr double sum_of_powers(const std::array<double, n>& terms, double x)
     return even + x * odd;
 }
 
-/// 2^(2k-1)/(2k)! for k = 2, ..., 11 with alternating signs: sin^2 y = y^2 - y^4 sum_of_powers(sine_terms, y^2); at y = pi/4 the next adds less than 2^-64.
+/// 2^(2k-1)/(2k)! for k = 2, ..., 11 with alternating signs: sin^2 y = y^2 - y^4 sum_of_powers(sine_terms, y^2); at y = pi/4 the next adds
+/// less than 2^-64.
 inline constexpr std::array<double, 10> sine_terms = [] {
     std::array<double, 10> terms{};
     double term = 1.0 / 3;
@@ -96,9 +97,18 @@ struct ComposedTraits {
     static T sqrt_square_minus(const T& b, const T& a) { return ScalarTraits<T>::sqrt_positive_part(b * b - a); } ///< sqrt(max(b^2 - a, 0))
     static T sqrt_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(T(ScalarTraits<T>::pi() * x), a); } ///< b = pi x
     static T sqrt_sin_pi_square_minus(const T& x, const T& a) { return sqrt_square_minus(ScalarTraits<T>::sin_pi(x), a); } ///< b = sin pi x
-    static T asin_sqrt_over_pi(const T& s) { return atan2(sqrt(s), ScalarTraits<T>::sqrt_positive_part(T(1 - s))) / ScalarTraits<T>::pi(); } ///< arcsin(sqrt s)/pi
-    static T atan_sqrt_over_pi(const T& n, const T& d) { return atan2(ScalarTraits<T>::sqrt_positive_part(n), ScalarTraits<T>::sqrt_positive_part(d)) / ScalarTraits<T>::pi(); } ///< arctan(sqrt(n/d))/pi
-    static T atan_minus_square_over_pi(const T& a, const T& b, const T& d) { return atan2(ScalarTraits<T>::sqrt_minus_square(a, b), sqrt(d)) / ScalarTraits<T>::pi(); } ///< n = a - b^2
+    static T asin_sqrt_over_pi(const T& s)
+    {
+        return atan2(sqrt(s), ScalarTraits<T>::sqrt_positive_part(T(1 - s))) / ScalarTraits<T>::pi();
+    } ///< arcsin(sqrt s)/pi
+    static T atan_sqrt_over_pi(const T& n, const T& d)
+    {
+        return atan2(ScalarTraits<T>::sqrt_positive_part(n), ScalarTraits<T>::sqrt_positive_part(d)) / ScalarTraits<T>::pi();
+    } ///< arctan(sqrt(n/d))/pi
+    static T atan_minus_square_over_pi(const T& a, const T& b, const T& d)
+    {
+        return atan2(ScalarTraits<T>::sqrt_minus_square(a, b), sqrt(d)) / ScalarTraits<T>::pi();
+    } ///< n = a - b^2
 };
 /// binary64: the formulas lose a few ulp, at the edges of the contact too.
 template <>
@@ -127,7 +137,8 @@ struct ScalarTraits<double> {
 #ifndef FP_FAST_FMA
         const double head = static_cast<float>(b), tail = b - head;
         const double difference = ((a - head * head) - 2 * head * tail) - tail * tail;
-        if (a > 0x1p-200 && std::fabs(difference) > 0x1p-40 * a) return difference; // else float may have too few bits, or the square of the tail
+        if (a > 0x1p-200 && std::fabs(difference) > 0x1p-40 * a)
+            return difference; // else float may have too few bits, or the square of the tail
 #endif
         return std::fma(-b, b, a);
     }
@@ -198,7 +209,8 @@ struct ScalarTraits<double> {
     {
         if (b == 0) return std::fabs(a);
         const double square = a * a + b * b;
-        return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(a, b); // what underflows beside 2^-900 is below its digits
+        return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square)
+                                                     : std::hypot(a, b); // what underflows beside 2^-900 is below its digits
     }
     static double power_of_two(long e) { return std::ldexp(1.0, static_cast<int>(std::clamp(e, -5000L, 5000L))); } ///< 2^e
     /// Gamma(x) for x > 0.
@@ -245,14 +257,42 @@ template <class T> T sin_pi(const T& x) { return ScalarTraits<T>::sin_pi(x); }  
 template <class T> T cos_pi(const T& x) { return ScalarTraits<T>::cos_pi(x); }   ///< cos(pi x)
 template <class T> T powm1(const T& x, const T& y) { return ScalarTraits<T>::powm1(x, y); } ///< x^y - 1
 template <class T> T pow_product(const T& x, const T& a, const T& b) { return ScalarTraits<T>::pow_product(x, a, b); } ///< x^(a b)
-template <class T> T sqrt_minus_square(const T& a, const T& b) { return ScalarTraits<T>::sqrt_minus_square(a, b); } ///< sqrt(max(a - b^2, 0))
-template <class T> T sqrt_minus_pi_square(const T& a, const T& x) { return ScalarTraits<T>::sqrt_minus_pi_square(a, x); } ///< sqrt(max(a - (pi x)^2, 0))
-template <class T> T sqrt_pi_square_minus(const T& x, const T& a) { return ScalarTraits<T>::sqrt_pi_square_minus(x, a); } ///< sqrt(max((pi x)^2 - a, 0))
-template <class T> T sqrt_sin_pi_square_minus(const T& x, const T& a) { return ScalarTraits<T>::sqrt_sin_pi_square_minus(x, a); } ///< sqrt(max(sin(pi x)^2 - a, 0))
-template <class T> T sqrt_minus_sin_pi_square(const T& a, const T& x) { return ScalarTraits<T>::sqrt_minus_sin_pi_square(a, x); } ///< sqrt(max(a - sin(pi x)^2, 0))
+template <class T>
+T sqrt_minus_square(const T& a, const T& b)
+{
+    return ScalarTraits<T>::sqrt_minus_square(a, b);
+} ///< sqrt(max(a - b^2, 0))
+template <class T>
+T sqrt_minus_pi_square(const T& a, const T& x)
+{
+    return ScalarTraits<T>::sqrt_minus_pi_square(a, x);
+} ///< sqrt(max(a - (pi x)^2, 0))
+template <class T>
+T sqrt_pi_square_minus(const T& x, const T& a)
+{
+    return ScalarTraits<T>::sqrt_pi_square_minus(x, a);
+} ///< sqrt(max((pi x)^2 - a, 0))
+template <class T>
+T sqrt_sin_pi_square_minus(const T& x, const T& a)
+{
+    return ScalarTraits<T>::sqrt_sin_pi_square_minus(x, a);
+} ///< sqrt(max(sin(pi x)^2 - a, 0))
+template <class T>
+T sqrt_minus_sin_pi_square(const T& a, const T& x)
+{
+    return ScalarTraits<T>::sqrt_minus_sin_pi_square(a, x);
+} ///< sqrt(max(a - sin(pi x)^2, 0))
 template <class T> T asin_sqrt_over_pi(const T& s) { return ScalarTraits<T>::asin_sqrt_over_pi(s); } ///< arcsin(sqrt s)/pi
-template <class T> T atan_sqrt_over_pi(const T& n, const T& d) { return ScalarTraits<T>::atan_sqrt_over_pi(n, d); } ///< arctan(sqrt(n/d))/pi
-template <class T> T atan_minus_square_over_pi(const T& a, const T& b, const T& d) { return ScalarTraits<T>::atan_minus_square_over_pi(a, b, d); } ///< arctan(sqrt((a - b^2)/d))/pi
+template <class T>
+T atan_sqrt_over_pi(const T& n, const T& d)
+{
+    return ScalarTraits<T>::atan_sqrt_over_pi(n, d);
+} ///< arctan(sqrt(n/d))/pi
+template <class T>
+T atan_minus_square_over_pi(const T& a, const T& b, const T& d)
+{
+    return ScalarTraits<T>::atan_minus_square_over_pi(a, b, d);
+} ///< arctan(sqrt((a - b^2)/d))/pi
 template <class T> T sqrt_positive_part(const T& x) { return ScalarTraits<T>::sqrt_positive_part(x); } ///< sqrt(max(x, 0))
 template <class T> T hypot_of(const T& a, const T& b) { return ScalarTraits<T>::hypot(a, b); } ///< sqrt(a^2 + b^2)
 template <class T> T power_of_two(long e) { return ScalarTraits<T>::power_of_two(e); } ///< 2^e
@@ -263,8 +303,16 @@ template <class T>
 concept OrderedByTraits = requires(const T x, const T y) { { ScalarTraits<T>::less(x, y) } -> std::same_as<Truth>; };
 template <OrderedByTraits T> Truth less(const T& x, const T& y) { return ScalarTraits<T>::less(x, y); } ///< x < y
 template <OrderedByTraits T> T hull(const T& x, const T& y) { return ScalarTraits<T>::hull(x, y); } ///< both
-template <OrderedByTraits T> T at_most(const T& x, const T& bound) { return ScalarTraits<T>::less(bound, x) == Truth::yes ? bound : x; } ///< min
-template <OrderedByTraits T> T at_least(const T& x, const T& bound) { return ScalarTraits<T>::less(x, bound) == Truth::yes ? bound : x; } ///< max
+template <OrderedByTraits T>
+T at_most(const T& x, const T& bound)
+{
+    return ScalarTraits<T>::less(bound, x) == Truth::yes ? bound : x;
+} ///< min
+template <OrderedByTraits T>
+T at_least(const T& x, const T& bound)
+{
+    return ScalarTraits<T>::less(x, bound) == Truth::yes ? bound : x;
+} ///< max
 
 template <class T>
 concept Scalar = std::copyable<T> && requires(const T x, const T y, long n) {

@@ -22,7 +22,10 @@ constexpr double negligible = 1e-6;  ///< ulps
 /// Half an ulp from load 1 the areas of scale 2 and beyond, which have a slope there, are dear; this far below they are not.
 constexpr int wide = 20;             ///< a step of 2^-20, whose change is divided by 2^33 to be that of half an ulp
 
-bool of_the_recursion(const Quantity& q) { return q.plan && (q.name.starts_with("contact.") || q.name == "segments.count" || q.name == "segments.density"); }
+bool of_the_recursion(const Quantity& q)
+{
+    return q.plan && (q.name.starts_with("contact.") || q.name == "segments.count" || q.name == "segments.density");
+}
 
 /// Half-way from x to its neighbour in that direction: the farthest number that still rounds to x.
 Rational end_towards(double x, double direction)
@@ -123,7 +126,8 @@ double at_the_corners(const Quantity& q, const std::vector<double>& inputs, cons
 double half_ulp(double x) { return x == 0 ? 0 : midpoint(abs(Ball(end_towards(x, infinity)) / Ball(exact_rational(x)) - Ball(1))); }
 
 /// How much faster than its arguments a distribution changes beside its upper edge, and how fast the edge itself moves.
-double at_the_upper_edge(const Quantity& q, double n, Ball p, const Ball& load, const Ball& G, double from_p, double from_load, double from_G)
+double at_the_upper_edge(const Quantity& q, double n, Ball p, const Ball& load, const Ball& G, double from_p, double from_load,
+                         double from_G)
 {
     long scale = std::lround(n);
     double power = q.name == "contact.exceedance" ? (n + 1) / 2 : std::fabs(n - 1) / 2;
@@ -160,7 +164,8 @@ double by_condition_number(const Quantity& q, const std::vector<double>& inputs,
         const auto p = input("p"), a = input("a");
         if (p || a) {
             const double argument = p ? *p : *a, from_p = half_ulp(argument);
-            relative += from_p + at_the_upper_edge(q, n, Ball(exact_rational(argument)), Ball(exact_rational(*input("load"))), Ball(exact_rational(G)), from_p, from_load, from_G);
+            relative += from_p + at_the_upper_edge(q, n, Ball(exact_rational(argument)), Ball(exact_rational(*input("load"))),
+                                                   Ball(exact_rational(G)), from_p, from_load, from_G);
         }
     }
     return relative * midpoint(abs(Ball(value) / Ball(unit)));

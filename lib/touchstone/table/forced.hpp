@@ -25,7 +25,8 @@ struct ForcedUlps {
 /// Elsewhere another load or G is another solution of the recursion, seconds to minutes, and it is estimated: a relative change of the load
 /// counts once, of G n times (of a count gamma^n A_(n-1) what is left of both), and what falls like
 /// (p_max - p)^s towards its upper edge (p_n^max of (5.6), s = (n+1)/2 for an exceedance, |n-1|/2 for a density) moves with the edge.
-/// Of limit.area_constant and its ratio the condition number is taken to be 1. Nothing is known of other limits, nor where no ball at the row itself is finite.
+/// Of limit.area_constant and its ratio the condition number is taken to be 1. Nothing is known of other limits, nor where no ball at the
+/// row itself is finite.
 std::optional<ForcedUlps> forced_ulps(const Quantity&, const std::vector<double>& inputs, const Rational& value);
 
 /// Three significant digits, as the tables have it; a change below a millionth of an ulp is 0.

@@ -173,7 +173,8 @@ std::vector<Row> surfaces()
     std::vector<Row> v;
     for (const double D : paper_D)
         for (const double g : paper_gamma) v.push_back({D, g});
-    for (const Row& extra : Rows{{1 + 0x1p-52, 10}, {1.999, 10}, {2 - 0x1p-52, 5}, {1.5, 1.0625}, {1.5, 1e6}, {1.01, 1e300}, {1.75, 2.5}}) v.push_back(extra);
+    for (const Row& extra : Rows{{1 + 0x1p-52, 10}, {1.999, 10}, {2 - 0x1p-52, 5}, {1.5, 1.0625}, {1.5, 1e6}, {1.01, 1e300}, {1.75, 2.5}})
+        v.push_back(extra);
     return v;
 }
 
@@ -420,7 +421,9 @@ Rows limit_grid()
 {
     std::vector<double> G{second_G, figure_5_G, 2.01, 2.02, 2.05, 2.1, 2.15, 2.2, 2.25, 2.3, 2.4, 2.5, 2.6, 2.7, 2.75, 2.8, 2.9};
     for (int k = 12; k <= 40; ++k) G.push_back(k / 4.);
-    for (const double g : {11., 12., 13., 14., 15., 16., 18., 20., 25., 30., 40., 50., 64., 100., 128., 200., 500., 1000., 5000., 1e4, 3e4, 1e5, 1e6}) G.push_back(g);
+    for (const double g :
+         {11., 12., 13., 14., 15., 16., 18., 20., 25., 30., 40., 50., 64., 100., 128., 200., 500., 1000., 5000., 1e4, 3e4, 1e5, 1e6})
+        G.push_back(g);
     return distinct(as_rows(G));
 }
 

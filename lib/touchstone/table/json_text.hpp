@@ -7,8 +7,8 @@
 
 namespace touchstone {
 
-/// The text, or an empty one, which is no JSON, where brackets nest deeper than in any file of ours: nlohmann_json reads such a text and then
-/// writes, copies or frees it by recursion, until the stack is used up.
+/// The text, or an empty one, which is no JSON, where brackets nest deeper than in any file of ours: nlohmann_json reads such a text and
+/// then writes, copies or frees it by recursion, until the stack is used up.
 inline std::string_view shallow(std::string_view json)
 {
     constexpr int deepest = 64;

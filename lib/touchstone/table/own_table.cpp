@@ -44,9 +44,11 @@ public:
         if (find_table(t.name) != nullptr) throw wrong(fmt::format("name: '{}' is a table that comes with the program", t.name));
         t.quantity = text_of("quantity");
         quantity_ = find_quantity(t.quantity);
-        if (quantity_ == nullptr) throw wrong(fmt::format("unknown quantity '{:.40}'; nearest is '{}'", t.quantity, nearest_name(t.quantity, quantity_names())));
+        if (quantity_ == nullptr)
+            throw wrong(fmt::format("unknown quantity '{:.40}'; nearest is '{}'", t.quantity, nearest_name(t.quantity, quantity_names())));
         if (json_.contains("digits")) {
-            if (!json_["digits"].is_number_integer() || json_["digits"] < 1 || json_["digits"] > 10'000) throw wrong("digits: must be an integer from 1 to 10000");
+            if (!json_["digits"].is_number_integer() || json_["digits"] < 1 || json_["digits"] > 10'000)
+                throw wrong("digits: must be an integer from 1 to 10000");
             t.digits = json_["digits"].get<long>();
         }
         else t.digits = EvaluationOptions{}.digits;
@@ -139,13 +141,15 @@ private:
 
     Rows written() const
     {
-        if (!json_.contains("columns") || !json_["columns"].is_array() || !json_["rows"].is_array()) throw wrong("rows: needs columns, and both must be arrays");
+        if (!json_.contains("columns") || !json_["columns"].is_array() || !json_["rows"].is_array())
+            throw wrong("rows: needs columns, and both must be arrays");
         std::vector<std::string> columns;
         for (const Json& j : json_["columns"]) columns.push_back(word(j, "columns"));
         expect_keys(columns);
         Rows rows;
         for (const Json& j : json_["rows"]) {
-            if (!j.is_array() || j.size() != columns.size()) throw wrong(fmt::format("row {}: must have {} numbers", rows.size() + 1, columns.size()));
+            if (!j.is_array() || j.size() != columns.size())
+                throw wrong(fmt::format("row {}: must have {} numbers", rows.size() + 1, columns.size()));
             std::vector<std::string> words;
             for (const auto& name : quantity_->inputs) {
                 const auto place = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
@@ -166,7 +170,8 @@ private:
             throw WrongKeys(fmt::format("{}: {}", file_, e.what()));
         }
         for (const auto& name : quantity_->inputs)
-            if (std::find(keys.begin(), keys.end(), name) == keys.end()) throw WrongKeys(fmt::format("{}: a table takes {}", file_, fmt::join(quantity_->inputs, ", ")));
+            if (std::find(keys.begin(), keys.end(), name) == keys.end())
+                throw WrongKeys(fmt::format("{}: a table takes {}", file_, fmt::join(quantity_->inputs, ", ")));
     }
 
     std::string file_;

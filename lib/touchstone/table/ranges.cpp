@@ -63,7 +63,8 @@ void Range::read_steps(std::string_view text)
     const Rational steps = (last_ - first_) / *step_;
     if (steps < 0) throw DomainError(fmt::format("range '{}' has no values: the step leads away from {}", text, parts[1]));
     const Integer whole = steps.get_num() / steps.get_den();
-    if (whole >= Integer(most)) throw DomainError(fmt::format("range '{}' has {} values; at most {} are taken", text, Integer(whole + 1).get_str(), most));
+    if (whole >= Integer(most))
+        throw DomainError(fmt::format("range '{}' has {} values; at most {} are taken", text, Integer(whole + 1).get_str(), most));
     size_ = whole.get_ui() + 1;
 }
 
@@ -75,7 +76,8 @@ void Range::read_ratios(std::string_view text)
     last_ = number(parts[2], text);
     const Rational count = number(parts[3], text);
     if (first_ <= 0 || last_ <= 0) throw DomainError(fmt::format("range '{}': both ends must be > 0", text));
-    if (count.get_den() != 1 || count < 2 || count > Rational(Integer(most))) throw DomainError(fmt::format("range '{}': the count must be an integer from 2 to {}", text, most));
+    if (count.get_den() != 1 || count < 2 || count > Rational(Integer(most)))
+        throw DomainError(fmt::format("range '{}': the count must be an integer from 2 to {}", text, most));
     size_ = count.get_num().get_ui();
 }
 
@@ -91,7 +93,9 @@ std::string Range::at(std::size_t i) const
     const WorkingPrecision precision(bits_between);
     const Ball value = Ball(first_) * pow(Ball(Rational(last_ / first_)), Ball(exponent));
     if (const auto x = nearest_double(value); x && *x > 0 && *x < std::numeric_limits<double>::infinity()) return shortest(*x);
-    return round_to_digits(value, 17).value_or(round_to_digits(Rational(first_), 17)).text(); // beyond binary64's range, or a perfect power on a tie of it
+    return round_to_digits(value, 17)
+        .value_or(round_to_digits(Rational(first_), 17))
+        .text(); // beyond binary64's range, or a perfect power on a tie of it
 }
 
 } // namespace touchstone

@@ -56,7 +56,10 @@ std::string quoted(std::string_view word)
 
 bool is_comment(std::string_view line) { return !line.empty() && (line.front() == '#' || line.front() == '%'); }
 
-bool among(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool among(const std::vector<std::string>& names, const std::string& name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// A name begins with a letter; nan and inf are numbers that went wrong, not names.
 bool is_name(const std::string& word)
@@ -91,7 +94,8 @@ bool RowsReader::read_line()
             throw bad(fmt::format("cannot be read: {}", std::strerror(errno != 0 ? errno : EIO)));
         }
         if (c == end_of_file) {
-            if (errno == EISDIR || errno == EIO) throw bad(fmt::format("cannot be read: {}", std::strerror(errno))); // standard input does not throw
+            if (errno == EISDIR || errno == EIO)
+                throw bad(fmt::format("cannot be read: {}", std::strerror(errno))); // standard input does not throw
             return !text_.empty();
         }
         const bool second_of_pair = c == '\n' && after_return_;
@@ -129,7 +133,8 @@ void RowsReader::find_columns()
         const auto words = words_of(line);
         if (complete.line == 0 && partial.line == 0) {
             if (!std::all_of(words.begin(), words.end(), is_name))
-                throw bad(fmt::format("no line before the rows names the columns; right is '# {}' or some of these", fmt::join(format_.known, " ")));
+                throw bad(fmt::format("no line before the rows names the columns; right is '# {}' or some of these",
+                                      fmt::join(format_.known, " ")));
             name_columns(line, line_);
             return;
         }
@@ -174,7 +179,8 @@ bool RowsReader::next(Row& row)
         row.line = line_;
         row.words = words_of(line);
         if (row.words.size() != columns_.size())
-            throw fault(row, fmt::format("{} columns where {} are named ({})", row.words.size(), columns_.size(), fmt::join(columns_, " ")));
+            throw fault(row,
+                        fmt::format("{} columns where {} are named ({})", row.words.size(), columns_.size(), fmt::join(columns_, " ")));
         for (std::size_t k = 0; k < row.words.size(); ++k)
             if (row.words[k].empty()) throw fault(row, fmt::format("column '{}' is empty", columns_[k]));
         return true;
@@ -185,7 +191,8 @@ bool RowsReader::next(Row& row)
 
 std::optional<Rational> RowsReader::number(std::string_view word)
 {
-    if (word.find_first_of("xX") != std::string_view::npos || word.find_first_of("dD") == std::string_view::npos) return parse_rational(word);
+    if (word.find_first_of("xX") != std::string_view::npos || word.find_first_of("dD") == std::string_view::npos)
+        return parse_rational(word);
     std::string text(word);
     std::replace_if(text.begin(), text.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
     return parse_rational(text);

@@ -59,7 +59,8 @@ struct ChainBounds {
     Ball cosh_squared;  ///< encloses |cosh v|^2
     Ball factor;        ///< at most |1 - x tanh^2 v|, >= 0
 };
-/// At least x|1 - x z| for all x in [0, highest] and z in the ball. It increases with x except while xz is in the disc |1 - xz - 1/4| < 1/4, where
+/// At least x|1 - x z| for all x in [0, highest] and z in the ball. It increases with x except while xz is in the disc |1 - xz - 1/4| <
+/// 1/4, where
 /// |1 - xz| <= 1/2 and |xz| <= 1.
 Ball largest_product(const ComplexBall& z, const Ball& highest);
 ChainBounds chain_bounds(const ComplexBall& v, const Ball& G, const Ratios& x);

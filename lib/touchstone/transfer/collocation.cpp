@@ -18,7 +18,8 @@ double largest_share(double G, double width) { return std::sqrt(G * width / 2); 
 double largest_second_share(double G, double width)
 {
     const double l = G * width;
-    return min(largest_share(G, width), margin * l * (1 + 2 * std::sqrt(G) + std::sqrt(2 * G) / pi_below * max(0.0, std::log(1 / (2 * l)))));
+    return min(largest_share(G, width),
+               margin * l * (1 + 2 * std::sqrt(G) + std::sqrt(2 * G) / pi_below * max(0.0, std::log(1 / (2 * l)))));
 }
 
 Layer layer_on(const Rules& r, const Real& G, double tolerance, std::vector<Panel> panels, int columns)
@@ -33,7 +34,8 @@ Wide series_of(const Rules& r, const Wide& nodal)
     in_parallel(nodal.size() / terms, [&](std::size_t j) {
         Wide here(terms);
         for (std::size_t i = 0; i < terms; ++i) here.set(i, nodal[j * terms + i]);
-        for (std::size_t k = 0; k < terms; ++k) series.set(j * terms + k, dot(r.own.T, k * terms, here) * (k == 0 ? 1 : 2) / r.orders.terms);
+        for (std::size_t k = 0; k < terms; ++k)
+            series.set(j * terms + k, dot(r.own.T, k * terms, here) * (k == 0 ? 1 : 2) / r.orders.terms);
     });
     return series;
 }
@@ -88,7 +90,8 @@ Series resolve(const Search& s, std::vector<Panel> on, Wide series, const std::f
             }
             if (resolved || negligible || width <= 8 * narrowest * double(on[j].y1)) {
                 done.emplace_back(on[j], std::vector<Real>());
-                for (std::size_t k = 0; k < terms; ++k) done.back().second.push_back(unbounded && !resolved && k > 0 ? Real(0) : series[j * terms + k]);
+                for (std::size_t k = 0; k < terms; ++k)
+                    done.back().second.push_back(unbounded && !resolved && k > 0 ? Real(0) : series[j * terms + k]);
                 continue;
             }
             const Real &z0 = on[j].z0, &z1 = on[j].z1, middle = (z0 + z1) * 0.5;
@@ -119,7 +122,8 @@ std::vector<Panel> first_panels(const Search& s, double highest)
     return start;
 }
 
-/// T at the nodes of a mesh. Levels that keep the mesh follow the plan of the first of them: what is sparse and expensive to find is the kernel, not the sums.
+/// T at the nodes of a mesh. Levels that keep the mesh follow the plan of the first of them: what is sparse and expensive to find is the
+/// kernel, not the sums.
 class Step {
 public:
     Wide at_nodes(const Search& s, const Layer& V)
@@ -191,18 +195,21 @@ Wide on_finer_panels(const Search& s, Series of, const std::vector<Panel>& finer
     Wide nodal(finer.size() * terms);
     in_parallel(finer.size(), [&](std::size_t j) {
         const Panel &p = finer[j], &from = on.panels[parents[j]];
-        for (std::size_t i = 0; i < terms; ++i) nodal.set(j * terms + i, on.value(parents[j], 0, (p.centre + p.half * own[i] - from.centre) / from.half));
+        for (std::size_t i = 0; i < terms; ++i)
+            nodal.set(j * terms + i, on.value(parents[j], 0, (p.centre + p.half * own[i] - from.centre) / from.half));
     });
     return series_of(s.rules, nodal);
 }
 
 } // namespace
 
-std::unique_ptr<Layer> collocate(const Rules& rules, const First& first, const Real& G, double highest, double tolerance, int levels, const Spoiled& spoiled)
+std::unique_ptr<Layer> collocate(const Rules& rules, const First& first, const Real& G, double highest, double tolerance, int levels,
+                                 const Spoiled& spoiled)
 {
     const Search s{rules, first, G, tolerance};
     std::vector<Series> found = level_by_level(s, highest, levels);
-    auto all = std::make_unique<Layer>(rules.orders, rules.gauss, rules.kernel_points, rules.exact, G, tolerance, found.back().panels, columns_for(levels));
+    auto all = std::make_unique<Layer>(rules.orders, rules.gauss, rules.kernel_points, rules.exact, G, tolerance, found.back().panels,
+                                       columns_for(levels));
     for (int m = 0; m < levels; ++m) {
         Wide series = on_finer_panels(s, std::move(found[m]), all->panels);
         if (spoiled)

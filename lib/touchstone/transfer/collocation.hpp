@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// V_0, V_1, ...: piecewise polynomials near B_0, B_1 = T B_0, ... by collocation, on a mesh that is halved where needed. A search: nothing here is
-/// trusted (defects.hpp proves how far V_m are from B_m). Internal to transfer/.
+/// V_0, V_1, ...: piecewise polynomials near B_0, B_1 = T B_0, ... by collocation, on a mesh that is halved where needed. A search: nothing
+/// here is trusted (defects.hpp proves how far V_m are from B_m). Internal to transfer/.
 #pragma once
 
 #include "touchstone/transfer/layer.hpp"
@@ -25,7 +25,14 @@ struct Rules {
     Orders orders;
     Gauss gauss, exact;
     ChebyshevPoints own, kernel_points;
-    explicit Rules(double tolerance) : orders(tolerance), gauss(orders.gauss), exact(orders.terms), own(orders.terms), kernel_points(orders.kernel) {}
+    explicit Rules(double tolerance)
+        : orders(tolerance)
+        , gauss(orders.gauss)
+        , exact(orders.terms)
+        , own(orders.terms)
+        , kernel_points(orders.kernel)
+    {
+    }
 };
 
 /// Columns of a layer of so many levels: a multiple of four for the sums in wave_kernel.hpp, or 1.
@@ -42,6 +49,7 @@ Wide series_of(const Rules&, const Wide& nodal);
 using Spoiled = std::function<double(int m, double y0, double y1)>;
 
 /// V_0 ... V_(levels-1) up to `highest`, on one mesh. \throws BeyondReach where that would be too large
-std::unique_ptr<Layer> collocate(const Rules&, const First&, const Real& G, double highest, double tolerance, int levels, const Spoiled& = {});
+std::unique_ptr<Layer> collocate(const Rules&, const First&, const Real& G, double highest, double tolerance, int levels,
+                                 const Spoiled& = {});
 
 } // namespace touchstone::transfer::levels

@@ -158,7 +158,8 @@ long most_digits_of_area(const Ball& load, const Ball& G)
     const WorkingPrecision precision(128);
     const auto serves = [&](long digits) {
         const double accuracy = nats_of_F(load, {digits}), deepest = deepest_for(load);
-        return std::max(Discretisation::size_for(Scheme::force_weighted, G, accuracy, deepest), Discretisation::size_for(Scheme::area, G, accuracy, deepest)) <= Discretisation::most_nodes;
+        return std::max(Discretisation::size_for(Scheme::force_weighted, G, accuracy, deepest),
+                        Discretisation::size_for(Scheme::area, G, accuracy, deepest)) <= Discretisation::most_nodes;
     };
     long least = 0, most = 10'001; // serves(least), not serves(most)
     while (most - least > 1) {

@@ -28,8 +28,17 @@ double smallest_part_for(double tolerance)
 } // namespace
 
 Defects::Defects(const Rules& rules_, const Layer& V_, int levels_, double tolerance_, bool monotone_)
-    : rules(rules_), V(V_), levels(levels_), columns(V_.count), tolerance(tolerance_), monotone(monotone_), smallest_part(smallest_part_for(tolerance)),
-      first_check(rules.orders.terms + (monotone ? 7 : 19), 4), defect(V.panels.size() * static_cast<std::size_t>(columns)), by_monotony(V.panels.size()), holes(static_cast<std::size_t>(levels))
+    : rules(rules_)
+    , V(V_)
+    , levels(levels_)
+    , columns(V_.count)
+    , tolerance(tolerance_)
+    , monotone(monotone_)
+    , smallest_part(smallest_part_for(tolerance))
+    , first_check(rules.orders.terms + (monotone ? 7 : 19), 4)
+    , defect(V.panels.size() * static_cast<std::size_t>(columns))
+    , by_monotony(V.panels.size())
+    , holes(static_cast<std::size_t>(levels))
 {
     for (const auto& [share, rho] : {std::pair{0.3, 64.0}, {0.45, 24.0}, {0.65, 10.0}, {0.7, 4.0}, {0.8, 4.0}, {0.9, 4.0}, {1.0, 4.0}})
         if (!monotone || share <= 0.65 || share == 1) checks.emplace_back(static_cast<int>(rules.orders.terms * share) + 7, rho);
@@ -96,7 +105,8 @@ void Defects::prove_first(const First& first, std::size_t i)
         };
         const auto [of_value, of_complement] = first.on_disc(low, high, x, r);
         const double rho = ellipse_of_distance(square_moves(x_, r) / half_z), from_one = size_of(V.coefficients[V.row(i, 0)] - 1);
-        const double bound = margin * min(of_value + V.growth_at(i, 0, rho), of_complement + from_one + V.growth_at(i, 0, rho, 1)) * check.tail;
+        const double bound =
+            margin * min(of_value + V.growth_at(i, 0, rho), of_complement + from_one + V.growth_at(i, 0, rho, 1)) * check.tail;
         double most = infinite;
         if (bound <= (h > small || !share ? max(tolerance / 16, negligible) : infinite) && bound < infinite && h >= narrowest * x_) {
             most = 0;
@@ -113,7 +123,9 @@ void Defects::prove_first(const First& first, std::size_t i)
         else if (!share) add_hole(0, low, high, first.weight_on(double(low), double(high - low), V.size[V.at(i, 0)]), Known::on_average);
         else { // increasing, between its ends
             const Real v = V.value(i, 0, local(low));
-            found(0, low, high, i, margin * (off(low * Real{1, -4 * u}, v) + off(high * Real{1, 4 * u}, v) + change_of(V, i, 0, double(high * high - low * low))));
+            found(0, low, high, i,
+                  margin * (off(low * Real{1, -4 * u}, v) + off(high * Real{1, 4 * u}, v) +
+                            change_of(V, i, 0, double(high * high - low * low))));
         }
     }
 }
@@ -170,7 +182,8 @@ std::vector<double> mass_after_steps(double G, double highest, int steps)
 {
     std::vector<double> mass{1};
     wave::Power power;
-    for (int k = 1; k <= steps; ++k, power = wave::after_steps(power, G)) mass.push_back(min(mass.back(), margin * power.factor * std::pow(highest, power.exponent)));
+    for (int k = 1; k <= steps; ++k, power = wave::after_steps(power, G))
+        mass.push_back(min(mass.back(), margin * power.factor * std::pow(highest, power.exponent)));
     return mass;
 }
 
@@ -215,9 +228,13 @@ double Defects::effect(int m, double reach) const
     const double best = least_sum(parts(m, reach), [&](const Part& p) { return largest_share(margin * double(V.G), p.width); });
     const double y = double(V.panels.front().y0); // below it V = 0
     double below;
-    if (!monotone) below = m == 0 ? 0 : margin * (std::sqrt(y) * V.largest[m - 1] + sum_of_effects[m - 1]); // B_m = T B_{m-1}, T 1 <= x^(1/2)
+    if (!monotone)
+        below = m == 0 ? 0 : margin * (std::sqrt(y) * V.largest[m - 1] + sum_of_effects[m - 1]); // B_m = T B_{m-1}, T 1 <= x^(1/2)
     // B_m(x) <= B_m(y) <= T^(m+1) 1, for B_0(y) <= y^(1/2) as T 1 is
-    else below = m == 0 ? std::sqrt(y) : min(mass_after_steps(not_above(V.G), not_below(V.panels.front().y0), m + 1).back(), margin * (V.size[m] + defect[m] + sum_of_effects[m - 1]));
+    else
+        below = m == 0 ? std::sqrt(y)
+                       : min(mass_after_steps(not_above(V.G), not_below(V.panels.front().y0), m + 1).back(),
+                             margin * (V.size[m] + defect[m] + sum_of_effects[m - 1]));
     return margin * (best + below * largest_share(double(V.G), y));
 }
 
@@ -246,7 +263,8 @@ double Defects::effect_at(const Real& low, const Real& high) const
 
 double Defects::blur(int m, const Real& x) const
 {
-    // theta kept, z G^2 = (x + c)^2, resp. (1 + c)(2x - 1 + c), moves by less than 5 u x (1 + x); an edge that moves by dz loses the jump of V on a share
+    // theta kept, z G^2 = (x + c)^2, resp. (1 + c)(2x - 1 + c), moves by less than 5 u x (1 + x); an edge that moves by dz loses the jump
+    // of V on a share
     const Real low = x * Real{1, -4 * u}, high = x * Real{1, 4 * u};
     const double x_ = double(x), dz = 40 * u * x_ * (1 + x_) / (double(V.G) * double(V.G));
     double sum = 0;

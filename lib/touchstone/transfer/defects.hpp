@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// How far piecewise polynomials V_m, any at all, are from B_m = T B_(m-1): D_m >= |T V_(m-1) - V_m|, panel by panel, and what they add up to.
-/// proven_levels.md, 1, 3 to 5. Internal to transfer/ and limit/.
+/// How far piecewise polynomials V_m, any at all, are from B_m = T B_(m-1): D_m >= |T V_(m-1) - V_m|, panel by panel, and what they add up
+/// to. proven_levels.md, 1, 3 to 5. Internal to transfer/ and limit/.
 #pragma once
 
 #include "touchstone/transfer/collocation.hpp"
@@ -17,12 +17,19 @@ struct Check {
     ChebyshevPoints points;
     /// |f| <= lebesgue max |f at the points| + tail K where |f| <= K on the ellipse, the points moved by rounding: md, 4
     Check(int count, double rho_)
-        : rho(rho_), spread((rho + 1 / rho) / 2 * bounds::margin), tail(0), lebesgue(1.01 * (1 + 2 / bounds::pi_below * std::log(count))), points(count)
+        : rho(rho_)
+        , spread((rho + 1 / rho) / 2 * bounds::margin)
+        , tail(0)
+        , lebesgue(1.01 * (1 + 2 / bounds::pi_below * std::log(count)))
+        , points(count)
     {
         tail = bounds::margin * 2 * (1 + lebesgue) / (power(rho, count - 1) * (rho - 1));
     }
     /// At least a function that is within `apart` of an f with |f| <= between/tail on the ellipse, and at most `most` at the points.
-    double anywhere(double most, double apart, double between) const { return bounds::margin * (lebesgue * (most + apart) + apart + between); }
+    double anywhere(double most, double apart, double between) const
+    {
+        return bounds::margin * (lebesgue * (most + apart) + apart + between);
+    }
 };
 
 /// The larger, and infinite where v is not a number: nothing is known then.
@@ -60,7 +67,8 @@ std::vector<double> mass_after_steps(double G, double highest, int steps);
 /// At least what V_m's polynomial of a panel changes by on its interval, where z changes by dz.
 double change_of(const Layer&, std::size_t panel, int m, double dz);
 
-/// [panel * V.count + m], m + 1 < levels: at least |V_e - V_n|, the polynomials of a panel e and of any other n, on n's part of e's interval.
+/// [panel * V.count + m], m + 1 < levels: at least |V_e - V_n|, the polynomials of a panel e and of any other n, on n's part of e's
+/// interval.
 std::vector<double> overlap_defects(const Rules&, const Layer& V, int levels);
 
 /// At least mu_x([y0, y1]) for low <= x <= high, on one side of 1.
@@ -93,7 +101,8 @@ private:
     friend class StepOnPanel;
     static constexpr int most_intervals = 20'000; ///< of x, on one panel
 
-    /// From an analytic function's values; of what increases, from those at the ends, of T V_(m-1) where T B_(m-1) is meant; or only what counts for a bound.
+    /// From an analytic function's values; of what increases, from those at the ends, of T V_(m-1) where T B_(m-1) is meant; or only what
+    /// counts for a bound.
     enum class Known { by_values, by_monotony, on_average };
     /// Where |B_m - T V_(m-1)| is not bounded by `defect`. In all else a panel.
     struct Hole {
@@ -118,7 +127,7 @@ private:
     int levels, columns;
     double tolerance;
     bool monotone;
-    double smallest_part;               ///< of a panel's width; what increases changes by that much on it, and counts with the root of its width
+    double smallest_part; ///< of a panel's width; what increases changes by that much on it, and counts with the root of its width
     std::vector<Check> checks;
     Check first_check;                  ///< of B_0, whose bound on a disc may be far above its size
     std::vector<double> defect;         ///< [panel * columns + m]: at least |T V_{m-1} - V_m|, resp. |B_0 - V_0|

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Circular arithmetic: discs of complex numbers in binary64 that hold every result for every choice from the operands. Internal to transfer/.
+/// Circular arithmetic: discs of complex numbers in binary64 that hold every result for every choice from the operands. Internal to
+/// transfer/.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 
 namespace touchstone::transfer {
 
-/// Centre and radius, the radius enlarged for every rounding, and by more than what can underflow. Numbers below 1e150; a radius that is infinite or not a
-/// number: nothing is known. A constant of a formula, 0 or one whose square is far from underflow, is a point.
+/// Centre and radius, the radius enlarged for every rounding, and by more than what can underflow. Numbers below 1e150; a radius that is
+/// infinite or not a number: nothing is known. A constant of a formula, 0 or one whose square is far from underflow, is a point.
 class Disc {
 public:
     Disc(double constant = 0) : c_(constant), r_(0) {}
@@ -41,10 +42,12 @@ public:
         const std::complex<double> root = x >= 0 ? std::complex(s, t) : std::complex(std::fabs(t), std::copysign(s, y));
         // |root| times the most of |(1 + t)^(1/2) - 1| = 1 - (1 - q)^(1/2), |t| <= q = r/|c| rounded up: next to q = 1 it is steep
         const double q = std::min(1.0, a.r_ / most * (1 + 0x1p-49));
-        return {root, std::sqrt(most) * (1 - std::sqrt(1 - q))}; // the roundings here are below 8 2^-53 |root|, and a disc is enlarged by four times as much
+        return {root,
+                std::sqrt(most) *
+                    (1 - std::sqrt(1 - q))}; // the roundings here are below 8 2^-53 |root|, and a disc is enlarged by four times as much
     }
-    /// About e^c, |e^(c + t) - e^c| <= |e^c| (e^r - 1); where e^c is small, about 0, |e^z| <= e^(Re c + r), a sum off by 2^-44 at most; below e^-300 only that.
-    /// exp, expm1, sin and cos are taken to be right to 2^-50.
+    /// About e^c, |e^(c + t) - e^c| <= |e^c| (e^r - 1); where e^c is small, about 0, |e^z| <= e^(Re c + r), a sum off by 2^-44 at most;
+    /// below e^-300 only that. exp, expm1, sin and cos are taken to be right to 2^-50.
     friend Disc exp(const Disc& a)
     {
         const double x = a.c_.real(), y = a.c_.imag(), most = x + a.r_;

@@ -39,12 +39,18 @@ Ball larger(const Ball& a, const Ball& b) { return certainly(less(a, b)) ? b : a
 
 } // namespace
 
-FixedFormat Discretisation::format_for(double accuracy) { return FixedFormat(static_cast<long>(accuracy / std::numbers::ln2 + 40 + 3 * std::log2(std::max(accuracy / 136, 1.0)))); }
+FixedFormat Discretisation::format_for(double accuracy)
+{
+    return FixedFormat(static_cast<long>(accuracy / std::numbers::ln2 + 40 + 3 * std::log2(std::max(accuracy / 136, 1.0))));
+}
 /// Moments are off by units of the format, whatever the load, and F is about x^(1/2): at x = e^-deepest half of deepest is needed on top of
 /// what F is wanted to relative to 1. A quarter is in the accuracy already, since what earlier levels are off by weighs x^(1/4) in a row.
 double Discretisation::accuracy_of_entries(double accuracy, double deepest) { return accuracy + deepest / 4; }
 
-slong Discretisation::bits_for(double accuracy, double deepest) { return format_for(accuracy_of_entries(accuracy, deepest)).fraction() + 24; }
+slong Discretisation::bits_for(double accuracy, double deepest)
+{
+    return format_for(accuracy_of_entries(accuracy, deepest)).fraction() + 24;
+}
 
 double Discretisation::rule_end(Scheme scheme, const Ball& G, double accuracy)
 {
@@ -52,13 +58,16 @@ double Discretisation::rule_end(Scheme scheme, const Ball& G, double accuracy)
 }
 
 /// From -log x = log(G/2), a little below, to s_last.
-std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Ball& G, double accuracy, double grid_accuracy, double V, double deepest)
+std::vector<Discretisation::Block> Discretisation::grid(Scheme scheme, const Ball& G, double accuracy, double grid_accuracy, double V,
+                                                        double deepest)
 {
     const double s0 = approximate(log(G / 2));
     // -log y <= log(G/2) + s/2 + V, about: from s = deepest, and from the last node
     const double s_last = std::max((scheme == Scheme::area ? 1.1 : 1) * std::max(2 * V, accuracy + 4), deepest / 2 + V) + 2 * s0 + 2;
     const double s_first = s0 * (1 - std::ldexp(1.0, -40));
-    const auto points_for = [&](double rho) { return 1 + static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho))); };
+    const auto points_for = [&](double rho) {
+        return 1 + static_cast<long>(std::ceil((grid_accuracy + 2 - std::log(rho - 1)) / std::log(rho)));
+    };
     std::vector<Block> all;
     const auto add = [&](double lo, double hi, double half, double rho, long p) {
         all.push_back({(lo + hi) / 2, half, rho, p, all.size() * static_cast<std::size_t>(p)});
@@ -198,7 +207,8 @@ const Ball& Discretisation::magnitude(long m) const { return c_.at(std::min(stat
 /// Whether the rule for all ratios below 2/G is proven for this one.
 bool Discretisation::rule_serves(const Ball& x) const { return certainly(less(x, 2 / G_)); }
 
-/// The weights and abscissae of the step (R1) at ratio x = e^-s, and its moments sum_q W_q T_k(tau_q). A node of small weight needs fewer bits.
+/// The weights and abscissae of the step (R1) at ratio x = e^-s, and its moments sum_q W_q T_k(tau_q). A node of small weight needs fewer
+/// bits.
 Discretisation::Row Discretisation::row(const Ball& x, const Ball& s, const Rule& rule) const
 {
     const auto limbs = static_cast<std::size_t>(format_.limbs());
@@ -314,7 +324,8 @@ Discretisation::Functional Discretisation::functional(const std::vector<Point>& 
             if (!beyond) {
                 const Ratios ratios = ratios_of(points);
                 const double V = cut_off(ratios, accuracy_);
-                beyond = scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, ratios, accuracy_, V) : gauss_panel_rule(G_, ratios, accuracy_, V);
+                beyond = scheme_ == Scheme::force_weighted ? double_exponential_rule(G_, ratios, accuracy_, V)
+                                                           : gauss_panel_rule(G_, ratios, accuracy_, V);
             }
             add(*beyond);
         }
@@ -384,9 +395,10 @@ std::string Discretisation::certificate(long n)
     std::string text = fmt::format("{}: {} nodes in {} block(s) of {}, ellipse rho = {:.4g}; {}\n",
                                    scheme_ == Scheme::force_weighted ? "force-weighted" : "area", nodes_.size(), blocks_.size(),
                                    blocks_[0].points, blocks_[0].rho, rule_.text);
-    text += fmt::format("  one step adds at most, relative to |F_m| <= c_m: rule {}, cut-off {}, interpolation {}, abscissae {}, weights {}, entries {}\n",
-                        show(worst_.rule), show(worst_.truncation), show(worst_.interpolation), show(worst_.abscissae),
-                        show(worst_.weights), show(worst_.entries));
+    text += fmt::format(
+        "  one step adds at most, relative to |F_m| <= c_m: rule {}, cut-off {}, interpolation {}, abscissae {}, weights {}, entries {}\n",
+        show(worst_.rule), show(worst_.truncation), show(worst_.interpolation), show(worst_.abscissae), show(worst_.weights),
+        show(worst_.entries));
     for (long m = 0; m < levels; ++m) {
         const std::vector<double>& e = carried_.at(static_cast<std::size_t>(m));
         text += fmt::format("  level {}: |F_{}| <= {}, error <= {} at every node\n", m, m, show(magnitude(m)),

@@ -4,7 +4,8 @@
 ///
 /// F_m = x^(1/2) h_m (chain.hpp) is kept by its values at the N Chebyshev points of one or more blocks of
 /// x_min <= x <= 2/G. One step is the N x N matrix B, B_ij = sum_q W_iq l_j(tau_iq): a quadrature rule (rule.hpp) on
-/// row x_i, its values taken from the interpolant. It is applied as M C: C takes nodal values to Chebyshev coefficients, M_ik = sum_q W_iq T_k(tau_iq). Two discretisations that have no grid, rule, form or x_min in common:
+/// row x_i, its values taken from the interpolant. It is applied as M C: C takes nodal values to Chebyshev coefficients, M_ik = sum_q W_iq
+/// T_k(tau_iq). Two discretisations that have no grid, rule, form or x_min in common:
 ///
 /// | scheme         | form of the step       | variable     | blocks               | rule                   |
 /// |----------------|------------------------|--------------|----------------------|------------------------|
@@ -17,15 +18,18 @@
 ///     E_rho lies in Re s > 0 (coefficients <= 2 c_m rho^-k, each k >= p aliased once);
 ///  3. the point where the interpolant is evaluated, off by dtau: sum_q W_iq dtau c_m/((rho + 1/rho)/2 - 1), Cauchy's bound of F';
 ///  4. the weights, off by dW: (number of nodes) dW c_m;
-///  5. rounding. A moment of order k only ever meets a coefficient of the interpolant of F, at most 2 c_m (1 + 2/(rho^2 - 1)) rho^-k, aliases and
-///     all: so it is summed in units u rho^k (moments.hpp), and is off by (nodes) 4 u rho^k p^2. And coefficients as computed are off: row_budget.hpp.
+///  5. rounding. A moment of order k only ever meets a coefficient of the interpolant of F, at most 2 c_m (1 + 2/(rho^2 - 1)) rho^-k,
+///  aliases and
+///     all: so it is summed in units u rho^k (moments.hpp), and is off by (nodes) 4 u rho^k p^2. And coefficients as computed are off:
+///     row_budget.hpp.
 /// All five are computed for every row and added up in balls.
 ///
-/// **Errors over n steps.** With B = M C, M as computed: e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases to its
-/// limit): carried_errors.hpp.
+/// **Errors over n steps.** With B = M C, M as computed: e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases
+/// to its limit): carried_errors.hpp.
 ///
-/// **Cost.** Rows: N x nodes x p products of fixed-point numbers, most of them short: a term of weight W and order k has the words of W rho^-k; then N^2 products for each level and
-/// p x nodes for each load. N and the nodes grow like the number of digits. B itself is only needed for the errors, in binary64.
+/// **Cost.** Rows: N x nodes x p products of fixed-point numbers, most of them short: a term of weight W and order k has the words of W
+/// rho^-k; then N^2 products for each level and p x nodes for each load. N and the nodes grow like the number of digits. B itself is only
+/// needed for the errors, in binary64.
 #pragma once
 
 #include "touchstone/scalar/refusal.hpp"
@@ -65,7 +69,8 @@ public:
     /// Whether the ellipse E_rho about mid +- half of a scheme's variable is proven inside Re s > 0.
     static bool ellipse_is_inside(Scheme, double mid, double half, double rho);
     struct Abscissa {
-        Ball tau, moved; ///< exact, |tau| <= 1, at most `moved` from what it stands for: below 2^-30, as the budget of abscissae takes for granted
+        /// Exact, |tau| <= 1, at most `moved` from what it stands for: below 2^-30, as the budget of abscissae takes for granted.
+        Ball tau, moved;
     };
     /// \throws BeyondReach where it is further outside of [-1, 1], or known to less
     static Abscissa abscissa(const Ball& tau);

@@ -34,7 +34,14 @@ Real first_area(const Pair<Real>& x)
 template <class Real>
 class FirstExceedance {
 public:
-    FirstExceedance(const Pair<Real>& x, const Pair<Real>& G) : x_(x), G_(G), highest_(wave_from(x, G).arcs[0].hi), lowest_(wave_from(x, G).arcs[0].lo), full_(wave_from(x, G).arcs[0].kind == Arc<Real>::Kind::full) {}
+    FirstExceedance(const Pair<Real>& x, const Pair<Real>& G)
+        : x_(x)
+        , G_(G)
+        , highest_(wave_from(x, G).arcs[0].hi)
+        , lowest_(wave_from(x, G).arcs[0].lo)
+        , full_(wave_from(x, G).arcs[0].kind == Arc<Real>::Kind::full)
+    {
+    }
     /// P = G y
     Real operator()(const Pair<Real>& y) const
     {
@@ -49,7 +56,8 @@ public:
             return above < below ? Real(1 - asin(sqrt(above / 2)) / half_pi) : Real(asin(sqrt(below / 2)) / half_pi);
         }
         const Real one_minus_x = (1 - x_.high) - x_.low, R = sqrt(one_minus_x * one_minus_x + P * P);
-        return atan(sqrt(below * (G_.high * highest_.high + P) / (2 * (one_minus_x + R) + P * P))) / half_pi; // arcsin would lose digits next to x = 1, P = 0
+        return atan(sqrt(below * (G_.high * highest_.high + P) / (2 * (one_minus_x + R) + P * P))) /
+               half_pi; // arcsin would lose digits next to x = 1, P = 0
     }
 
 private:
@@ -123,14 +131,18 @@ private:
     {
         if (ends_) rule_.end = ends_(size());
         if (levels_.empty()) levels_.emplace_back(rule_, reach_, this->first_);
-        else levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Pair<Real>& x) { return last.after(this->step_(x)); });
+        else
+            levels_.emplace_back(rule_, reach_, [this, &last = levels_.back()](const Pair<Real>& x) { return last.after(this->step_(x)); });
     }
     std::function<Mean(const Wave<Real>&)> mean_of(long m, bool derivative) override
     {
         auto it = finals_.find({m, derivative});
         if (it == finals_.end()) {
             const Piecewise<Real>& v = *std::next(levels_.begin(), m);
-            it = finals_.try_emplace({m, derivative}, derivative ? std::pair(v.derivative(), v.shortened().derivative()) : std::pair(v, v.shortened())).first;
+            it = finals_
+                     .try_emplace({m, derivative},
+                                  derivative ? std::pair(v.derivative(), v.shortened().derivative()) : std::pair(v, v.shortened()))
+                     .first;
         }
         return [&f = it->second](const Wave<Real>& w) {
             const Real whole = f.first.after(w);
@@ -165,7 +177,8 @@ private:
         auto [it, fresh] = finals_.try_emplace({m, derivative});
         if (fresh) {
             const Function& v = *std::next(levels_.begin(), m);
-            it->second = derivative ? std::pair(grid_.derivative(v), grid_.derivative(grid_.shortened(v))) : std::pair(v, grid_.shortened(v));
+            it->second =
+                derivative ? std::pair(grid_.derivative(v), grid_.derivative(grid_.shortened(v))) : std::pair(v, grid_.shortened(v));
         }
         return [this, &f = it->second](const Wave<Real>& w) {
             const Real whole = grid_.after(f.first, w);
@@ -261,7 +274,8 @@ std::shared_ptr<Levels<Real>> areas_of(Grid grid, const Ball& G, const Ball& loa
     const double magnitude = static_cast<double>(arf_abs_bound_lt_2exp_si(arb_midref(load.get()))) * 0.30103 / 2;
     const int decade = magnitude > -3 ? -20 : -20 - 10 * static_cast<int>(-magnitude / 10 + 1);
     const Ball reach = reach_of(heaviest, G);
-    const std::string key = fmt::format("areas {} {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade, blind.tolerance);
+    const std::string key =
+        fmt::format("areas {} {} {} {} {}", static_cast<int>(grid), G.to_string(40), reach.to_string(25), decade, blind.tolerance);
     return store<Real>().get(key, [&]() -> std::shared_ptr<Levels<Real>> {
         const auto step = [g = rounded_pair<Real>(G)](const Pair<Real>& x) { return wave_from(x, g); };
         const double smallest = std::pow(10.0, decade);
@@ -280,7 +294,8 @@ std::shared_ptr<Levels<Real>> areas_of(Grid grid, const Ball& G, const Ball& loa
 template <class Real>
 std::shared_ptr<Levels<Real>> exceedances_of(Grid grid, const Ball& G, const Ball& load, const BlindRule& blind)
 {
-    const std::string key = fmt::format("exceedances {} {} {} {}", static_cast<int>(grid), G.to_string(40), load.to_string(40), blind.tolerance);
+    const std::string key =
+        fmt::format("exceedances {} {} {} {}", static_cast<int>(grid), G.to_string(40), load.to_string(40), blind.tolerance);
     return store<Real>().get(key, [&]() -> std::shared_ptr<Levels<Real>> {
         const Ball reach = reach_of(load, G);
         const Pair<Real> g = rounded_pair<Real>(G);
@@ -310,20 +325,22 @@ constexpr long most_scales = 100; ///< some seconds each
 
 void require_reach(long n, const Ball& load, const Ball& G)
 {
-    if (n > most_scales) throw BeyondReach(fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", most_scales));
+    if (n > most_scales)
+        throw BeyondReach(fmt::format("not computed for n > {} where full contact occurs (G <= 2 or load > 1)", most_scales));
     if (!certainly(less(Ball(1) + Ball::exactly(1e-6), G))) throw BeyondReach("not computed for G within 1e-6 of 1");
     if (certainly(less(Ball(1'000'000), load)) || certainly(less(load, Ball(power(Rational(10), -300)))))
         throw BeyondReach("not computed for loads outside 1e-300 to 1e6 where full contact occurs (G <= 2 or load > 1)");
 }
 
 /// What rounding does to a sum of n levels, measured (full_contact.md): the differences of the two grids are 3e-19 on average; and what the
-/// last terms of the series change at this very wave, noise and what they do not resolve next to a singular point included. A coarser grid leaves
-/// its tolerance at each level.
+/// last terms of the series change at this very wave, noise and what they do not resolve next to a singular point included. A coarser grid
+/// leaves its tolerance at each level.
 template <class Mean>
 Witness estimate(const Mean& mean, long n, const BlindRule& blind)
 {
     const Ball exact = exact_ball(mean.value);
-    const double rounding = (5 + std::sqrt(static_cast<double>(n))) * static_cast<double>(std::numeric_limits<decltype(mean.value)>::epsilon());
+    const double rounding =
+        (5 + std::sqrt(static_cast<double>(n))) * static_cast<double>(std::numeric_limits<decltype(mean.value)>::epsilon());
     const double levels = blind.tolerance > BlindRule().tolerance ? 4 * blind.tolerance * static_cast<double>(n + 1) : 0;
     return {exact, abs(exact) * Ball::exactly(rounding + levels) + 4 * abs(exact_ball(mean.change))};
 }
@@ -338,7 +355,9 @@ Witness estimated_area(Grid grid, long n, const Ball& load, const Ball& G, Accur
     const auto in = [&]<class Real>(Real) {
         const Pair<Real> x = rounded_pair<Real>(load);
         using Mean = typename Levels<Real>::Mean;
-        return estimate(n == 0 ? Mean{first_area(x), Real(0)} : areas_of<Real>(grid, G, load, blind)->mean(n - 1, wave_from(x, rounded_pair<Real>(G)), false), n, blind);
+        return estimate(n == 0 ? Mean{first_area(x), Real(0)}
+                               : areas_of<Real>(grid, G, load, blind)->mean(n - 1, wave_from(x, rounded_pair<Real>(G)), false),
+                        n, blind);
     };
     return binary64_will_do(grid, wanted, load) ? in(double{}) : in(Extended{});
 }
@@ -362,7 +381,8 @@ Witness estimated_density(Grid grid, long n, const Ball& p, const Ball& load, co
     require_reach(n, load, G);
     const BlindRule blind = blind_rule(grid, wanted);
     const Ball unit = pow_ui(G, n);
-    const Witness slope = estimate(exceedances_of<Extended>(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n, blind);
+    const Witness slope =
+        estimate(exceedances_of<Extended>(grid, G, load, blind)->mean(n - 1, wave_to(extended_pair(p / unit), true), true), n, blind);
     return {-slope.value / unit, slope.error / unit};
 }
 

@@ -81,7 +81,8 @@ GradedGrid<Real>::GradedGrid(const GradedRule& rule, const std::vector<SingularP
     }
     for (int k = 0; k <= N; ++k)
         for (int j = 0; j <= N; ++j) // coefficient of T_k from the value at node j
-            cosines_.push_back(real(cos_pi(static_cast<long>(N - j) * k, N) * static_cast<long>(2) / static_cast<long>((j == 0 || j == N ? 2 : 1) * (k == 0 || k == N ? 2 : 1) * N)));
+            cosines_.push_back(real(cos_pi(static_cast<long>(N - j) * k, N) * static_cast<long>(2) /
+                                    static_cast<long>((j == 0 || j == N ? 2 : 1) * (k == 0 || k == N ? 2 : 1) * N)));
 
     const Ball step = Ball(1) / 10;
     for (int i = -34; i <= 34; ++i) {
@@ -103,7 +104,8 @@ auto GradedGrid<Real>::sample(const std::function<Real(const Pair<Real>&)>& f) c
         std::vector<Real> values(n);
         for (std::size_t j = 0; j < n; ++j) { // a point at an end is seen from inside its interval, never from the next one
             const bool left = nodes_[j] < Real(0.5);
-            values[j] = f(sum(Pair<Real>{left ? c.left : c.right, Real(0)}, left ? Real(c.width * nodes_[j]) : Real(-c.width * mirrored_[j])));
+            values[j] =
+                f(sum(Pair<Real>{left ? c.left : c.right, Real(0)}, left ? Real(c.width * nodes_[j]) : Real(-c.width * mirrored_[j])));
         }
         for (std::size_t j = 0; j < n; ++j) v.moments[i * n + j] = weights_[j] * c.width * values[j];
         for (std::size_t k = 0; k < n; ++k) {
@@ -197,7 +199,8 @@ Real GradedGrid<Real>::after(const Function& v, const Wave<Real>& wave) const
     for (int k = 0; k < wave.count; ++k) {
         const Arc<Real>& arc = wave.arcs[k];
         // the first interval that reaches beyond lo
-        auto cell = std::upper_bound(cells_.begin(), cells_.end(), arc, [](const Arc<Real>& w, const Cell& c) { return w.above_lo(c.right) > 0; });
+        auto cell =
+            std::upper_bound(cells_.begin(), cells_.end(), arc, [](const Arc<Real>& w, const Cell& c) { return w.above_lo(c.right) > 0; });
         for (; cell != cells_.end() && arc.below_hi(cell->left) > 0 && cell->left < arc.end; ++cell) {
             if (!arc.meets(cell->left, cell->right)) continue;
             const auto i = static_cast<std::size_t>(cell - cells_.begin());
@@ -205,12 +208,14 @@ Real GradedGrid<Real>::after(const Function& v, const Wave<Real>& wave) const
                 total += near(v, i, arc);
                 continue;
             }
-            const Real up_l = arc.below_hi(cell->left), up_r = arc.below_hi(cell->right), down_l = arc.above_lo(cell->left), down_r = arc.above_lo(cell->right);
+            const Real up_l = arc.below_hi(cell->left), up_r = arc.below_hi(cell->right), down_l = arc.above_lo(cell->left),
+                       down_r = arc.above_lo(cell->right);
             Real sum = 0;
             for (std::size_t j = 0; j < n; ++j) {
                 const bool left = nodes_[j] < Real(0.5);
                 const Real ahead = cell->width * nodes_[j], behind = cell->width * mirrored_[j];
-                sum += v.moments[i * n + j] * arc.density(cell->left + ahead, left ? up_l - ahead : up_r + behind, left ? down_l + ahead : down_r - behind,
+                sum += v.moments[i * n + j] * arc.density(cell->left + ahead, left ? up_l - ahead : up_r + behind,
+                                                          left ? down_l + ahead : down_r - behind,
                                                           left ? (1 - cell->left) - ahead : (1 - cell->right) + behind);
             }
             total += sum;

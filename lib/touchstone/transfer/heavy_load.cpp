@@ -224,12 +224,14 @@ public:
           last(finest_panel(wanted, approximate(a.G()), scales)), format(static_cast<long>(100 + wanted / std::numbers::ln2)),
           bits(static_cast<slong>(170 - std::log2(std::max(last, narrowest_panel))))
     {
-        if (!(last >= narrowest_panel)) throw BeyondReach("for load > 1 panels about G^(-n/2) wide would be needed, too narrow for binary64 numbers");
+        if (!(last >= narrowest_panel))
+            throw BeyondReach("for load > 1 panels about G^(-n/2) wide would be needed, too narrow for binary64 numbers");
         const WorkingPrecision precision(bits);
         G = a.G();
         load = a.load();
         if (!is_below(Ball(2), G)) throw BeyondReach("G = gamma^(D-1) must be above 2");
-        if (!is_below(Ball(Rational(2019, 1000)), G)) throw BeyondReach("for load > 1 so near G = 2 it would take hours: many scales have ratios about 1");
+        if (!is_below(Ball(Rational(2019, 1000)), G))
+            throw BeyondReach("for load > 1 so near G = 2 it would take hours: many scales have ratios about 1");
         if (!is_below(Ball(1), load) || !is_below(load, Ball(1001))) throw BeyondReach("load must be above 1 and below 1001");
         shape = scheme == Scheme::force_weighted ? Shape{4, 2.9} : Shape{6, 2.3};
         if (!shape.stays_in_disc()) throw std::logic_error("full contact: an ellipse leaves its disc");
@@ -263,7 +265,8 @@ public:
         if (g.root.empty())
             for (long k = 0; k < n; ++k) {
                 Ball root, weight;
-                arb_hypgeom_legendre_p_ui_root(root.get(), weight.get(), static_cast<ulong>(n), static_cast<ulong>(k), WorkingPrecision::bits());
+                arb_hypgeom_legendre_p_ui_root(root.get(), weight.get(), static_cast<ulong>(n), static_cast<ulong>(k),
+                                               WorkingPrecision::bits());
                 g.root.push_back(root);
                 g.weight.push_back(weight);
             }
@@ -297,8 +300,8 @@ public:
 
     /// A piece of the wave of weight w to the next scale (heavy_load_panels.hpp).
     template <class Kernel, class Bound, class KernelAtEnd, class BoundAtEnd>
-    void integrate(Scale& to, long level, Piece& piece, const Ball& w, const Kernel& kernel, const Bound& bound, const KernelAtEnd& kernel_at_end,
-                   const BoundAtEnd& bound_at_end)
+    void integrate(Scale& to, long level, Piece& piece, const Ball& w, const Kernel& kernel, const Bound& bound,
+                   const KernelAtEnd& kernel_at_end, const BoundAtEnd& bound_at_end)
     {
         const double weight = upper_double(abs(w)), most = upper_double(M(piece.farthest()));
         const auto rules_by_size = [this](long n) -> const Gauss& { return gauss(n); };
@@ -309,7 +312,10 @@ public:
 
     double negligible() const { return std::exp(-wanted - 12); } ///< weights that are not followed
     double finest_for(double tolerance) const { return std::min(0.01, tolerance) * last * std::exp(wanted); } ///< where panels end
-    double tolerance_for(const Ball& w) const { return std::exp(-wanted) * std::max(1.0, 1 / (5000 * std::max(approximate(abs(w)), 1e-300))); }
+    double tolerance_for(const Ball& w) const
+    {
+        return std::exp(-wanted) * std::max(1.0, 1 / (5000 * std::max(approximate(abs(w)), 1e-300)));
+    }
 
     /// (F1): the weight w at x >= 1 goes to the next scale.
     void full(Scale& to, long level, const Ball& x, const Ball& w)
@@ -329,7 +335,14 @@ public:
             const Ball &a = cuts[i].hi, &b = cuts[i + 1].lo;
             if (!is_below(a + Ball::exactly(4 * finest), b)) continue; // part of what is left out
             const bool is_first = i == 0 && room_lo > 0, is_last = i + 2 == cuts.size() && room_hi > 0;
-            Piece piece{is_first ? lo : a, is_last ? hi : b, tolerance, finest, is_first ? room_lo : 0, is_last ? std::min(room_hi, 1.0) : 0, {}, {}};
+            Piece piece{is_first ? lo : a,
+                        is_last ? hi : b,
+                        tolerance,
+                        finest,
+                        is_first ? room_lo : 0,
+                        is_last ? std::min(room_hi, 1.0) : 0,
+                        {},
+                        {}};
             const double off_a = is_first ? 0 : distance(lo, a), off_b = is_last ? 0 : distance(b, hi);
             integrate(
                 to, level, piece, w, [&](const Ball& y) { return one_over_pi * wave::kernel_full(Ball(hi - y), Ball(y - lo)); },
@@ -337,7 +350,8 @@ public:
                 [&](bool left, const Ball& y) { return 2 * one_over_pi / sqrt(left ? hi - y : y - lo); },
                 [&](bool left, double, double other) { return full_kernel_end_bound(other + (left ? off_b : off_a)); });
             const Ball share_from = is_first && arb_equal(piece.from.get(), lo.get()) ? Ball(0) : share(piece.from);
-            if (!is_first || !arb_equal(piece.from.get(), lo.get())) leave(to, level, piece.from, piece.from - done, w, share_from - share_done, weight);
+            if (!is_first || !arb_equal(piece.from.get(), lo.get()))
+                leave(to, level, piece.from, piece.from - done, w, share_from - share_done, weight);
             done = piece.to;
             share_done = is_last && arb_equal(done.get(), hi.get()) ? Ball(1) : share(done);
         }
@@ -362,12 +376,14 @@ public:
             to, level, piece, w,
             [&](const Ball& y) {
                 const Ball Gy = G * y;
-                return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (2 * Traits::pi() * sqrt(x - Gy * Gy / 4));
+                return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) /
+                       (2 * Traits::pi() * sqrt(x - Gy * Gy / 4));
             },
             [&](double from_a, double from_b, double largest) { return partial_kernel_bound(g, root_x, from_a, from_b, largest); },
             [&](bool, const Ball& y) {
                 const Ball Gy = G * y;
-                return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) / (Traits::pi() * sqrt(G / 2 * (sqrt(x) + Gy / 2)));
+                return G * wave::kernel_partial_rest(x, gap, wave::radius(gap, Ball(Gy * Gy)), Gy) /
+                       (Traits::pi() * sqrt(G / 2 * (sqrt(x) + Gy / 2)));
             },
             // the ellipse reaches less than twice as far as the wave
             [&](bool, double, double from_a) { return partial_kernel_end_bound(g, root_x, from_a, 2 * approximate(hi)); });
@@ -457,7 +473,8 @@ public:
     const std::map<long, double>& moved_by_level() const { return moved; }
     std::string certificate(long n)
     {
-        std::string text = fmt::format("full contact: {} points of S, panels shrink by {} to {:.2g}, ellipse rho = {}\n", S.size(), shape.ratio, last, shape.rho);
+        std::string text = fmt::format("full contact: {} points of S, panels shrink by {} to {:.2g}, ellipse rho = {}\n", S.size(),
+                                       shape.ratio, last, shape.rho);
         for (std::size_t j = 1; j <= terminal.size(); ++j)
             text += fmt::format("  scale {}: {} nodes below 1; error <= {:.2g} G^-(n-{}) + {:.2g} G^-(n-{})/2\n", j, terminal[j - 1].size(),
                                 errors[static_cast<long>(j)], j, moved[static_cast<long>(j)], j);
@@ -510,7 +527,8 @@ auto with_heavy_load(Scheme scheme, long n, const Arguments& a, Accuracy wanted,
     if (accuracy > 160) throw BeyondReach("so many digits would cost too much for load > 1");
     const long scales = scales_for(n);
     const WorkingPrecision precision(1024);
-    const Arguments same{[load = a.load()] { return load; }, [G = a.G()] { return G; }}; // what is kept holds for all G and loads in these balls
+    const Arguments same{[load = a.load()] { return load; },
+                         [G = a.G()] { return G; }}; // what is kept holds for all G and loads in these balls
     const std::string key = fmt::format("{} {} {} {} {}", static_cast<int>(scheme), accuracy, scales, same.load().dump(), same.G().dump());
     std::shared_ptr<Kept> mine;
     {

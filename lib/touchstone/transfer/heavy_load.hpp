@@ -27,22 +27,24 @@
 /// the ratios y <= y' there have mean difference h/G; B_{m+1}(x + h) - B_{m+1}(x) is the mean of B_m(y') - B_m(y) >= 0, at most that
 /// of ((y' - y)/G^m)^(1/2), at most (h/G^(m+1))^(1/2) because the square root is concave. (Out of contact y = 0, B_m(0) = 0.)
 ///
-/// **Method.** The point x = load is a measure; (F1) turns it into one over the ratios of the next scale, kept as weights at Chebyshev points
-/// of panels, and so on while there are ratios above 1. Panels shrink by `ratio` towards both ends of each interval between points of S, down
-/// to a width h. What reaches ratios below 1 is a sum of weights times B_m, B_m from discretisation.hpp; nodes in (2/G, 1) are taken one scale
-/// further by (F2). n enters only in the last step. Integrals are Gauss-Legendre on panels graded in the same way towards the ends of each
-/// piece of [e-, e+] between points of S.
+/// **Method.** The point x = load is a measure; (F1) turns it into one over the ratios of the next scale, kept as weights at Chebyshev
+/// points of panels, and so on while there are ratios above 1. Panels shrink by `ratio` towards both ends of each interval between points
+/// of S, down to a width h. What reaches ratios below 1 is a sum of weights times B_m, B_m from discretisation.hpp; nodes in (2/G, 1) are
+/// taken one scale further by (F2). n enters only in the last step. Integrals are Gauss-Legendre on panels graded in the same way towards
+/// the ends of each piece of [e-, e+] between points of S.
 ///
 /// **Error**, every part summed up in balls as the weights are made:
-///  1. Gauss rules: bound of rule.hpp, l (16/3) M W rho^(-2n)/(1 - 1/rho), W the kernel on the ellipse by its distances. An ellipse lies in D(J) if its real ends
+///  1. Gauss rules: bound of rule.hpp, l (16/3) M W rho^(-2n)/(1 - 1/rho), W the kernel on the ellipse by its distances. An ellipse lies in
+///  D(J) if its real ends
 ///     do: (xi^2 + zeta^2 - |J| xi) is convex along cos phi.
 ///  2. interpolation: 4 M rho^-(p-1)/(rho - 1) times the sum of |weights| that enter a panel.
 ///  3. what is left out next to the ends, of measure mu: taken at a point at most d away, at most mu (d/G^m)^(1/2) by Lemma 4.
 ///  4. weights too small to follow: |w| Q. 5. fixed-point roundings, and the radii of weights and of their places as they enter.
 ///  6. the error of B_m itself: in its ball.
 ///
-/// **Cost.** Grows like the square to the cube of the digits, in proportion to the weights above 2/G, and with the number of scales that have ratios above 1,
-/// which is large near G = 2. At 19 digits, one core: 1 s for load 10, G = 4; 6 s for G = sqrt 10; 30 s for G = sqrt 5.
+/// **Cost.** Grows like the square to the cube of the digits, in proportion to the weights above 2/G, and with the number of scales that
+/// have ratios above 1, which is large near G = 2. At 19 digits, one core: 1 s for load 10, G = 4; 6 s for G = sqrt 10; 30 s for G = sqrt
+/// 5.
 ///
 /// The routes differ in ratio and ellipse, hence in every node, and in the scheme of discretisation.hpp below 1.
 #pragma once

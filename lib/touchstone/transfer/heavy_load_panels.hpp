@@ -62,8 +62,8 @@ Ball largest_in_disc(const Ball& X, const Ball& G, const Ball& c);
 /// The points of S from 0 to beyond `top`, in order, those that cannot be told apart in one bracket.
 std::vector<Bracket> singular_points(const Ball& top, const Ball& G);
 
-/// The ends of a wave and the points of S between them, in order, and how far B goes on analytically beyond either end: 0 where a point of S
-/// cannot be told apart from it.
+/// The ends of a wave and the points of S between them, in order, and how far B goes on analytically beyond either end: 0 where a point of
+/// S cannot be told apart from it.
 struct Cuts {
     std::vector<Bracket> at;
     double room_lo, room_hi;

@@ -33,8 +33,11 @@ double largest_density(const Kernel& k, const Cluster& c, double axis)
 {
     const double half = size_of(c.half), from_begin = double(c.mid - k.begin) - half * axis, from_end = double(k.end - c.mid) - half * axis;
     const double begin = double(k.begin), end = double(k.end), far = end - from_end, G2 = double(k.G2), x = double(k.x);
-    if (k.full) return margin * std::sqrt((std::sqrt(end) + std::sqrt(far)) * (std::sqrt(far) + std::sqrt(begin)) / (from_begin * from_end)) / (2 * std::sqrt(begin + from_begin));
-    const double one_minus_x = double(1 - k.x), least = double(k.G) * std::sqrt(from_begin), most = std::sqrt(one_minus_x * one_minus_x + G2 * far);
+    if (k.full)
+        return margin * std::sqrt((std::sqrt(end) + std::sqrt(far)) * (std::sqrt(far) + std::sqrt(begin)) / (from_begin * from_end)) /
+               (2 * std::sqrt(begin + from_begin));
+    const double one_minus_x = double(1 - k.x), least = double(k.G) * std::sqrt(from_begin),
+                 most = std::sqrt(one_minus_x * one_minus_x + G2 * far);
     return margin * G2 / (2 * least) * std::sqrt((1 + x + most) / (G2 * from_end * least));
 }
 
@@ -83,7 +86,8 @@ RuleDisc disc_about(const Kernel& k, const Panel& p, Substitution variable, cons
         }
     if (!square) return {d, margin * 2 / std::sqrt(1 - (middle + d) * (middle + d))};
     const double least = double(k.root(mid - d)), most = double(k.root(mid + d));
-    return {d, margin * G2 / (2 * least) * std::sqrt((1 + double(x) + most) / (G2 * double(k.end - (mid + d)) * (0.7 * least + double(1 - x))))};
+    return {d, margin * G2 / (2 * least) *
+                   std::sqrt((1 + double(x) + most) / (G2 * double(k.end - (mid + d)) * (0.7 * least + double(1 - x))))};
 }
 
 double quadrature_error(const RuleDisc& disc, double half, int points)
@@ -109,13 +113,29 @@ ChebyshevPoints::ChebyshevPoints(int count) : at(count), T(static_cast<std::size
         for (int i = 0; i < count; ++i) T.set(k * count + i, cosine(k * (2 * i + 1) % (4 * count)));
 }
 
-Layer::Layer(const Orders& orders_, const Gauss& gauss_, const ChebyshevPoints& points_, const Gauss& exact_, Real G_, double tolerance, std::vector<Panel> panels_, int count_)
-    : orders(orders_), gauss(gauss_), G(G_), affordable(tolerance / 256), panels(std::move(panels_)), count(count_),
-      coefficients(panels.size() * orders.terms * count), growth(panels.size() * count), rounding(growth), accurate(panels.size(), 2), late(growth), step((panels.size() + 1) * count),
-      jump(growth), size(growth), largest(count), points(points_), exact(exact_)
+Layer::Layer(const Orders& orders_, const Gauss& gauss_, const ChebyshevPoints& points_, const Gauss& exact_, Real G_, double tolerance,
+             std::vector<Panel> panels_, int count_)
+    : orders(orders_)
+    , gauss(gauss_)
+    , G(G_)
+    , affordable(tolerance / 256)
+    , panels(std::move(panels_))
+    , count(count_)
+    , coefficients(panels.size() * orders.terms * count)
+    , growth(panels.size() * count)
+    , rounding(growth)
+    , accurate(panels.size(), 2)
+    , late(growth)
+    , step((panels.size() + 1) * count)
+    , jump(growth)
+    , size(growth)
+    , largest(count)
+    , points(points_)
+    , exact(exact_)
 {
     for (const Panel& p : panels)
-        if (!(p.z1 - p.z0 >= 2 * narrowest * p.z1)) throw BeyondReach("a panel of the mesh is too narrow for numbers of 106 bits to tell its points apart");
+        if (!(p.z1 - p.z0 >= 2 * narrowest * p.z1))
+            throw BeyondReach("a panel of the mesh is too narrow for numbers of 106 bits to tell its points apart");
     add_clusters(clusters, panels, 0, static_cast<int>(panels.size()) - 1);
     weights = Wide(clusters.size() * orders.kernel * count);
     noise.resize(clusters.size() * count);
@@ -171,12 +191,14 @@ void AtPoint::piece(int j, Substitution variable, const Real& low, const Real& h
     const Real mid = (low + high) * 0.5, width = (high - low) * 0.5;
     out.local.resize(layer.gauss.nodes.size());
     out.weight.resize(layer.gauss.nodes.size());
-    const double measure = wave_nodes(k, variable, mid, width, layer.gauss.nodes, layer.gauss.weights, p.centre, p.half, out.local, out.weight);
+    const double measure =
+        wave_nodes(k, variable, mid, width, layer.gauss.nodes, layer.gauss.weights, p.centre, p.half, out.local, out.weight);
     chebyshev_moments(out.local, out.weight, layer.orders.terms, static_cast<std::size_t>(layer.accurate[j]), out.moment);
     const double quadrature = quadrature_error(disc_about(k, p, variable, mid, width), size_of(width), layer.orders.gauss);
     for (int m = 0; m < layer.count; ++m) {
         const std::size_t at = layer.at(j, m);
-        out.error[m] += (layer.growth[at] == 0 ? 0 : quadrature * layer.growth[at]) + margin * measure * (layer.rounding[at] + layer.late[at]);
+        out.error[m] +=
+            (layer.growth[at] == 0 ? 0 : quadrature * layer.growth[at]) + margin * measure * (layer.rounding[at] + layer.late[at]);
     }
     if (out.plan) out.plan->add(false, layer.row(j, 0), out.moment);
     if (layer.count == 1) out.value.set(0, out.value[0] + dot(layer.coefficients, layer.row(j, 0), out.moment));
@@ -235,7 +257,8 @@ void AtPoint::run()
         waiting.pop_back();
         const Cluster& c = layer.clusters[index];
         if (c.b <= begin || c.a >= k.end) continue;
-        if (const ClusterError lost = cluster_error(k, c, layer.orders.kernel, layer.affordable); lost.total < infinite) { // none that an end is in
+        if (const ClusterError lost = cluster_error(k, c, layer.orders.kernel, layer.affordable);
+            lost.total < infinite) { // none that an end is in
             if (before == by_piece) seam(c.a);
             before = by_cluster;
             ++visits;
@@ -293,7 +316,8 @@ void Layer::set(int m, const Wide& series)
         size[at(j, m)] = margin * total;
         growth[at(j, m)] = margin * six;
         // z is known within 40 u z (T and the rounding of G), |T_k'| <= k^2; recurrences for T_k lose at most 2 k^2 u
-        rounding[at(j, m)] = margin * u * ((40 * double(panels[j].right()) / double(panels[j].half) + 2) * squares + (40 + 4 * terms) * total);
+        rounding[at(j, m)] =
+            margin * u * ((40 * double(panels[j].right()) / double(panels[j].half) + 2) * squares + (40 + 4 * terms) * total);
         most = max(most, size[at(j, m)]);
     }
     largest[m] = most;
@@ -311,7 +335,8 @@ void Layer::set(int m, const Wide& series)
     edge(0) = size[at(0, m)]; // V is 0 below the first panel
     for (std::size_t j = 1; j < panels.size(); ++j) {
         const Panel &a = panels[j - 1], &b = panels[j];
-        edge(j) = margin * (size_of(value(j - 1, m, (a.z1 - a.centre) / a.half) - value(j, m, (b.z0 - b.centre) / b.half)) + rounding[at(j - 1, m)] + rounding[at(j, m)]);
+        edge(j) = margin * (size_of(value(j - 1, m, (a.z1 - a.centre) / a.half) - value(j, m, (b.z0 - b.centre) / b.half)) +
+                            rounding[at(j - 1, m)] + rounding[at(j, m)]);
     }
     edge(panels.size()) = size[at(panels.size() - 1, m)];
     for (std::size_t j = 0; j < panels.size(); ++j) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Piecewise polynomials V on a mesh, and T V at a point with everything that rounding and quadrature can do to it charged: proven_levels.md, 2.
-/// V may be anything. Internal to transfer/.
+/// Piecewise polynomials V on a mesh, and T V at a point with everything that rounding and quadrature can do to it charged:
+/// proven_levels.md, 2. V may be anything. Internal to transfer/.
 #pragma once
 
 #include "touchstone/transfer/wide_balls.hpp"
@@ -60,7 +60,8 @@ struct ChebyshevPoints {
     explicit ChebyshevPoints(int count);
 };
 
-/// At least |dtheta/dz| where z is within the ellipse about c.mid with the half axis axis * c.half and c.a, c.b for its foci: short of the kernel's ends.
+/// At least |dtheta/dz| where z is within the ellipse about c.mid with the half axis axis * c.half and c.a, c.b for its foci: short of the
+/// kernel's ends.
 double largest_density(const Kernel&, const Cluster&, double axis);
 /// How much more than its own rounding 1 - c or 1 + c loses on a cluster.
 double cancellation(const Kernel&, const Cluster&);
@@ -73,7 +74,8 @@ struct ClusterError {
 /// Infinite where the cluster will not do.
 ClusterError cluster_error(const Kernel&, const Cluster&, int terms, double affordable);
 
-/// A disc about the middle of an interval of the variable of integration where |local| <= 2.916, inside the ellipse of rho = 6, and at least
+/// A disc about the middle of an interval of the variable of integration where |local| <= 2.916, inside the ellipse of rho = 6, and at
+/// least
 /// |dtheta/d(variable)| there.
 struct RuleDisc {
     double radius, largest;
@@ -85,15 +87,17 @@ double quadrature_error(const RuleDisc&, double half, int points);
 
 /// What rounding moves an edge by at most, in c: 8 operations on numbers up to 1 + x, G's own error included.
 inline double edge_moves(const Real& x) { return 16 * bounds::u * (1 + double(x)); }
-/// At least the share of theta between an edge and where it may be moved to, by `moved` in c at most: next to an end of the kernel, that of an interval
-/// there, md (2).
+/// At least the share of theta between an edge and where it may be moved to, by `moved` in c at most: next to an end of the kernel, that of
+/// an interval there, md (2).
 double share_moved(const Kernel&, const Real& z, double moved);
 
 /// Sizes of everything that follows from the tolerance.
 struct Orders {
     int terms, gauss, kernel;
     explicit Orders(double tolerance)
-        : terms(4 * static_cast<int>(std::ceil(-std::log10(tolerance) * 1.72 / 4))), gauss(4 * static_cast<int>(std::ceil(terms * 0.7 / 4))), kernel(terms)
+        : terms(4 * static_cast<int>(std::ceil(-std::log10(tolerance) * 1.72 / 4)))
+        , gauss(4 * static_cast<int>(std::ceil(terms * 0.7 / 4)))
+        , kernel(terms)
     {
     }
 };
@@ -135,7 +139,7 @@ struct Layer {
     std::vector<double> rounding;  ///< error of evaluating V_m on the panel, the point's own rounding included
     std::vector<int> accurate;     ///< [panel]: from this T_k on, moments are taken in binary64
     std::vector<double> late;      ///< what V_m's coefficients there make of their roundings, per unit of the share
-    std::vector<double> step;      ///< [panel * count + m]: at least the jump of V_m at the panel's left edge; one more for the last right edge
+    std::vector<double> step; ///< [panel * count + m]: at least the jump of V_m at the panel's left edge; one more for the last right edge
     std::vector<double> jump;      ///< at least the jumps of V_m at the panel's edges and at those of its neighbours
     std::vector<double> size;      ///< sum |c_k|
     std::vector<double> top;       ///< [cluster * count + m]: at least |V_m| on the cluster

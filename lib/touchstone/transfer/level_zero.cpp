@@ -42,10 +42,16 @@ struct InContact : Share {
     }
 };
 
-/// (2.17), (2.14): the exceedance of one wave, (1/pi) arccos w, w = P - x where x >= 1, w = R - x, R^2 = (1 - x)^2 + P^2, where P^2/4 <= x < 1.
-/// It is analytic between low_end, 1 and high_end; from the left of 1 so far as R is. w is real for real x only: x = (1 + P^2 - w^2)/(2(1 + w)).
+/// (2.17), (2.14): the exceedance of one wave, (1/pi) arccos w, w = P - x where x >= 1, w = R - x, R^2 = (1 - x)^2 + P^2, where P^2/4 <= x
+/// < 1. It is analytic between low_end, 1 and high_end; from the left of 1 so far as R is. w is real for real x only: x = (1 + P^2 -
+/// w^2)/(2(1 + w)).
 struct Exceeding : Share {
-    explicit Exceeding(const Ball& P_) : P(P_), low_end(to_real(ends_of_exceeding(P_).first)), high_end(to_real(ends_of_exceeding(P_).second)) {}
+    explicit Exceeding(const Ball& P_)
+        : P(P_)
+        , low_end(to_real(ends_of_exceeding(P_).first))
+        , high_end(to_real(ends_of_exceeding(P_).second))
+    {
+    }
     Ball at(const Ball& x) const override
     {
         const auto full = [&] { return share(1 + x - P, 1 - x + P); };
@@ -56,12 +62,15 @@ struct Exceeding : Share {
     Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const override
     {
         constexpr Bounds nothing{0, 1}, everything{1, 0}, unknown{infinite, infinite};
-        const double pressure = double(to_real(P)), from_low = double(x - low_end), to_high = double(high_end - x), to_one = double(1 - x), safe = r * margin;
+        const double pressure = double(to_real(P)), from_low = double(x - low_end), to_high = double(high_end - x), to_one = double(1 - x),
+                     safe = r * margin;
         if (high <= low_end * Real{1, -4 * u}) return nothing;
         if (low >= high_end * Real{1, 4 * u}) return everything;
         if (!(safe < from_low)) return unknown;
         // |arccos w|^2 <= pi^2 + log^2(2|w| + 2)
-        const auto either = [](double modulus, double other) { return margin * min(std::hypot(pi_below, std::log(2 * modulus + 2)), other) / pi_below; };
+        const auto either = [](double modulus, double other) {
+            return margin * min(std::hypot(pi_below, std::log(2 * modulus + 2)), other) / pi_below;
+        };
         if (low >= 1) {
             if (!(safe < to_high)) return unknown;
             const double w = std::fabs(pressure - double(x)) + r;
@@ -85,16 +94,23 @@ private:
     Real low_end, high_end; ///< below the one it is 0, from the other on 1; within 2 u
 };
 
-/// (2.2), (2.4): the integral of P dtheta/pi over pressures above P. x >= 1: (x theta + sin theta)/pi, cos theta = P - x. x < 1, in units of force (wave::equilibrium):
-/// (2x/pi)(psi + sin psi cos psi), v = sin^2 psi = (4x - P^2)/(2x(1 + x + R)), where P^2 = 4x (1 - v)(1 - x v). v is real and outside (0, 1) for real x only, for that is
-/// a quadratic equation in x of positive discriminant then: so no branch of arcsin or of the roots is crossed.
+/// (2.2), (2.4): the integral of P dtheta/pi over pressures above P. x >= 1: (x theta + sin theta)/pi, cos theta = P - x. x < 1, in units
+/// of force (wave::equilibrium): (2x/pi)(psi + sin psi cos psi), v = sin^2 psi = (4x - P^2)/(2x(1 + x + R)), where P^2 = 4x (1 - v)(1 - x
+/// v). v is real and outside (0, 1) for real x only, for that is a quadratic equation in x of positive discriminant then: so no branch of
+/// arcsin or of the roots is crossed.
 struct ForceAbove : Share {
-    explicit ForceAbove(const Ball& P_) : P(P_), low_end(to_real(ends_of_exceeding(P_).first)), high_end(to_real(ends_of_exceeding(P_).second)) {}
+    explicit ForceAbove(const Ball& P_)
+        : P(P_)
+        , low_end(to_real(ends_of_exceeding(P_).first))
+        , high_end(to_real(ends_of_exceeding(P_).second))
+    {
+    }
     Ball at(const Ball& x) const override
     {
         if (!certainly(less(x, Ball(1)))) {
             const Ball theta = 2 * atan2(root(1 + x - P), root(1 - x + P));
-            return certainly(less(P + 1, x)) ? x : (x * theta + root((1 + x - P) * (1 - x + P))) / pi<Ball>(); // the two agree where x = P + 1
+            return certainly(less(P + 1, x)) ? x
+                                             : (x * theta + root((1 + x - P) * (1 - x + P))) / pi<Ball>(); // the two agree where x = P + 1
         }
         const Ball R = sqrt((1 - x) * (1 - x) + P * P), v = (4 * x - P * P) / (2 * x * (1 + x + R));
         if (certainly(less(v, Ball(0)))) return Ball(0);
@@ -116,7 +132,8 @@ struct ForceAbove : Share {
         if (high > 1 || !(safe < x_) || !(safe < std::hypot(double(1 - x), pressure))) return unknown;
         // Re(1 + x + R) > 1; |arcsin z|^2 <= (pi/2)^2 + log^2(2|z| + 2)
         const double v = margin * (2 + pressure * pressure / (2 * (x_ - safe)));
-        return {margin * 2 * modulus / pi_below * (std::hypot(pi_below / 2, std::log(2 * std::sqrt(v) + 2)) + std::sqrt(v * (1 + v))), infinite};
+        return {margin * 2 * modulus / pi_below * (std::hypot(pi_below / 2, std::log(2 * std::sqrt(v) + 2)) + std::sqrt(v * (1 + v))),
+                infinite};
     }
 
 private:
@@ -148,14 +165,21 @@ std::unique_ptr<const First> force_above(const Ball& pressure) { return std::mak
 std::unique_ptr<const First> in_contact() { return std::make_unique<InContact>(); }
 std::unique_ptr<const First> exceeding(const Ball& pressure) { return std::make_unique<Exceeding>(pressure); }
 
-Density::Density(const Ball& G, const Ball& pressure, double unit_, double tolerance) : waves(G, pressure, tolerance * unit_), unit(unit_) {}
+Density::Density(const Ball& G, const Ball& pressure, double unit_, double tolerance)
+    : waves(G, pressure, tolerance * unit_)
+    , unit(unit_)
+{
+}
 
 std::pair<Real, double> Density::value(const Real& x) const
 {
     const auto [v, error] = waves.value(x);
     return {v / unit, error / unit};
 }
-First::Bounds Density::on_disc(const Real& low, const Real& high, const Real& x, double r) const { return {waves.on_disc(low, high, x, r) / unit, infinite}; }
+First::Bounds Density::on_disc(const Real& low, const Real& high, const Real& x, double r) const
+{
+    return {waves.on_disc(low, high, x, r) / unit, infinite};
+}
 double Density::weight_on(double x, double width, double largest) const { return waves.weight_on(x, width) / unit + largest; }
 
 } // namespace touchstone::transfer::levels

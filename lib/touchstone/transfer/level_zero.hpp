@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// B_0: the share of one wave in contact, or under a pressure above P; or the density after two waves. proven_levels.md, 3 and 5. Internal to transfer/.
+/// B_0: the share of one wave in contact, or under a pressure above P; or the density after two waves. proven_levels.md, 3 and 5. Internal
+/// to transfer/.
 #pragma once
 
 #include "touchstone/transfer/two_waves.hpp"
@@ -26,7 +27,8 @@ struct First {
     };
     /// On the disc of radius r about a real x, of the function that is B_0 on low <= x <= high; infinite if it may not be analytic there.
     virtual Bounds on_disc(const Real& low, const Real& high, const Real& x, double r) const = 0;
-    /// What |B_0| + largest counts for on an interval of that width from x on, singular points and all (two_waves.hpp). Only if it is no share.
+    /// What |B_0| + largest counts for on an interval of that width from x on, singular points and all (two_waves.hpp). Only if it is no
+    /// share.
     virtual double weight_on(double, double, double) const { return bounds::infinite; }
 };
 

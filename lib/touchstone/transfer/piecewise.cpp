@@ -89,7 +89,8 @@ const GaussRule<Real>& gauss_rule(int n)
         rule.weights.push_back(real(w[i] / 2));
     }
     for (std::size_t k = 0; k < N; ++k)
-        for (std::size_t i = 0; i < N; ++i) rule.to_coefficients.push_back(real(w[i] / 2 * static_cast<long>(2 * k + 1) * legendre(k, x[i])));
+        for (std::size_t i = 0; i < N; ++i)
+            rule.to_coefficients.push_back(real(w[i] / 2 * static_cast<long>(2 * k + 1) * legendre(k, x[i])));
     for (const int side : {-1, 1})
         for (std::size_t i = 0; i < N; ++i)
             for (std::size_t j = 0; j < N; ++j) { // l_j(t) = sum_k (2k+1)/2 w_j P_k(x_j) P_k(t)
@@ -136,7 +137,9 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
                 if (against < rule.negligible) against = rule.negligible;
             }
             const Real share = sqrt(node.width / (near + node.width));
-            const auto weighted = [&](const Real& error) { return against == 0 ? (error == 0 ? 0.0 : 1.0) : static_cast<double>(Real(error * share / against)); };
+            const auto weighted = [&](const Real& error) {
+                return against == 0 ? (error == 0 ? 0.0 : 1.0) : static_cast<double>(Real(error * share / against));
+            };
             a.tail = weighted(tail);
             if (a.tail > rule.tolerance) return;
             // what turns between an end and the point next to it, no point has seen: V = 0 from 1 + 1e-6 on, on [1, 2]
@@ -152,7 +155,8 @@ Piecewise<Real>::Piecewise(const BlindRule& rule, const Real& reach, const std::
         for (std::size_t i = 0; i < answers.size(); ++i) {
             Node& node = nodes_[begin + i];
             node.data = N * (begin + i);
-            const bool least = node.left == 0 ? node.width < rule.smallest : node.width < node.left * std::numeric_limits<Real>::epsilon() * 4;
+            const bool least =
+                node.left == 0 ? node.width < rule.smallest : node.width < node.left * std::numeric_limits<Real>::epsilon() * 4;
             if (answers[i].tail <= rule.tolerance || least) {
                 for (std::size_t j = 0; j < N; ++j) moments_.push_back(gauss_->weights[j] * node.width * answers[i].values[j]);
                 coefficients_.insert(coefficients_.end(), answers[i].series.begin(), answers[i].series.end());

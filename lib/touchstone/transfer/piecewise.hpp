@@ -2,9 +2,9 @@
 /// \file
 /// Functions on a line kept as polynomials on intervals that are halved where needed, and one wave applied to them.
 ///
-/// The grid is blind: an interval is halved until the tail of its Legendre series, and what the series is off at the ends, no longer matter. Nothing is told where
-/// the function is not smooth. Points x, and so intervals, are binary fractions: their ends and the distances between
-/// them are exact in `Real`.
+/// The grid is blind: an interval is halved until the tail of its Legendre series, and what the series is off at the ends, no longer
+/// matter. Nothing is told where the function is not smooth. Points x, and so intervals, are binary fractions: their ends and the distances
+/// between them are exact in `Real`.
 ///
 /// **When an interval is fine.** An error e on an interval [a, a + h] reaches a later value with at most the share of
 /// a wave that falls there. The densities (W1), (W2) have square-root ends, so that share is about sqrt(h/(a+h)) and less;
@@ -44,8 +44,8 @@ public:
 
     /// Expectation of V after one wave: int V density dy. V is 0 outside the grid.
     Real after(const Wave<Real>&) const;
-    /// dV/dx on the same intervals, of V made continuous, 0 beyond the grid: its steps from one to the next are small, but as point masses they would be
-    /// met by an end of a density, where it is infinite. A step is spread over the shorter of the two intervals.
+    /// dV/dx on the same intervals, of V made continuous, 0 beyond the grid: its steps from one to the next are small, but as point masses
+    /// they would be met by an end of a density, where it is infinite. A step is spread over the shorter of the two intervals.
     Piecewise derivative() const;
     /// Without the last three terms of each series, the ends kept: what that changes says how far off the whole may be.
     Piecewise shortened() const;

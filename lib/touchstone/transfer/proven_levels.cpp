@@ -41,7 +41,8 @@ struct ProvenLevels::State {
 
 // ---- values
 
-static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<const First> first, double highest, double tolerance, const ProvenLevels::Spoiled& spoiled, int scales)
+static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<const First> first, double highest, double tolerance,
+                                                 const ProvenLevels::Spoiled& spoiled, int scales)
 {
     require_binary64_arithmetic();
     if (!(tolerance >= ProvenLevels::finest_tolerance && tolerance <= ProvenLevels::coarsest_tolerance))
@@ -49,7 +50,8 @@ static std::unique_ptr<ProvenLevels::State> made(const Ball& G, std::unique_ptr<
     const WorkingPrecision precision(256);
     const Real nearest = to_real(G);
     const Ball off = abs(to_ball(nearest) / G - Ball(1));
-    if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u)))) throw BeyondReach("G must be above 1 and known to 101 bits");
+    if (!certainly(less(Ball(1), G)) || !certainly(less(off, Ball::exactly(u))))
+        throw BeyondReach("G must be above 1 and known to 101 bits");
     const double stays_below = 1.1 / double(nearest - 1), top = max(highest, stays_below); // and (x + 1)/G with x
     constexpr double most_panels_wide = 400; // of ratios next to each of which panels are narrow, whatever the load
     if (!(stays_below <= most_panels_wide)) throw BeyondReach("G too near 1 for the proven levels");
@@ -69,7 +71,8 @@ ProvenLevels::ProvenLevels(const Ball& G, const Ball& pressure, double highest, 
         throw BeyondReach("the pressure must be above 0 and known to 101 bits");
     state_ = made(G, exceeding(pressure), highest, tolerance, spoiled, scales);
 }
-ProvenLevels ProvenLevels::densities(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales, const Spoiled& spoiled)
+ProvenLevels ProvenLevels::densities(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales,
+                                     const Spoiled& spoiled)
 {
     const Ball nearest = to_ball(to_real(pressure));
     if (!certainly(less(Ball(0), pressure)) || !certainly(less(abs(nearest / pressure - Ball(1)), Ball::exactly(u))))
@@ -77,7 +80,8 @@ ProvenLevels ProvenLevels::densities(const Ball& G, const Ball& pressure, double
     ProvenLevels result;
     result.unit_ = std::min(1.0, std::exp2(std::floor(std::log2(double(to_real(pressure))))));
     auto first = std::make_unique<Density>(G, pressure, result.unit_, tolerance / 64);
-    if (!(first->waves.lowest() > 2 * lowest_of_densities && result.unit_ >= 0x1p-10)) throw BeyondReach("the pressure is too low for the proven levels of densities"); // minutes and more
+    if (!(first->waves.lowest() > 2 * lowest_of_densities && result.unit_ >= 0x1p-10))
+        throw BeyondReach("the pressure is too low for the proven levels of densities"); // minutes and more
     result.state_ = made(G, std::move(first), highest, tolerance, spoiled, scales);
     return result;
 }
@@ -86,7 +90,10 @@ ProvenLevels::~ProvenLevels() = default;
 ProvenLevels::ProvenLevels(ProvenLevels&&) noexcept = default;
 
 const levels::Layer& ProvenLevels::layer() const { return *state_->V; }
-std::size_t ProvenLevels::memory() const { return (state_->V->coefficients.size() + state_->V->weights.size()) * 2 * sizeof(double) * 5 / 4; }
+std::size_t ProvenLevels::memory() const
+{
+    return (state_->V->coefficients.size() + state_->V->weights.size()) * 2 * sizeof(double) * 5 / 4;
+}
 
 namespace {
 struct Contribution {
@@ -128,7 +135,8 @@ static Ball share_and_budget(const ProvenLevels::State& s, long n, const Ball& l
         if (!share && !exact) lost += s.D.blur(scale - 1, x);
         const auto bound = [&](const Result& r) { return Ball::exactly(margin * (r.error[scale - 1] + lost)); };
         const Ball least = to_ball(below.value[scale - 1]) - bound(below), most = to_ball(above.value[scale - 1]) + bound(above);
-        if (s.first->is_area() && scale < levels) at_most[scale + 1] = min(at_most[scale + 1], margin * arf_get_d(arb_midref(most.get()), ARF_RND_UP));
+        if (s.first->is_area() && scale < levels)
+            at_most[scale + 1] = min(at_most[scale + 1], margin * arf_get_d(arb_midref(most.get()), ARF_RND_UP));
         result = hull(certainly(less(least, Ball(0))) ? Ball(0) : least, share && certainly(less(Ball(1), most)) ? Ball(1) : most);
     }
     return result;
@@ -146,10 +154,12 @@ std::string ProvenLevels::certificate(long n, const Ball& load) const
     const Ball value = share_and_budget(*state_, n, load, &budget);
     const bool share = state_->first->is_share();
     const long shift = share ? 0 : 1; // level 0 of densities is D_1
-    std::string text = fmt::format("proven levels: {} panels of {} terms, G to 101 bits; T {}_{} within {:.2e}{}\n", state_->V->panels.size(), state_->rules.orders.terms,
-                                   share ? 'B' : 'D', n - 1 + shift, value.radius_bound() * unit_, share ? "" : ", in 1/p*_n");
+    std::string text =
+        fmt::format("proven levels: {} panels of {} terms, G to 101 bits; T {}_{} within {:.2e}{}\n", state_->V->panels.size(),
+                    state_->rules.orders.terms, share ? 'B' : 'D', n - 1 + shift, value.radius_bound() * unit_, share ? "" : ", in 1/p*_n");
     for (const auto& b : budget)
-        text += fmt::format("  level {:2}: T of its defect <= {:.2e}, share of it that reaches the value: {:.2e}\n", b.level + shift, b.effect * unit_, b.weight);
+        text += fmt::format("  level {:2}: T of its defect <= {:.2e}, share of it that reaches the value: {:.2e}\n", b.level + shift,
+                            b.effect * unit_, b.weight);
     return text;
 }
 
@@ -159,8 +169,8 @@ namespace {
 
 enum class Law { area, exceedance, density };
 
-/// The tolerance of the mesh. The proven error is larger by up to a hundred at scale 20, usually by less; where it leaves a digit open, more are asked for.
-/// That takes a second mesh: it is risked where meshes are cheap, not where tables of many rows stand on one.
+/// The tolerance of the mesh. The proven error is larger by up to a hundred at scale 20, usually by less; where it leaves a digit open,
+/// more are asked for. That takes a second mesh: it is risked where meshes are cheap, not where tables of many rows stand on one.
 double tolerance_for(Accuracy wanted, Law law)
 {
     constexpr double least = 4, finest = 25, cheap = 8, spare_where_cheap = 3, spare_of_shares = 4, spare_of_densities = 2;
@@ -181,7 +191,8 @@ std::mutex meshes_mutex;
 std::list<std::shared_ptr<Mesh>> meshes; // most recently used first
 
 /// \param scales at least as many levels as these
-std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Arguments& a, Accuracy wanted, const std::function<Ball()>& pressure = {})
+std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Arguments& a, Accuracy wanted,
+                                                  const std::function<Ball()>& pressure = {})
 {
     const double tolerance = tolerance_for(wanted, law);
     const WorkingPrecision precision(256);
@@ -198,7 +209,8 @@ std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Ar
     {
         const std::lock_guard lock(meshes_mutex);
         const auto found = std::find_if(meshes.begin(), meshes.end(), [&](const auto& m) {
-            return m->law == law && m->tolerance <= tolerance && m->highest >= highest && m->scales >= scales && m->G == G.dump() && m->pressure == P.dump();
+            return m->law == law && m->tolerance <= tolerance && m->highest >= highest && m->scales >= scales && m->G == G.dump() &&
+                   m->pressure == P.dump();
         });
         if (found != meshes.end()) meshes.splice(meshes.begin(), meshes, found);
         else {
@@ -216,9 +228,11 @@ std::shared_ptr<const ProvenLevels> proven_levels(Law law, long scales, const Ar
     }
     const std::lock_guard lock(mine->making);
     if (!mine->made)
-        mine->made = law == Law::area       ? std::make_shared<const ProvenLevels>(G, mine->highest, mine->tolerance, mine->scales)
-                   : law == Law::exceedance ? std::make_shared<const ProvenLevels>(G, P, mine->highest, mine->tolerance, mine->scales)
-                                            : std::make_shared<const ProvenLevels>(ProvenLevels::densities(G, P, mine->highest, mine->tolerance, mine->scales));
+        mine->made =
+            law == Law::area ? std::make_shared<const ProvenLevels>(G, mine->highest, mine->tolerance, mine->scales)
+            : law == Law::exceedance
+                ? std::make_shared<const ProvenLevels>(G, P, mine->highest, mine->tolerance, mine->scales)
+                : std::make_shared<const ProvenLevels>(ProvenLevels::densities(G, P, mine->highest, mine->tolerance, mine->scales));
     return mine->made;
 }
 
@@ -231,7 +245,8 @@ Ball share_at(const ProvenLevels& levels, long n, const Arguments& a)
 
 void require_level(long n)
 {
-    if (n > most_levels) throw BeyondReach(fmt::format("with full contact, areas and exceedances are certified for n <= {} only", most_levels));
+    if (n > most_levels)
+        throw BeyondReach(fmt::format("with full contact, areas and exceedances are certified for n <= {} only", most_levels));
 }
 
 } // namespace
@@ -260,7 +275,10 @@ static std::string certificate(const std::shared_ptr<const ProvenLevels>& levels
     return levels->certificate(n, a.load());
 }
 
-std::string area_by_proven_levels_certificate(long n, const Arguments& a, Accuracy wanted) { return certificate(proven_levels(Law::area, n, a, wanted), n, a); }
+std::string area_by_proven_levels_certificate(long n, const Arguments& a, Accuracy wanted)
+{
+    return certificate(proven_levels(Law::area, n, a, wanted), n, a);
+}
 std::string exceedance_by_proven_levels_certificate(long n, const std::function<Ball()>& pressure, const Arguments& a, Accuracy wanted)
 {
     return certificate(proven_levels(Law::exceedance, n, a, wanted, pressure), n, a);

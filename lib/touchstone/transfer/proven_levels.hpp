@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Shares of length in contact, or above a pressure, and densities of pressure, for any G > 1 and any load, full contact included, each with a
-/// proven error.
+/// Shares of length in contact, or above a pressure, and densities of pressure, for any G > 1 and any load, full contact included, each
+/// with a proven error.
 /// See proven_levels.md.
 ///
 /// B_m(x) is the share after m + 1 scales that begin at load ratio x, the last of which is one wave's B_0; B_{m+1} = T B_m,
@@ -48,7 +48,8 @@ public:
     ProvenLevels(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = usual_levels, const Spoiled& = {});
     /// Densities instead, -dB_m/dP: share(n, load) is q_{n+1} p*_{n+1} at P = pressure, n <= 19. Level 0 is two waves (two_waves.hpp),
     /// which wants G and pressure to some 200 bits.
-    static ProvenLevels densities(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = usual_levels, const Spoiled& = {});
+    static ProvenLevels densities(const Ball& G, const Ball& pressure, double highest, double tolerance, int scales = usual_levels,
+                                  const Spoiled& = {});
     ~ProvenLevels();
     ProvenLevels(ProvenLevels&&) noexcept;
 

@@ -91,7 +91,10 @@ Rule::Node node_at(const Ball& v, const Ball& weight)
 struct Guess {
     double g, X, lost, A, allowed; ///< lost: 1 - X, which binary64 would not tell from 0 next to X = 1
     Guess(const Ball& G, const Ratios& x)
-        : g(approximate(G)), X(std::min(approximate(x.highest), 1.0)), lost(std::max(approximate(1 - x.highest), 0.0)), A(approximate(x.zeros()))
+        : g(approximate(G))
+        , X(std::min(approximate(x.highest), 1.0))
+        , lost(std::max(approximate(1 - x.highest), 0.0))
+        , A(approximate(x.zeros()))
     {
         allowed = 1 - (1 - 2 / g * std::sqrt(X)) / 4;
     }
@@ -257,7 +260,8 @@ Rule gauss_panel_rule(const Ball& G, const Ratios& x, double accuracy, double V)
     }
     std::vector<double> sizes;
     for (double rho = 1.05; rho < 8; rho *= 1.03) sizes.push_back(rho);
-    // the largest ellipse that keeps off the zeros of cosh v and 1 + (1-x) sinh^2 v, and off |y| = 1: as a smaller one does, in strides first
+    // the largest ellipse that keeps off the zeros of cosh v and 1 + (1-x) sinh^2 v, and off |y| = 1: as a smaller one does, in strides
+    // first
     const auto largest_rho = [&](double lo, double hi, bool even) {
         const double mid = even ? 0 : (lo + hi) / 2, half = even ? hi : (hi - lo) / 2;
         const auto allowed = [&](double rho) {
@@ -309,7 +313,8 @@ Rule gauss_panel_rule(const Ball& G, const Ratios& x, double accuracy, double V)
         const long order = p.even ? 2 * p.n : p.n;
         for (long k = 0; k < p.n; ++k) { // k = 0 is the root nearest to 1
             Ball root, weight;
-            arb_hypgeom_legendre_p_ui_root(root.get(), weight.get(), static_cast<ulong>(order), static_cast<ulong>(k), WorkingPrecision::bits());
+            arb_hypgeom_legendre_p_ui_root(root.get(), weight.get(), static_cast<ulong>(order), static_cast<ulong>(k),
+                                           WorkingPrecision::bits());
             rule.nodes.push_back(node_at(mid + half * root, half * weight));
         }
     }

@@ -32,7 +32,8 @@ Ball hypergeometric(const Ball& s, const Ball& x)
     for (long k = 0;; ++k) {
         sum += term;
         term = term * ((1 - s) / 2 + k) * (2 * k + 1) * x / (((3 + s) / 2 + k) * (2 * (k + 1)));
-        if (!certainly(less((1 - s) / 2 + k, Ball(0))) && certainly(less(abs(term), Traits::power_of_two(-WorkingPrecision::bits())))) break;
+        if (!certainly(less((1 - s) / 2 + k, Ball(0))) && certainly(less(abs(term), Traits::power_of_two(-WorkingPrecision::bits()))))
+            break;
         if (k == 100'000) throw BeyondReach("the power series converges too slowly this near load = 1");
     }
     arb_add_error(sum.get(), upper(geometric_sum(abs(term), x)).get());

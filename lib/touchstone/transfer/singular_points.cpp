@@ -24,7 +24,8 @@ std::vector<SingularPoint> orbit(std::vector<Ball> seeds, const Images& images, 
         std::sort(next.begin(), next.end(), below);
         next.erase(std::unique(next.begin(), next.end(), same), next.end());
         std::erase_if(next, [&](const Ball& s) { // what an earlier generation has, it has more strongly, with all its images
-            return std::any_of(all.begin(), all.end(), [&](const SingularPoint& p) { return below(s, p.position) ? same(s, p.position) : same(p.position, s); });
+            return std::any_of(all.begin(), all.end(),
+                               [&](const SingularPoint& p) { return below(s, p.position) ? same(s, p.position) : same(p.position, s); });
         });
         std::vector<Ball> last = std::move(next);
         next.clear();

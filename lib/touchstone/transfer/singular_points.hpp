@@ -32,8 +32,8 @@ struct Tracking {
     double merge;    ///< points closer than this, relative to the larger, are one, the stronger: the caller says what that neglects
 };
 
-/// The singular points of the areas, ascending, and with them those of another B_0, of generation 0, and their images. Points whose balls overlap at the
-/// thread's precision are one. \pre G > 1
+/// The singular points of the areas, ascending, and with them those of another B_0, of generation 0, and their images. Points whose balls
+/// overlap at the thread's precision are one. \pre G > 1
 std::vector<SingularPoint> area_points(const Ball& G, const Tracking&, std::vector<Ball> of_B0 = {});
 /// The singular points of the exceedances, ascending, and 1, where (W3) and (W4) meet.
 std::vector<SingularPoint> exceedance_points(const Ball& load, const Ball& G, const Tracking&);

@@ -23,8 +23,8 @@ static_assert(end_part * wave::disc_full.grown < 2);
 
 Real left_of(const Layer& V, int panel) { return max(V.panels[panel].left(), V.panels.front().z0); }
 
-/// The panel whose polynomial f~ may use furthest around y = z^(1/2), on its interval and above the first panel's left end: the half width of J is about a
-/// third of the way from y to the inner end of the polynomial's interval, and at most all of the way to its outer end.
+/// The panel whose polynomial f~ may use furthest around y = z^(1/2), on its interval and above the first panel's left end: the half width
+/// of J is about a third of the way from y to the inner end of the polynomial's interval, and at most all of the way to its outer end.
 int end_panel(const Layer& V, const Real& z, bool upper)
 {
     constexpr double thirds = 2.7; // 1 + 2.125/0.79, from rho = 4, is 3.7 from the other end of J
@@ -63,7 +63,12 @@ Fit with_full_contact(const Layer& V, const Interval& J, double r, Continuation&
         const Real inner = upper ? max(sqrt(left_of(V, e)), y - end_part / V.G) : min(sqrt(q.right()), y + end_part / V.G);
         const double gap = double(upper ? 1 + J.x - V.G * inner : V.G * inner - J.x + 1);
         if (r > wave::disc_full.reach * gap) return Fit::no;
-        f.ends[upper] = {e, inner, gap, end_share(wave::disc_full.grown * gap), square_moves(double(max(y, inner)), r / G) / double(q.half), overlap_share(V, e)};
+        f.ends[upper] = {e,
+                         inner,
+                         gap,
+                         end_share(wave::disc_full.grown * gap),
+                         square_moves(double(max(y, inner)), r / G) / double(q.half),
+                         overlap_share(V, e)};
     }
     f.middle = wave::disc_full.middle;
     return Fit::yes;
@@ -84,7 +89,12 @@ Fit with_partial_contact(const Layer& V, const Interval& J, double r, Continuati
     const double gap = double(k.one_minus_c(inner)), dc = wave::disc_partial.cosine_moves * r;
     if (dc > wave::disc_full.reach * gap) return Fit::no;
     f.ends[0] = {};
-    f.ends[1] = {e, sqrt(inner), gap, end_share(wave::disc_full.grown * gap), force_moves(x, r, dc) / (G * G) / double(V.panels[e].half), overlap_share(V, e)};
+    f.ends[1] = {e,
+                 sqrt(inner),
+                 gap,
+                 end_share(wave::disc_full.grown * gap),
+                 force_moves(x, r, dc) / (G * G) / double(V.panels[e].half),
+                 overlap_share(V, e)};
     f.middle = wave::disc_partial.middle;
     return Fit::yes;
 }
@@ -246,6 +256,9 @@ void StepOnPanel::prove()
     }
 }
 
-void Defects::prove_panel(std::size_t panel, const std::vector<double>& overlap_defect) { StepOnPanel(*this, panel, overlap_defect).prove(); }
+void Defects::prove_panel(std::size_t panel, const std::vector<double>& overlap_defect)
+{
+    StepOnPanel(*this, panel, overlap_defect).prove();
+}
 
 } // namespace touchstone::transfer::levels

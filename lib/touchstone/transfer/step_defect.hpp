@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// f~: T V on a disc of complex x, V continued at each end of the wave by the polynomial of one panel. proven_levels.md, 4. Internal to transfer/.
+/// f~: T V on a disc of complex x, V continued at each end of the wave by the polynomial of one panel. proven_levels.md, 4. Internal to
+/// transfer/.
 #pragma once
 
 #include "touchstone/transfer/layer.hpp"

@@ -31,8 +31,11 @@ constexpr slong bits = 384; // as those of the ends of the two waves
 class Integral {
 public:
     Integral(const Ball& G, const Ball& P, const Ball& x, double tolerance)
-        : unit_(min(1.0, std::exp2(std::floor(std::log2(double(to_real(P))))))), tolerance_(tolerance * unit_), waves_(G, P, tolerance_ / 256),
-          G_(G), x_(x)
+        : unit_(min(1.0, std::exp2(std::floor(std::log2(double(to_real(P)))))))
+        , tolerance_(tolerance * unit_)
+        , waves_(G, P, tolerance_ / 256)
+        , G_(G)
+        , x_(x)
     {
         const int most = static_cast<int>(std::ceil((7 - std::log10(tolerance)) / (2 * std::log10(rho)) + 1));
         for (int k = 1; k <= node_steps; ++k) rules_.emplace_back((most * k + node_steps - 1) / node_steps);
@@ -68,8 +71,11 @@ public:
         const WorkingPrecision precision(bits);
         Ball value = to_ball(sum);
         arb_add_error(value.get(), Ball::exactly(margin * error).get());
-        return {value, fmt::format("three waves: {} intervals of up to {} nodes, within {:.2e}, of which {:.2e} for {} intervals about logarithms and jumps; in 1/p*_n\n",
-                                   accepted_.size(), rules_.back().nodes.size(), margin * error, holes_, hole_count_)};
+        return {
+            value,
+            fmt::format(
+                "three waves: {} intervals of up to {} nodes, within {:.2e}, of which {:.2e} for {} intervals about logarithms and jumps; in 1/p*_n\n",
+                accepted_.size(), rules_.back().nodes.size(), margin * error, holes_, hole_count_)};
     }
 
 private:
@@ -86,7 +92,8 @@ private:
         while (!waiting.empty()) {
             const auto [low, high] = waiting.back();
             waiting.pop_back();
-            if (accepted_.size() + static_cast<std::size_t>(hole_count_) + waiting.size() > most_intervals) throw BeyondReach("too many intervals for the density after three waves");
+            if (accepted_.size() + static_cast<std::size_t>(hole_count_) + waiting.size() > most_intervals)
+                throw BeyondReach("too many intervals for the density after three waves");
             if (below_support(arc, low, high) || accept(arc, low, high) || hole(arc, low, high)) continue;
             const Real middle = (low + high) * 0.5;
             waiting.emplace_back(middle, high);
@@ -166,7 +173,8 @@ ThreeWaves density_after_three_waves(const Ball& G, const Ball& pressure, const 
     require_binary64_arithmetic();
     if (!(tolerance >= 1e-25 && tolerance <= 1e-4)) throw std::invalid_argument("tolerance from 1e-25 to 1e-4");
     const WorkingPrecision precision(bits);
-    if (!certainly(less(Ball(1), G)) || !certainly(less(Ball(0), pressure)) || !certainly(less(Ball(0), load))) throw BeyondReach("G must be above 1, pressure and load above 0");
+    if (!certainly(less(Ball(1), G)) || !certainly(less(Ball(0), pressure)) || !certainly(less(Ball(0), load)))
+        throw BeyondReach("G must be above 1, pressure and load above 0");
     return Integral(G, pressure, load, tolerance).result();
 }
 

@@ -96,8 +96,26 @@ TOUCHSTONE_INLINE S integrand(const Half<S>& h, const S& eta)
 
 TOUCHSTONE_INLINE Half<Four> spread(const Half<Real>& h)
 {
-    return {h.full_first, h.full, h.left, h.made_up, h.second, h.fars, Four(h.x), Four(h.one_minus_x), Four(h.G), Four(h.P), Four(h.from), Four(h.to_one),
-            Four(h.wave_end), Four(h.quarter), Four(h.beyond), Four(h.gap), {Four(h.far[0]), Four(h.far[1])}, Four(h.tau0), Four(h.s0), Four(h.length)};
+    return {h.full_first,
+            h.full,
+            h.left,
+            h.made_up,
+            h.second,
+            h.fars,
+            Four(h.x),
+            Four(h.one_minus_x),
+            Four(h.G),
+            Four(h.P),
+            Four(h.from),
+            Four(h.to_one),
+            Four(h.wave_end),
+            Four(h.quarter),
+            Four(h.beyond),
+            Four(h.gap),
+            {Four(h.far[0]), Four(h.far[1])},
+            Four(h.tau0),
+            Four(h.s0),
+            Four(h.length)};
 }
 
 TOUCHSTONE_CLONES
@@ -187,7 +205,8 @@ public:
             error += lost;
         }
         sum = sum * inverse_pi * inverse_pi;
-        return {sum, margin * (error / (pi_below * pi_below) + 2000 * u * std::fabs(sum.high))}; // all terms are positive, distances are sums of positive terms
+        return {sum, margin * (error / (pi_below * pi_below) +
+                               2000 * u * std::fabs(sum.high))}; // all terms are positive, distances are sums of positive terms
     }
 
 private:
@@ -231,7 +250,10 @@ private:
             if (near.size() == 2) s.paired = near[0] == s.from || double(distance(near[1], s.from)) >= 2 * first;
             if (!s.paired) {
                 const double P = double(ends_.P_near);
-                s.delta = near.size() == 2 ? first : full ? 1 : from_left ? P * P / 4 : std::hypot(double(distance(Point::seam, Point::end)), P);
+                s.delta = near.size() == 2 ? first
+                          : full           ? 1
+                          : from_left      ? P * P / 4
+                                           : std::hypot(double(distance(Point::seam, Point::end)), P);
             }
             sides_.push_back(s);
         }
@@ -285,7 +307,8 @@ private:
             for (const EllipseCover* cover : {&coarse, &fine}) // three discs do for most panels
                 if (!(ends_.rule * size <= share)) size = bound(h, length * (from + to) / 2, width, *cover) * width;
             if (ends_.rule * size <= share) {
-                lost += margin * (ends_.rule + 16 * u) * size; // halving makes the rule better, but not what rounding takes: that is charged, and asks for nothing
+                lost += margin * (ends_.rule + 16 * u) *
+                        size; // halving makes the rule better, but not what rounding takes: that is charged, and asks for nothing
                 cuts.push_back(to);
                 edges.pop_back();
                 continue;
@@ -322,7 +345,8 @@ TwoWaves::TwoWaves(TwoWaves&&) noexcept = default;
 
 double TwoWaves::lowest() const
 {
-    const double G = double(ends_->G_near), P = double(ends_->P_near), x = G * (P < 2 ? P * P / 4 : P - 1); // the first wave has to reach the second's support
+    const double G = double(ends_->G_near), P = double(ends_->P_near),
+                 x = G * (P < 2 ? P * P / 4 : P - 1); // the first wave has to reach the second's support
     return 0.999 * (x < 2 ? x * x / 4 : x - 1);
 }
 

@@ -2,14 +2,14 @@
 /// \file
 /// What one wave does to load ratios, in full and in partial contact, forwards and backwards; fast, without bounds.
 ///
-/// With theta uniform on [0, pi] and c = cos theta a region of load ratio x gets y = (x + c)/G if x >= 1; if x < 1, y = sqrt(R^2 - (1-x)^2)/G
-/// with R = x + c where R > 1 - x, and contact is lost elsewhere. So y has the density
+/// With theta uniform on [0, pi] and c = cos theta a region of load ratio x gets y = (x + c)/G if x >= 1; if x < 1, y = sqrt(R^2 -
+/// (1-x)^2)/G with R = x + c where R > 1 - x, and contact is lost elsewhere. So y has the density
 ///
 ///     x >= 1:  1/(pi sqrt((hi - y)(y - lo))),                                    lo, hi = (x -+ 1)/G             (W1)
 ///     x < 1:   (G y/(pi R)) sqrt((1+x+R)/((1-x+R)(hi - y)(hi + y))),  R^2 = (1-x)^2 + G^2 y^2, 0 < y < hi = (2/G) sqrt x    (W2)
 ///
-/// The share of the wave with pressure above P = G y, F(x; P) = (1/pi) arccos(P - x) or (1/pi) arccos(R - x), R^2 = (1-x)^2 + P^2, rises with x
-/// from 0 to 1: it is the distribution function of the ratio x(theta; P) that the wave needs at theta to get to P,
+/// The share of the wave with pressure above P = G y, F(x; P) = (1/pi) arccos(P - x) or (1/pi) arccos(R - x), R^2 = (1-x)^2 + P^2, rises
+/// with x from 0 to 1: it is the distribution function of the ratio x(theta; P) that the wave needs at theta to get to P,
 /// x = P - c if c <= P - 1, else (1 + P^2 - c^2)/(2(1 + c)). Its density, for exceedances one level further, is
 ///
 ///     x >= 1:  1/(pi sqrt((hi - x)(x - lo))),                              lo, hi = P -+ 1                       (W3)
@@ -101,7 +101,8 @@ public:
         }
         case Kind::needed_partial: {
             const Real R = wave::radius<Real>(to_one, P * P);
-            return (moves ? wave::needed_slope_partial<Real>(P, to_one, R) : Real(1)) * inverse_pi() * wave::needed_kernel_partial_rest<Real>(y, to_one, R) / sqrt(to_lo);
+            return (moves ? wave::needed_slope_partial<Real>(P, to_one, R) : Real(1)) * inverse_pi() *
+                   wave::needed_kernel_partial_rest<Real>(y, to_one, R) / sqrt(to_lo);
         }
         default: return inverse_pi() * wave::kernel_full<Real>(to_hi, to_lo);
         }
@@ -116,7 +117,8 @@ public:
         }
         case Kind::needed_partial: {
             const Real R = wave::radius<Real>(to_one, P * P);
-            return (moves ? wave::needed_slope_partial<Real>(P, to_one, R) : Real(1)) * inverse_pi() * 2 * wave::needed_kernel_partial_rest<Real>(y, to_one, R);
+            return (moves ? wave::needed_slope_partial<Real>(P, to_one, R) : Real(1)) * inverse_pi() * 2 *
+                   wave::needed_kernel_partial_rest<Real>(y, to_one, R);
         }
         default: return inverse_pi();
         }
@@ -227,7 +229,9 @@ template <class Real>
 Wave<Real> wave_to(Pair<Real> P, bool moves)
 {
     using std::ldexp;
-    if (P.high <= 0) P = {ldexp(Real(1), std::numeric_limits<Real>::min_exponent / 5), Real(0)}; // P = 0 has 1/sqrt(1 - x) at x = 1, which no angle removes; sqrt(P) is what is left
+    if (P.high <= 0)
+        P = {ldexp(Real(1), std::numeric_limits<Real>::min_exponent / 5),
+             Real(0)}; // P = 0 has 1/sqrt(1 - x) at x = 1, which no angle removes; sqrt(P) is what is left
     Wave<Real> wave;
     Arc<Real>& arc = wave.arcs[0];
     arc.kind = Arc<Real>::Kind::needed_full;

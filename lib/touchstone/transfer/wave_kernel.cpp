@@ -43,8 +43,8 @@ void wave_densities(const WaveKernel<Real>& k, Real mid, Real half, const Wide& 
 }
 
 TOUCHSTONE_CLONES
-double wave_nodes(const WaveKernel<Real>& k, Substitution variable, Real mid, Real half, const Wide& nodes, const Wide& weights, Real centre, Real unit,
-                  Wide& local, Wide& weight)
+double wave_nodes(const WaveKernel<Real>& k, Substitution variable, Real mid, Real half, const Wide& nodes, const Wide& weights,
+                  Real centre, Real unit, Wide& local, Wide& weight)
 {
     const Four x(k.x), G(k.G), G2(k.G2), middle(mid), width(half), c(centre), one_unit(Real(1) / unit), scale(half * inverse_pi);
     double measure = 0;
@@ -56,8 +56,13 @@ double wave_nodes(const WaveKernel<Real>& k, Substitution variable, Real mid, Re
             w = wide_kernel_density(x, G, G2, k.full, z);
         }
         else { // c = 1 - 2 q or 2 q - 1
-            if (k.full) z = (variable == Substitution::sine ? wave::square_full_from_above<Four>(x, q) : wave::square_full_from_below<Four>(x, q)) / G2;
-            else z = (variable == Substitution::sine ? wave::square_partial_from_above<Four>(x, q) : wave::square_partial_from_below<Four>(1 - x, q)) / G2;
+            if (k.full)
+                z = (variable == Substitution::sine ? wave::square_full_from_above<Four>(x, q) : wave::square_full_from_below<Four>(x, q)) /
+                    G2;
+            else
+                z = (variable == Substitution::sine ? wave::square_partial_from_above<Four>(x, q)
+                                                    : wave::square_partial_from_below<Four>(1 - x, q)) /
+                    G2;
             w = 2 / sqrt(1 - q);
         }
         w = w * scale * load(weights, i);

@@ -62,9 +62,15 @@ struct WaveKernel {
     {
         return positive_part(full ? 1 + x - G * sqrt(z) : wave::one_minus_c_partial<R>(x, root(z), G2 * z));
     }
-    TOUCHSTONE_INLINE R one_plus_c(const R& z) const { return positive_part(full ? G * sqrt(z) - x + 1 : wave::one_plus_c_partial<R>(1 - x, root(z))); }
+    TOUCHSTONE_INLINE R one_plus_c(const R& z) const
+    {
+        return positive_part(full ? G * sqrt(z) - x + 1 : wave::one_plus_c_partial<R>(1 - x, root(z)));
+    }
     /// dtheta/dz
-    TOUCHSTONE_INLINE R density(const R& z) const { return full ? wave::kernel_full_squared<R>(x, G, z) : wave::kernel_partial_squared<R>(x, G2, z); }
+    TOUCHSTONE_INLINE R density(const R& z) const
+    {
+        return full ? wave::kernel_full_squared<R>(x, G, z) : wave::kernel_partial_squared<R>(x, G2, z);
+    }
 };
 
 enum class Substitution { sine, cosine, square }; ///< sin(theta/2), cos(theta/2), z
@@ -72,20 +78,26 @@ enum class Substitution { sine, cosine, square }; ///< sin(theta/2), cos(theta/2
 /// Counts are multiples of four; everything is owned by the caller.
 
 /// out[q] = dtheta/dz at mid + half * nodes[q], over pi
-void wave_densities(const WaveKernel<DoubleDouble<double>>&, DoubleDouble<double> mid, DoubleDouble<double> half, const Wide& nodes, Wide& out);
+void wave_densities(const WaveKernel<DoubleDouble<double>>&, DoubleDouble<double> mid, DoubleDouble<double> half, const Wide& nodes,
+                    Wide& out);
 
 /// Gauss nodes t = mid + half * nodes[i] of the variable: local[i] = (z(t) - centre)/unit and weight[i], which is
 /// half * weights[i] dtheta/dt over pi. \returns the sum of the weights
-double wave_nodes(const WaveKernel<DoubleDouble<double>>&, Substitution, DoubleDouble<double> mid, DoubleDouble<double> half, const Wide& nodes,
-                  const Wide& weights, DoubleDouble<double> centre, DoubleDouble<double> unit, Wide& local, Wide& weight);
+double wave_nodes(const WaveKernel<DoubleDouble<double>>&, Substitution, DoubleDouble<double> mid, DoubleDouble<double> half,
+                  const Wide& nodes, const Wide& weights, DoubleDouble<double> centre, DoubleDouble<double> unit, Wide& local,
+                  Wide& weight);
 
-/// out[k] = sum of weight[i] T_k(local[i]), k < terms; in binary64 from k = accurate >= 2 on, where it is off by less than late_moment(k - accurate, ...) times the sum
-/// of the weights' moduli
+/// out[k] = sum of weight[i] T_k(local[i]), k < terms; in binary64 from k = accurate >= 2 on, where it is off by less than late_moment(k -
+/// accurate, ...) times the sum of the weights' moduli
 void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, std::size_t accurate, Wide& out);
-inline void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, Wide& out) { chebyshev_moments(local, weight, terms, terms, out); }
+inline void chebyshev_moments(const Wide& local, const Wide& weight, std::size_t terms, Wide& out)
+{
+    chebyshev_moments(local, weight, terms, terms, out);
+}
 
-/// In the recurrence for w T_k, |local| <= 1, a step is off by 5 2^-53 |w| at most, local's own rounding included, which the j-th step after makes j + 1 times as large; each of the two numbers it
-/// starts from is off by 2^-53 |w|. Together that is below 3 (steps + 2)^2 2^-53 |w|; a sum of n numbers adds n 2^-53 of the sum of moduli.
+/// In the recurrence for w T_k, |local| <= 1, a step is off by 5 2^-53 |w| at most, local's own rounding included, which the j-th step
+/// after makes j + 1 times as large; each of the two numbers it starts from is off by 2^-53 |w|. Together that is below 3 (steps + 2)^2
+/// 2^-53 |w|; a sum of n numbers adds n 2^-53 of the sum of moduli.
 inline double late_moment(std::size_t steps, std::size_t nodes)
 {
     const auto s = static_cast<double>(steps + 2);

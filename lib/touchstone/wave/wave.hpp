@@ -2,8 +2,8 @@
 /// \file
 /// THE OPERATOR: what one wave does to the load ratio of a region, and so to any function of it. Everything in section 6 is a power of it.
 ///
-/// Put G = gamma^(D-1), so that p*_{n+1} = G p*_n by (3.8), and let x = p_{n-1}/p*_n be the load ratio that scale n sees. On a wave of mean x, with
-/// theta uniform on [0, pi], c = cos theta, and P the pressure in units of its own p*,
+/// Put G = gamma^(D-1), so that p*_{n+1} = G p*_n by (3.8), and let x = p_{n-1}/p*_n be the load ratio that scale n sees. On a wave of mean
+/// x, with theta uniform on [0, pi], c = cos theta, and P the pressure in units of its own p*,
 ///
 ///     P = x + c                   where x >= 1,                                                       (2.2)
 ///     P^2 = (1 + c)(2x - 1 + c)   where x < 1, and no contact where that is not positive,              (2.4)
@@ -12,9 +12,9 @@
 ///
 ///     (T phi)(x) = (1/pi) int_0^pi phi(y(x, theta)) dtheta,     A_n/lambda_0 = (T^(n+1) 1)(load).                (T)
 ///
-/// Each function below is a template over the arithmetic: `double`, `long double`, pairs of binary64, Mpfr, balls, complex balls and discs, and
-/// GiNaC's symbols, which is how proofs/operator.cpp proves that all these spellings are one operator. Nothing but + - * / and square roots occurs.
-/// All are inlined, into vector code too. The branch is the caller's: a ball may not know its own. Lemmas are in lemmas.hpp.
+/// Each function below is a template over the arithmetic: `double`, `long double`, pairs of binary64, Mpfr, balls, complex balls and discs,
+/// and GiNaC's symbols, which is how proofs/operator.cpp proves that all these spellings are one operator. Nothing but + - * / and square
+/// roots occurs. All are inlined, into vector code too. The branch is the caller's: a ball may not know its own. Lemmas are in lemmas.hpp.
 #pragma once
 
 #include <cmath>
@@ -84,8 +84,8 @@ template <Field T>
     using std::sqrt;
     return 1 / sqrt(to_high * to_low);
 }
-/// The factor that is left of |dtheta/dy| of (2.4) when 1/((hi - y)(hi + y))^(1/2) is taken out, hi = 2 x^(1/2)/G the end of the wave: dP/dR times the
-/// root of (1 + x + R)/(1 - x + R).
+/// The factor that is left of |dtheta/dy| of (2.4) when 1/((hi - y)(hi + y))^(1/2) is taken out, hi = 2 x^(1/2)/G the end of the wave:
+/// dP/dR times the root of (1 + x + R)/(1 - x + R).
 template <Field T>
 [[gnu::always_inline]] inline T kernel_partial_rest(const T& x, const T& one_minus_x, const T& R, const T& gy)
 {
@@ -94,7 +94,8 @@ template <Field T>
 }
 /// |dtheta/dy| of (2.4).
 template <Field T>
-[[gnu::always_inline]] inline T kernel_partial(const T& x, const T& one_minus_x, const T& R, const T& gy, const T& to_high, const T& high_plus_y)
+[[gnu::always_inline]] inline T kernel_partial(const T& x, const T& one_minus_x, const T& R, const T& gy, const T& to_high,
+                                               const T& high_plus_y)
 {
     using std::sqrt;
     return gy / R * sqrt((1 + x + R) / ((one_minus_x + R) * to_high * high_plus_y));
@@ -189,13 +190,17 @@ template <Field T>
     using std::sqrt;
     return 2 * sqrt(x) / G;
 } ///< of (2.4), x < 1, whose lowest y is 0
-/// If phi is singular at s, T phi is singular where s meets an end of the wave: at x = G s + 1 (the lower end); at G s - 1 where that is >= 1, else at
-/// G^2 s^2/4 (the upper end); and at x = 1, where (2.2) and (2.4) meet. Going back, s of an exceedance goes to (s +- 1)/G, or 2 s^(1/2)/G where s < 1.
+/// If phi is singular at s, T phi is singular where s meets an end of the wave: at x = G s + 1 (the lower end); at G s - 1 where that is >=
+/// 1, else at G^2 s^2/4 (the upper end); and at x = 1, where (2.2) and (2.4) meet. Going back, s of an exceedance goes to (s +- 1)/G, or 2
+/// s^(1/2)/G where s < 1.
 template <Field T>
 [[gnu::always_inline]] inline T meets_lower_end(const T& s, const T& G) { return G * s + 1; } ///< x where s = lowest_full(x)
 template <Field T>
 [[gnu::always_inline]] inline T meets_upper_end_full(const T& s, const T& G) { return G * s - 1; } ///< x where s = highest_full(x)
 template <Field T>
-[[gnu::always_inline]] inline T meets_upper_end_partial(const T& s, const T& G) { return G * G * s * s / 4; } ///< x where s = highest_partial(x)
+[[gnu::always_inline]] inline T meets_upper_end_partial(const T& s, const T& G)
+{
+    return G * G * s * s / 4;
+} ///< x where s = highest_partial(x)
 
 } // namespace touchstone::wave

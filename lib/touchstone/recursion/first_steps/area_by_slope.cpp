@@ -58,10 +58,18 @@ private:
 /// A piece on which neither the weight nor the slope has a singular point but at the ends.
 class Part {
 public:
-    Part(const Piece& piece, const End& begin, const AreaSlope& slope, const Weight& weight, const End& crossing, const End& turn, const End& last, bool full)
-        : piece_(piece), slope_(slope), weight_(weight.on(piece, begin)), largest_(weight.largest()), full_(full),
-          first_side_(below(begin, full ? turn : crossing)), origin_(piece.left(End::rational(0))), one_(full ? piece.left(End::rational(1)) : piece.right(End::rational(1))),
-          special_(first_side_ ? piece.right(full ? turn : crossing) : piece.left(full ? turn : crossing)), last_(piece.right(last))
+    Part(const Piece& piece, const End& begin, const AreaSlope& slope, const Weight& weight, const End& crossing, const End& turn,
+         const End& last, bool full)
+        : piece_(piece)
+        , slope_(slope)
+        , weight_(weight.on(piece, begin))
+        , largest_(weight.largest())
+        , full_(full)
+        , first_side_(below(begin, full ? turn : crossing))
+        , origin_(piece.left(End::rational(0)))
+        , one_(full ? piece.left(End::rational(1)) : piece.right(End::rational(1)))
+        , special_(first_side_ ? piece.right(full ? turn : crossing) : piece.left(full ? turn : crossing))
+        , last_(piece.right(last))
     {
     }
 
@@ -69,8 +77,8 @@ public:
     {
         // the argument of a product of two distances that vanish together is twice that of u
         const bool together = one_.left == special_.left && vanishes(one_) && vanishes(special_);
-        return piece_.between_logarithms([this](const Point& y) { return value(y); }, [this](bool left, const Ball& t) { return rest(left, t); },
-                                         together ? 0.64 : 1.25, goal);
+        return piece_.between_logarithms([this](const Point& y) { return value(y); },
+                                         [this](bool left, const Ball& t) { return rest(left, t); }, together ? 0.64 : 1.25, goal);
     }
 
 private:
@@ -83,9 +91,9 @@ private:
 
     bool vanishes(const Beyond& b) const { return certainly(less(b.gap, piece_.width() / 1000)); }
 
-    /// A distance to the same side is at least that of the end, and at least that of the point, in modulus where Im u <= pi/2; one to the other side is at
-    /// least half of the piece. E is at most (4/pi)/(1/2) times its largest value: |arctan z| <= 2 where Re z^2 >= 0, and <= |z|. What is not near to 0 is
-    /// within 1e-5 of its value at the end.
+    /// A distance to the same side is at least that of the end, and at least that of the point, in modulus where Im u <= pi/2; one to the
+    /// other side is at least half of the piece. E is at most (4/pi)/(1/2) times its largest value: |arctan z| <= 2 where Re z^2 >= 0, and
+    /// <= |z|. What is not near to 0 is within 1e-5 of its value at the end.
     Ball rest(bool left, const Ball& t) const
     {
         Ball bound = 3 * largest_ * (full_ ? slope_.full_bound() : slope_.partial_bound()), exponent(1);

@@ -32,7 +32,9 @@ std::pair<BranchPoints, Ball> richelot(const BranchPoints& p)
     const Ball aacc = inf ? Ball(1) : aac + p.c_c, acc = inf ? Ball(1) : ac + p.c_c;
     const Ball in_a_by_b = sqrt(ba * ea / (p.a_b * eaa)), in_a_by_c = sqrt(ac * acc / (aac * aacc));
     const Ball in_b_by_a = sqrt(ba * p.a_b / (ea * eaa)), in_b_by_c = sqrt(bc * bcc / (p.b_c * ecc));
-    const auto inner = [](const Ball& width, const Ball& first, const Ball& last) { return width * (last - first) / ((1 + first) * (1 + last)); };
+    const auto inner = [](const Ball& width, const Ball& first, const Ball& last) {
+        return width * (last - first) / ((1 + first) * (1 + last));
+    };
     BranchPoints q;
     q.to_infinity = false;
     q.a_a = inner(p.a_a, in_a_by_c, in_a_by_b);
@@ -108,11 +110,13 @@ C AreaSlope::at(const Partial& q, bool analytic) const
         const Points<Ball> p(G, q.y.real(), q.to_one.real(), q.to_crossing.real());
         return front * period({p.low_gap, p.root, q.below_crossing ? p.root : p.plus, p.gap, Ball(0), true});
     }
-    // With r = r1 v, w = (r2 - r1)/r1: |w + 1 - v| >= (2 |w| (1 - v))^(1/2) where Re w >= 0, and r + y^(1/2), r - r- are no nearer to 0 than at v = 0; all
-    // roots are principal, hence analytic. What is left is B(1/2, 1/4) < 5.2442.
+    // With r = r1 v, w = (r2 - r1)/r1: |w + 1 - v| >= (2 |w| (1 - v))^(1/2) where Re w >= 0, and r + y^(1/2), r - r- are no nearer to 0
+    // than at v = 0; all roots are principal, hence analytic. What is left is B(1/2, 1/4) < 5.2442.
     const Points<C> p(C(G), q.y, q.to_one, q.to_crossing);
     const C &first = q.below_crossing ? p.root : p.plus, w = quotient_on_disc(p.gap, first);
-    if (!right_half(w) || (!q.below_crossing && !right_half(quotient_on_disc(first, p.root))) || !right_half(quotient_on_disc(first, p.minus))) return C::indeterminate();
+    if (!right_half(w) || (!q.below_crossing && !right_half(quotient_on_disc(first, p.root))) ||
+        !right_half(quotient_on_disc(first, p.minus)))
+        return C::indeterminate();
     return within(front * Ball(Rational(52442, 10000)) / sqrt(abs(first) * abs(p.root) * abs(p.minus) * sqrt(2 * abs(w))));
 }
 
@@ -120,11 +124,12 @@ C AreaSlope::at(const Full& q, bool analytic) const
 {
     const Ball G = narrow(G_);
     if (!analytic && is_point(q.from_one) && is_point(q.to_turn) && is_point(q.to_end)) {
-        const Ball A = q.below_turn ? sqrt(q.to_end.real() * (2 + q.from_one.real())) : sqrt(2 * G), B = sqrt(q.to_turn.real() * q.from_one.real());
+        const Ball A = q.below_turn ? sqrt(q.to_end.real() * (2 + q.from_one.real())) : sqrt(2 * G),
+                   B = sqrt(q.to_turn.real() * q.from_one.real());
         return 1 / (pi<Ball>() * detail::ball_of(arb_agm, A, B));
     }
-    // 1/agm(A, B) = (2/pi) int_0^(pi/2) dt/(A^2 cos^2 t + B^2 sin^2 t)^(1/2); with Re (B/A)^2 >= 0 the root's argument is at least 2^(1/2) |A B| cos t sin t, and
-    // int (cos t sin t)^(-1/2) dt = B(1/4, 1/4)/2 < 3.7082
+    // 1/agm(A, B) = (2/pi) int_0^(pi/2) dt/(A^2 cos^2 t + B^2 sin^2 t)^(1/2); with Re (B/A)^2 >= 0 the root's argument is at least 2^(1/2)
+    // |A B| cos t sin t, and int (cos t sin t)^(-1/2) dt = B(1/4, 1/4)/2 < 3.7082
     const C A2 = q.below_turn ? q.to_end * (2 + q.from_one) : C(2 * G), B2 = q.to_turn * q.from_one;
     if (!right_half(A2) || !right_half(quotient_on_disc(B2, A2))) return C::indeterminate();
     return within(2 * Ball(Rational(37082, 10000)) / (pi<Ball>() * pi<Ball>() * sqrt(sqrt(2 * abs(A2) * abs(B2)))));
@@ -132,9 +137,9 @@ C AreaSlope::at(const Full& q, bool analytic) const
 
 Ball AreaSlope::partial_bound() const
 {
-    // r2 - r = (r2 - r1) + (r1 - r) >= 2 ((r2 - r1)(r1 - r))^(1/2) leaves int_0^r1 r^(-1/2) (r1 - r)^(-3/4) dr = r1^(-1/4) B(1/2, 1/4), B < 5.2442;
-    // r + y^(1/2) >= y^(1/2), r - r- >= 1, r1 >= 0.414 y^(1/2) since r+ >= 2^(1/2) - 1: at most 0.663 G^(-1/2) y^(-3/8) (r2 - r1)^(-1/4), and 2^(1/4) times that in
-    // complex balls, as above.
+    // r2 - r = (r2 - r1) + (r1 - r) >= 2 ((r2 - r1)(r1 - r))^(1/2) leaves int_0^r1 r^(-1/2) (r1 - r)^(-3/4) dr = r1^(-1/4) B(1/2, 1/4), B <
+    // 5.2442; r + y^(1/2) >= y^(1/2), r - r- >= 1, r1 >= 0.414 y^(1/2) since r+ >= 2^(1/2) - 1: at most 0.663 G^(-1/2) y^(-3/8) (r2 -
+    // r1)^(-1/4), and 2^(1/4) times that in complex balls, as above.
     // 1/(r2 - r1) = G (G + 2 y^(1/2))(y^(1/2) - r-)/(4 (1-y) |y - G^2/4|), and -r- <= 1 + 2^(1/2)
     const Ball G = narrow(G_), gap = Ball(Rational(86, 100)) * G * (G + 2);
     return Ball(Rational(8, 10)) * sqrt(sqrt(gap)) / sqrt(G);

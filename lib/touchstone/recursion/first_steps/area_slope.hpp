@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// How the contact area after two waves grows with the ratio y that the first of the two meets: B_1'(y), B_1 = T(T 1), so A_1 = lambda_0 B_1(load). It is a
-/// complete integral with branch points known in y, and needs no quadrature.
+/// How the contact area after two waves grows with the ratio y that the first of the two meets: B_1'(y), B_1 = T(T 1), so A_1 = lambda_0
+/// B_1(load). It is a complete integral with branch points known in y, and needs no quadrature.
 ///
 /// **y > 1.** With c the cosine of the wave's angle, z = (y + c)/G and d/dz (6.6) = 1/(pi (z(1-z))^(1/2)),
 ///
@@ -11,21 +11,23 @@
 ///
 /// a complete elliptic integral of the first kind, between the two middle ones of four real branch points.
 ///
-/// **y < 1.** With 1 - y + R = (1-y) 2/(1-r^2), that is z = 2 (1-y) r/(G (1-r^2)), in the integral of (W4) of transfer/wave.hpp over d/dz (6.6),
+/// **y < 1.** With 1 - y + R = (1-y) 2/(1-r^2), that is z = 2 (1-y) r/(G (1-r^2)), in the integral of (W4) of transfer/wave.hpp over d/dz
+/// (6.6),
 ///
 ///     B_1'(y) = (2^(1/2)/pi^2) int_0^r1 dr/(r (y - r^2)(G(1-r^2) - 2(1-y)r))^(1/2),   r1 = min(y^(1/2), r+).
 ///
-/// r- < -y^(1/2) < 0 < r1 < r2 < oo are the branch points, r+ r- = -1, {r1, r2} = {y^(1/2), r+}: a complete integral on a curve of genus 2, which
-/// Richelot's isogeny takes to branch points that approach each other in pairs quadratically:
+/// r- < -y^(1/2) < 0 < r1 < r2 < oo are the branch points, r+ r- = -1, {r1, r2} = {y^(1/2), r+}: a complete integral on a curve of genus 2,
+/// which Richelot's isogeny takes to branch points that approach each other in pairs quadratically:
 ///
 ///     int_b^b' dx/|P Q R|^(1/2) = 2 |Delta|^(1/2) int_b1^b1' dx/|U V W|^(1/2),   U = Q'R - Q R' and cyclically, Delta = det(P, Q, R),
 ///
 /// P, Q, R having the roots a < a' < b < b' < c < c', of which UVW has two in each of (a, a'), (b, b'), (c, c') (Bost & Mestre, Moyenne
-/// arithmetico-geometrique et periodes des courbes de genre 1 et 2, Gaz. Math. 38 (1988) 36-64). When b and b' are near, the rest is bounded as it stands: the integral is pi times
-/// a mean of the other factors over [b, b']. Only distances occur, and sums of them.
+/// arithmetico-geometrique et periodes des courbes de genre 1 et 2, Gaz. Math. 38 (1988) 36-64). When b and b' are near, the rest is
+/// bounded as it stands: the integral is pi times a mean of the other factors over [b, b']. Only distances occur, and sums of them.
 ///
 /// B_1' has logarithms at y = 1, G^2/4 (if below 1) and G - 1 (if above), and goes with y^(-1/4) at 0.
-/// Domain: G > 1, 0 < y < G + 1. Errors: enclosures; in complex balls indeterminate where it is not analytic. Cost: six square roots a step, 5 to 8 steps.
+/// Domain: G > 1, 0 < y < G + 1. Errors: enclosures; in complex balls indeterminate where it is not analytic. Cost: six square roots a
+/// step, 5 to 8 steps.
 ///
 /// Internal to recursion/first_steps/.
 #pragma once

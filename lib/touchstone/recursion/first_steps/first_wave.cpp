@@ -51,7 +51,8 @@ C FirstWave::share(const C& to_none, const C& to_all, const Piece::Point& at)
 C FirstWave::partial_share(const C& x, const C& to_high, const Piece::Point& at) const
 {
     const C Gx = C(narrow(G_)) * x, out = C(narrow(out_)), R = at.root_of(out * out + Gx * Gx);
-    return two_angles(to_high * at.root_of((C(narrow(high_.at())) + x) / 2) * C(narrow(G_)), at.root_of(out + R + Gx * Gx / 2), at.analytic);
+    return two_angles(to_high * at.root_of((C(narrow(high_.at())) + x) / 2) * C(narrow(G_)), at.root_of(out + R + Gx * Gx / 2),
+                      at.analytic);
 }
 
 C FirstWave::bounded_share(const C& x, const C& to_high, const C& to_low) const

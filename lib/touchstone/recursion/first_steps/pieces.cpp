@@ -253,7 +253,8 @@ double nearest(const Ball& b) { return arf_get_d(arb_midref(b.get()), ARF_RND_NE
 C Piece::along_exponentials(const Function& f, const C& u, bool analytic) const
 {
     const C one(1);
-    const C left = analytic ? quotient_on_disc(one, 1 + exp(-u)) : 1 / (1 + exp(-u)), right = analytic ? quotient_on_disc(one, 1 + exp(u)) : 1 / (1 + exp(u));
+    const C left = analytic ? quotient_on_disc(one, 1 + exp(-u)) : 1 / (1 + exp(-u)),
+            right = analytic ? quotient_on_disc(one, 1 + exp(u)) : 1 / (1 + exp(u));
     const C sine = analytic ? root_on_disc(left) : sqrt(left), cosine = analytic ? root_on_disc(right) : sqrt(right);
     return f({this, sine, cosine, left, right, analytic}) * C(width_) * left * right;
 }
@@ -305,7 +306,8 @@ Ball Piece::between_logarithms(const Function& f, const Rest& rest, double heigh
     const slong bits = WorkingPrecision::bits();
     const auto term = [&](long k) {
         // terms fall like exp(-|u|/4) at least
-        const WorkingPrecision precision(std::max(bits - static_cast<slong>(std::fabs(static_cast<double>(k)) * step * 0.36), bits - goal + 16));
+        const WorkingPrecision precision(
+            std::max(bits - static_cast<slong>(std::fabs(static_cast<double>(k)) * step * 0.36), bits - goal + 16));
         return along_exponentials(f, h * k, false).real();
     };
     Ball sum(0);

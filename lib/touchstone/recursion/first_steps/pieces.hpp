@@ -2,16 +2,18 @@
 /// \file
 /// Integrals between singular points that are known: their order, their exact distances, and pieces of the line seen from either end.
 ///
-/// **Square roots at the ends.** Two rules that share nothing but the integrand. Either a piece [a, b] is cut in the middle; next to either end the
-/// variable is the angle t, x = a + (b-a) sin^2 t, so that a root at an end is sin t, and acb_calc_integrate bisects towards singular points
-/// near by. Or the piece is integrated as a whole by quadrature/half_powers.hpp: one Gauss-Legendre rule with an ellipse in the angle, else
-/// tanh-sinh. Both are rigorous, and approach a near singular point at a cost of log(1/distance).
-/// **Logarithms at the ends.** The trapezoidal rule in u, x = a + (b-a)/(1 + exp(-u)), of step h: |integral - rule| <= N/(exp(2 pi d/h) - 1), N the integral of
+/// **Square roots at the ends.** Two rules that share nothing but the integrand. Either a piece [a, b] is cut in the middle; next to either
+/// end the variable is the angle t, x = a + (b-a) sin^2 t, so that a root at an end is sin t, and acb_calc_integrate bisects towards
+/// singular points near by. Or the piece is integrated as a whole by quadrature/half_powers.hpp: one Gauss-Legendre rule with an ellipse in
+/// the angle, else tanh-sinh. Both are rigorous, and approach a near singular point at a cost of log(1/distance).
+/// **Logarithms at the ends.** The trapezoidal rule in u, x = a + (b-a)/(1 + exp(-u)), of step h: |integral - rule| <= N/(exp(2 pi d/h) -
+/// 1), N the integral of
 /// |F| over both lines Im u = +-d, for F analytic between them (tanh_sinh.md, section 3). N is covered by complex balls where |Re u| < 14, and bounded by a power of
-/// exp(-|u|) beyond. A singular point outside of the piece, however near, is at a distance gap + (b-a)/(1 + exp(-u)), of an argument <= d: it costs nothing.
+/// exp(-|u|) beyond. A singular point outside of the piece, however near, is at a distance gap + (b-a)/(1 + exp(-u)), of an argument <= d:
+/// it costs nothing.
 ///
-/// Integrands are made of distances from ends, each being that of the piece's end (a difference of ends, taken at 4096 bits more) plus a positive term: an end may
-/// be as near to another as one likes.
+/// Integrands are made of distances from ends, each being that of the piece's end (a difference of ends, taken at 4096 bits more) plus a
+/// positive term: an end may be as near to another as one likes.
 ///
 /// Internal to recursion/first_steps/.
 #pragma once
@@ -109,8 +111,10 @@ public:
     using Function = std::function<ComplexBall(const Point&)>;
     /// Its part of int f dx/(product of the roots of these). \throws BeyondReach if that is infinite, or nothing is proved
     Ball integral(const Function& f, const std::vector<Beyond>& roots) const;
-    /// The whole of int f dx, f having a logarithm, or a pole of an order below 1, at either end: the trapezoidal rule in u, x = a + (b-a)/(1 + exp(-u)).
-    /// \param rest a bound of int |f dx| over the x nearer to the left (right) end than this share t of the piece, also along Im u = const <= height if
+    /// The whole of int f dx, f having a logarithm, or a pole of an order below 1, at either end: the trapezoidal rule in u, x = a +
+    /// (b-a)/(1 + exp(-u)).
+    /// \param rest a bound of int |f dx| over the x nearer to the left (right) end than this share t of the piece, also along Im u = const
+    /// <= height if
     ///        t <= 1e-6; decreasing like an integrable power of t
     /// \param height of the strip of u to try first; \param goal bits, of the value
     using Rest = std::function<Ball(bool left, const Ball& t)>;

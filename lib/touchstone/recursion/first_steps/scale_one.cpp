@@ -21,7 +21,8 @@ public:
     void require_no_jump() const
     {
         const End P_below = shifted(P_, -1), P_above = shifted(P_, 1);
-        if ((first_.full() && order(P_above, first_.low()) == 0) || order(below(first_.high(), one_) ? needed_ : P_below, first_.high()) == 0)
+        if ((first_.full() && order(P_above, first_.low()) == 0) ||
+            order(below(first_.high(), one_) ? needed_ : P_below, first_.high()) == 0)
             throw BeyondReach("the density jumps at this pressure, an end of its support");
     }
 
@@ -49,14 +50,21 @@ public:
             const Beyond lo = piece.left(P_below), hi = piece.right(P_above), one = piece.left(one_);
             std::vector<Beyond> roots = first_.roots(piece);
             if (density) roots.insert(roots.end(), {lo, hi});
-            return piece.integral([&](const Point& x) { return first_.density(1 + x.distance(one), x) * (density ? C(1 / pi<Ball>()) : FirstWave::share(x.root_of(lo), x.root_of(hi), x)); }, roots);
+            return piece.integral(
+                [&](const Point& x) {
+                    return first_.density(1 + x.distance(one), x) *
+                           (density ? C(1 / pi<Ball>()) : FirstWave::share(x.root_of(lo), x.root_of(hi), x));
+                },
+                roots);
         });
         if (density) return sum / G_;
         if (!below(P_above, first_.high())) return sum;
         // x >= P + 1: all of it above P
-        if (!first_.full()) return sum + first_.partial_share(narrow(P_above.at()), sqrt(narrow(difference(P_above, first_.high()))), Point{}).real();
+        if (!first_.full())
+            return sum + first_.partial_share(narrow(P_above.at()), sqrt(narrow(difference(P_above, first_.high()))), Point{}).real();
         if (!below(first_.low(), P_above)) return sum + 1;
-        return sum + two_angles(sqrt(narrow(difference(P_above, first_.high()))), sqrt(narrow(difference(first_.low(), P_above))), false).real();
+        return sum +
+               two_angles(sqrt(narrow(difference(P_above, first_.high()))), sqrt(narrow(difference(first_.low(), P_above))), false).real();
     }
 
     Ball by_angle(bool density) const
@@ -76,7 +84,8 @@ public:
                     [&](const Point& u) {
                         const C x = 1 + u.distance(seam);
                         if (density) return first_.density(x, u);
-                        return first_.full() ? FirstWave::share(u.root_of(hi), u.root_of(lo), u) : first_.partial_share(x, u.root_of(hi), u);
+                        return first_.full() ? FirstWave::share(u.root_of(hi), u.root_of(lo), u)
+                                             : first_.partial_share(x, u.root_of(hi), u);
                     },
                     roots);
             });
@@ -88,32 +97,37 @@ public:
             const bool seam_first = !below(first_.high(), one_);
             const Ball above_one = narrow(difference(seam_first ? one_ : first_.high(), seam_first ? first_.high() : one_));
             sum = sum + over_whole(first_u, within ? last_u : two, [&](const Piece& piece) {
-                const Beyond start = piece.left(first_u), end = piece.right(last_u), seam = piece.left(P_), origin = piece.left(zero), least = piece.right(two);
-                const C needed(narrow(needed_.at()));
-                const C first_at(narrow(first_u.at())), last_at(narrow(last_u.at()));
-                const bool at_seam = order(first_.high(), one_) == 0;
-                std::vector<Beyond> roots{origin, piece.right(two)};
-                if (density && (!seam_first || at_seam)) roots.push_back(start);
-                if (density && first_.full()) roots.push_back(end);
-                return piece.integral(
-                    [&](const Point& point) {
-                        const C u = point.distance(origin), half = C(1) / 2;
-                        const C x = needed + point.distance(least) * (area_ ? half : (1 + P * P / (2 * u)) / 2);
-                        // hi - x and x - lo are a distance along u times these
-                        const auto slope = [&](const C& at) { return area_ ? half : (1 + P * P / (u * at)) / 2; };
-                        C to_hi = point.root_of(seam_first && !at_seam ? C(above_one) + point.distance(seam) * (area_ ? half : (u + P) / (2 * u)) : slope(first_at));
-                        const C to_lo = first_.full() ? point.root_of(slope(last_at)) : C(1);
-                        if (density) return P / u * first_.density(x, point) / (to_hi * to_lo);
-                        if (!seam_first || at_seam) to_hi = to_hi * point.root_of(start);
-                        return first_.full() ? FirstWave::share(to_hi, to_lo * point.root_of(end), point) : first_.partial_share(x, to_hi, point);
-                    },
-                    roots);
-            });
+                      const Beyond start = piece.left(first_u), end = piece.right(last_u), seam = piece.left(P_), origin = piece.left(zero),
+                                   least = piece.right(two);
+                      const C needed(narrow(needed_.at()));
+                      const C first_at(narrow(first_u.at())), last_at(narrow(last_u.at()));
+                      const bool at_seam = order(first_.high(), one_) == 0;
+                      std::vector<Beyond> roots{origin, piece.right(two)};
+                      if (density && (!seam_first || at_seam)) roots.push_back(start);
+                      if (density && first_.full()) roots.push_back(end);
+                      return piece.integral(
+                          [&](const Point& point) {
+                              const C u = point.distance(origin), half = C(1) / 2;
+                              const C x = needed + point.distance(least) * (area_ ? half : (1 + P * P / (2 * u)) / 2);
+                              // hi - x and x - lo are a distance along u times these
+                              const auto slope = [&](const C& at) { return area_ ? half : (1 + P * P / (u * at)) / 2; };
+                              C to_hi = point.root_of(seam_first && !at_seam
+                                                          ? C(above_one) + point.distance(seam) * (area_ ? half : (u + P) / (2 * u))
+                                                          : slope(first_at));
+                              const C to_lo = first_.full() ? point.root_of(slope(last_at)) : C(1);
+                              if (density) return P / u * first_.density(x, point) / (to_hi * to_lo);
+                              if (!seam_first || at_seam) to_hi = to_hi * point.root_of(start);
+                              return first_.full() ? FirstWave::share(to_hi, to_lo * point.root_of(end), point)
+                                                   : first_.partial_share(x, to_hi, point);
+                          },
+                          roots);
+                  });
         }
         sum = sum / pi<Ball>();
         if (density) return sum / G_;
         // x < first_.low(): all of lambda_0 has more
-        const End last_u = below(first_.low(), one_) ? (below(needed_, first_.low()) ? partial_u(first_.low()) : two) : from_P(first_.low());
+        const End last_u =
+            below(first_.low(), one_) ? (below(needed_, first_.low()) ? partial_u(first_.low()) : two) : from_P(first_.low());
         if (!below(last_u, two)) return sum;
         if (!below(zero, last_u)) return sum + 1;
         return sum + 2 * asin(sqrt(narrow(difference(last_u, two)) / 2)) / pi<Ball>();
@@ -145,7 +159,8 @@ private:
         G_ = q.G();
         const End zero = End::rational(0);
         P_ = area_ ? zero : q.exact_p ? over_G(*q.exact_p, G_, q.exact_G) : End{q.p() / G_, std::nullopt};
-        needed_ = area_ ? zero : End{P_.at() * P_.at() / 4, P_.exact ? exactly([&] { return *P_.exact * *P_.exact / Exact(4); }) : std::nullopt};
+        needed_ =
+            area_ ? zero : End{P_.at() * P_.at() / 4, P_.exact ? exactly([&] { return *P_.exact * *P_.exact / Exact(4); }) : std::nullopt};
     }
     /// (6.6): (2/pi) arcsin x^(1/2), without cancellation where x << 1 and next to x = 1
     static C of_one_wave(const Point& x, const Beyond& origin, const Beyond& one)

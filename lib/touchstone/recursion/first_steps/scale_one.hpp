@@ -14,10 +14,10 @@
 /// At p = 0, Q_1 is the area A_1, F(x; 0) that of one wave, (6.6), and u = 2(1 - x).
 /// In both, q_1 has its singular points where two ends meet: logarithms inside the support, p = load +- 1 +- G, and so on.
 ///
-/// **Evaluation** as in pieces.hpp, with the singular points ordered exactly: by ratio in halves (acb_calc_integrate), by angle each piece as a whole (one
-/// Gauss-Legendre rule or tanh-sinh; in halves too where a pair of complex singular points all but pinches an end, |1 - load| < 1e-20, say).
-/// Reach: every load > 0 and G > 1, p >= 0 for Q_1, p > 0 for q_1, any digits; milliseconds for 15 digits and tens of them for 100, more for each
-/// decade by which two singular points are nearer than the rest.
+/// **Evaluation** as in pieces.hpp, with the singular points ordered exactly: by ratio in halves (acb_calc_integrate), by angle each piece
+/// as a whole (one Gauss-Legendre rule or tanh-sinh; in halves too where a pair of complex singular points all but pinches an end, |1 -
+/// load| < 1e-20, say). Reach: every load > 0 and G > 1, p >= 0 for Q_1, p > 0 for q_1, any digits; milliseconds for 15 digits and tens of
+/// them for 100, more for each decade by which two singular points are nearer than the rest.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"

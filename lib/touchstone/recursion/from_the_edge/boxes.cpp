@@ -177,7 +177,8 @@ double Levels::reached(const Boxes& boxes, int j, int m, double s0, double s1) c
     return far > shells.radius(shells.count()) ? std::max(u, boxes.far[static_cast<std::size_t>(m)] * std::sqrt(far)) : u;
 }
 
-void Levels::fill(Boxes& boxes, double disc_radius, const std::function<double(const Disc&, int shell, int direction, double outer)>& f) const
+void Levels::fill(Boxes& boxes, double disc_radius,
+                  const std::function<double(const Disc&, int shell, int direction, double outer)>& f) const
 {
     boxes.bound.assign(static_cast<std::size_t>(shells.count() + 1) * n_directions, infinity);
     boxes.disc = shells.shell(disc_radius * (1 - 1e-6));
@@ -187,8 +188,8 @@ void Levels::fill(Boxes& boxes, double disc_radius, const std::function<double(c
         for (int j = boxes.disc + 1; j <= shells.count(); ++j) {
             const double outer = shells.radius(j);
             if (directions[static_cast<std::size_t>(m) + 1] > 1.571 && outer > 2) break;
-            const double b = over_box(shells.radius(j - 1), outer, directions[static_cast<std::size_t>(m)], directions[static_cast<std::size_t>(m) + 1], 2,
-                                      [&](const Disc& d) { return f(d, j, m, outer); });
+            const double b = over_box(shells.radius(j - 1), outer, directions[static_cast<std::size_t>(m)],
+                                      directions[static_cast<std::size_t>(m) + 1], 2, [&](const Disc& d) { return f(d, j, m, outer); });
             if (!(b < 1e200)) break; // the set stays star-shaped
             boxes.at(j, m) = std::max(b, smallest_bound);
         }
@@ -236,7 +237,8 @@ std::array<double, Levels::sectors> Levels::sector_shares(long m)
     std::array<double, sectors> share{};
     constexpr int fine = 48;
     const double h = std::numbers::pi / 2 / (sectors * fine);
-    for (int i = 0; i < sectors * fine; ++i) share[static_cast<std::size_t>(i / fine)] += std::pow(std::sin((i + 1) * h), static_cast<double>(m)) * h;
+    for (int i = 0; i < sectors * fine; ++i)
+        share[static_cast<std::size_t>(i / fine)] += std::pow(std::sin((i + 1) * h), static_cast<double>(m)) * h;
     const WorkingPrecision low(bound_bits);
     const double whole = about(wallis(m));
     for (double& s : share) s = up(s / whole);

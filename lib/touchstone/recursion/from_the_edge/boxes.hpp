@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The plane of d = log(e_k/x_k), the distance from the edge, cut into boxes by direction and shell, and bounds over discs. Internal to from_the_edge/.
+/// The plane of d = log(e_k/x_k), the distance from the edge, cut into boxes by direction and shell, and bounds over discs. Internal to
+/// from_the_edge/.
 #pragma once
 
 #include "touchstone/scalar/ball.hpp"

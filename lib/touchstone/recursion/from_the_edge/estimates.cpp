@@ -17,7 +17,8 @@ void Levels::estimate_first(Level& level) const
         if (d > 2 * delta_max) break;
         const double x = load_d, R = full ? 2 * std::exp(-d) : std::sqrt((1 - x) * (1 - x) + 4 * x * std::exp(-2 * d));
         const double E = -std::expm1(-2 * d) / (2 * d), P = 1 + x + R;
-        const double v = law == Law::density ? std::sqrt(P / ((1 - x + R) * E)) / R : std::asin(std::min(1.0, std::sqrt(2 * x * 2 * d * E / P))) / std::sqrt(2 * d);
+        const double v = law == Law::density ? std::sqrt(P / ((1 - x + R) * E)) / R
+                                             : std::asin(std::min(1.0, std::sqrt(2 * x * 2 * d * E / P))) / std::sqrt(2 * d);
         if (!std::isfinite(v)) break;
         level.log_d.push_back(std::log(d));
         level.log_v.push_back(std::log(v));
@@ -41,7 +42,8 @@ double Levels::estimate_step(const Level& from, double d) const
     const long m = power(from.k);
     double sum = 0, weight = 0;
     for (int i = 0; i < 60; ++i) {
-        const double theta = std::numbers::pi / 2 * (i + 0.5) / 60, s = std::pow(std::sin(theta), 2), w = std::pow(std::sin(theta), static_cast<double>(m));
+        const double theta = std::numbers::pi / 2 * (i + 0.5) / 60, s = std::pow(std::sin(theta), 2),
+                     w = std::pow(std::sin(theta), static_cast<double>(m));
         weight += w;
         sum += w * kernel_d(e, d, s) * std::exp(-beta * 2 * d * s) * estimate(from, 2 * d * s);
     }
@@ -53,7 +55,8 @@ double Levels::estimate_share(const Level& from, double d) const
     const double e = about(from.edge);
     double sum = 0, weight = 0;
     for (int i = 0; i < 60; ++i) {
-        const double theta = std::numbers::pi / 2 * (i + 0.5) / 60, s = std::pow(std::sin(theta), 2), w = std::pow(std::sin(theta), static_cast<double>(power(from.k)));
+        const double theta = std::numbers::pi / 2 * (i + 0.5) / 60, s = std::pow(std::sin(theta), 2),
+                     w = std::pow(std::sin(theta), static_cast<double>(power(from.k)));
         const double delta = 2 * d * s, x = e * std::exp(-delta), R = std::sqrt((1 - x) * (1 - x) + 4 * e * std::exp(-2 * d));
         const double z2 = -2 * x * std::expm1(-2 * d * (1 - s)) / (1 + x + R);
         weight += w;

@@ -69,16 +69,21 @@ std::string Forward::certificate(long n, const Ball& p, const Ball& d)
     const WorkingPrecision scope(in.precision);
     const auto q = in.density(n, p, d);
     const double v = std::fabs(about(q.row.value));
-    std::string text = fmt::format("{} law: {} bits, far end from delta = {:.0f}\n", in.law == Law::density ? "density" : "exceedance", in.precision, in.delta_max);
+    std::string text = fmt::format("{} law: {} bits, far end from delta = {:.0f}\n", in.law == Law::density ? "density" : "exceedance",
+                                   in.precision, in.delta_max);
     for (long k = 2; k <= n; ++k) {
         const Level& l = q.cut > 0 && k == n ? *in.whole[n] : *in.levels[static_cast<std::size_t>(k)];
-        text += fmt::format("  scale {:2}: {:2} panels, {:4} nodes, {:4} points a row; of v: rows {:.1e}, carried {:.1e}, all {:.1e}; interpolation {:.1e}\n", k - 1, l.panels.size(),
-                            l.nodes, l.row_nodes / l.nodes, l.worst_row, l.worst_carried, l.worst_total, l.worst_interpolation);
+        text += fmt::format(
+            "  scale {:2}: {:2} panels, {:4} nodes, {:4} points a row; of v: rows {:.1e}, carried {:.1e}, all {:.1e}; interpolation {:.1e}\n",
+            k - 1, l.panels.size(), l.nodes, l.row_nodes / l.nodes, l.worst_row, l.worst_carried, l.worst_total, l.worst_interpolation);
     }
     if (q.cut > 0)
-        text += fmt::format("  at p: small, by parts over E_{} up to delta = {:.1f}; of q: beyond {:.1e}, interpolation {:.1e}, carried {:.1e}\n", n, q.cut, q.row.rule_error / v,
+        text += fmt::format(
+            "  at p: small, by parts over E_{} up to delta = {:.1f}; of q: beyond {:.1e}, interpolation {:.1e}, carried {:.1e}\n", n, q.cut,
+            q.row.rule_error / v, q.row.interpolation / v, q.row.carried / v);
+    else
+        text += fmt::format("  at p: {} points; of v: rule {:.1e}, interpolation {:.1e}, carried {:.1e}\n", q.nodes, q.row.rule_error / v,
                             q.row.interpolation / v, q.row.carried / v);
-    else text += fmt::format("  at p: {} points; of v: rule {:.1e}, interpolation {:.1e}, carried {:.1e}\n", q.nodes, q.row.rule_error / v, q.row.interpolation / v, q.row.carried / v);
     return text;
 }
 
@@ -152,9 +157,13 @@ void require_proven(const Ball& G, const Ball& load)
 }
 
 /// Accuracies in use are few, so that levels are shared.
-double accuracy_for(Accuracy wanted) { return 4 * std::ceil(std::max(30.0, static_cast<double>(bits_for_digits(wanted.digits) - 4) * std::numbers::ln2) / 4); }
+double accuracy_for(Accuracy wanted)
+{
+    return 4 * std::ceil(std::max(30.0, static_cast<double>(bits_for_digits(wanted.digits) - 4) * std::numbers::ln2) / 4);
+}
 
-/// Nats, asked for at all scales, so that exceedances and densities of all of them share their levels. Only what is tried first, as all of this.
+/// Nats, asked for at all scales, so that exceedances and densities of all of them share their levels. Only what is tried first, as all of
+/// this.
 constexpr double carried_to_the_last_scale = 4;
 
 struct Needed {
@@ -204,7 +213,8 @@ Asked prepare(Law law, long n, const std::function<Ball()>& p_at, const Argument
     require_binary64_arithmetic();
     const double d = positive_distance(n, p_at, a);
     const auto [accuracy, small] = needed_at(law, n, d, a, wanted, for_density);
-    if (accuracy > most_accuracy && accuracy_for(wanted) < most_accuracy - 100) throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
+    if (accuracy > most_accuracy && accuracy_for(wanted) < most_accuracy - 100)
+        throw BeyondReach("p is too small against the highest pressure for two laws to give the density");
     if (accuracy > most_accuracy) throw BeyondReach("so many digits of a distribution would cost too much");
     // the form for small p needs a p that is small for the levels, too
     const auto serves = [&, by_parts = small](double levels) { return !by_parts || small_for(levels, n, d, a.G(), a.load()); };

@@ -24,12 +24,13 @@
 /// of analyticity at the edge halves with each scale, the sector does not. A last box per direction is unbounded; there
 /// |1/E(D)| <= |D| + 1/cos and e^(-b d) wins.
 ///
-/// **The boundary is enough.** Rules and polynomials below want an integrand, or u_k, analytic and bounded in an ellipse; only its boundary is
-/// looked at. Let w be an argument of a root or an arcsine (R^2, P, M, E, 1 - z^2), or delta for u_k, in the order in which they are computed: each is
-/// analytic inside once those before it are. It maps the boundary to a closed curve in a set S: the plane without (-inf, 0], the disc about 1, or
-/// the star of the boxes. Every point outside S is joined to infinity by a ray outside S, so the curve does not wind around it, and by the argument
-/// principle w does not take that value inside. So every root is analytic inside, and so is the integrand, which the maximum principle then bounds by what it is on the
-/// boundary. That the integrand is finite there would not do: |arcsin z| <= (pi/2)|z| holds all round a zero of E, where z = (4 d x c E/P)^(1/2) branches.
+/// **The boundary is enough.** Rules and polynomials below want an integrand, or u_k, analytic and bounded in an ellipse; only its boundary
+/// is looked at. Let w be an argument of a root or an arcsine (R^2, P, M, E, 1 - z^2), or delta for u_k, in the order in which they are
+/// computed: each is analytic inside once those before it are. It maps the boundary to a closed curve in a set S: the plane without (-inf,
+/// 0], the disc about 1, or the star of the boxes. Every point outside S is joined to infinity by a ray outside S, so the curve does not
+/// wind around it, and by the argument principle w does not take that value inside. So every root is analytic inside, and so is the
+/// integrand, which the maximum principle then bounds by what it is on the boundary. That the integrand is finite there would not do:
+/// |arcsin z| <= (pi/2)|z| holds all round a zero of E, where z = (4 d x c E/P)^(1/2) branches.
 ///
 /// **Level.** u_k is kept as interpolating polynomials on panels, in d next to the edge, beyond in d (density) or log d
 /// (exceedance): |error| <= 4 U rho^-(N-1)/(rho-1), U the bound on an ellipse of boxes.
@@ -41,8 +42,8 @@
 /// **Errors over levels.** A node's error is its row's, plus sum_j |B_j| (error of node j), B_j the row applied to the j-th
 /// Lagrange polynomial: computed in `double`, with its rounding covered. The step is an average, so these hardly grow.
 ///
-/// **Small p.** dE_{n+1}/dd cancels 2d nats. With s = dE_n/ddelta, D = 2d - delta, p/p*_n = 2 e_n^(1/2) e^-d, so 4x - (p/p*_n)^2 = 4x (1 - e^-D) in
-/// (2.19), a cut c and a remainder r >= 0, the exceedance law gives for n >= 2, 2d > c + 1, by parts (E_n(0) = 0),
+/// **Small p.** dE_{n+1}/dd cancels 2d nats. With s = dE_n/ddelta, D = 2d - delta, p/p*_n = 2 e_n^(1/2) e^-d, so 4x - (p/p*_n)^2 = 4x (1 -
+/// e^-D) in (2.19), a cut c and a remainder r >= 0, the exceedance law gives for n >= 2, 2d > c + 1, by parts (E_n(0) = 0),
 ///
 ///     q_n = e^-d/(pi G^n) int_0^2d s H ddelta,   int_0^2d s H = E_n(c) H(c) - int_0^c E_n H' + r,
 ///     H = e^(delta/2) h,   h = (P/M)^(1/2)/(R (1-e^-D)^(1/2)).
@@ -85,8 +86,8 @@ public:
     Ball density(long n, const Ball& p, const Ball& d);
     /// Share of lambda_0 with p_n > p, same domain.
     Ball exceedance(long n, const Ball& d);
-    /// int p q_n dp over the whole support, 1 <= n <= largest_n, from the polynomials and proven errors of level n + 1 itself: encloses the load
-    /// where the levels are right. Nothing relies on it: it is there to find out whether they are.
+    /// int p q_n dp over the whole support, 1 <= n <= largest_n, from the polynomials and proven errors of level n + 1 itself: encloses the
+    /// load where the levels are right. Nothing relies on it: it is there to find out whether they are.
     Ball force(long n);
     /// int q_n dp, likewise: encloses A_n/lambda_0. Density law only.
     Ball mass(long n);
@@ -100,7 +101,8 @@ private:
 };
 
 /// (6.1)  q_n(p) p*_0, and the share of lambda_0 with p_n > p, for 0 < p < p_n^max, 1 <= n <= largest_n, to about the accuracy wanted.
-/// The levels of a (G, load) are kept for later calls that need no more accuracy, nor much less (most recently used first, at most about 300 MB).
+/// The levels of a (G, load) are kept for later calls that need no more accuracy, nor much less (most recently used first, at most about
+/// 300 MB).
 /// \throws BeyondReach unless G > 2, 0 < load <= 1 and p < p_n^max are proven, or where the digits would cost too much
 Ball density(Law, long n, const std::function<Ball()>& p, const Arguments&, Accuracy);
 Ball exceedance(Law, long n, const std::function<Ball()>& p, const Arguments&, Accuracy);

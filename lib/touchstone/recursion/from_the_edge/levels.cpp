@@ -9,8 +9,10 @@ namespace touchstone::transfer::from_the_edge {
 
 const Settings& settings(Law law)
 {
-    static const Settings density{{16, 8, 5.66, 4, 2.83, 2.4, 2, 1.75, 1.5, 1.3, 1.15, 1.07, 1.03}, 8, 76, 4, false, {14, 9, 6.5, 4.8, 3.6, 2.8, 2.2}, 64};
-    static const Settings exceedance{{15, 7, 5, 3.5, 3, 2.5, 2.1, 1.8, 1.5, 1.3, 1.15, 1.07, 1.03}, 9, 81, 4, true, {12, 8, 5.6, 4.2, 3.2, 2.5, 2}, 72};
+    static const Settings density{
+        {16, 8, 5.66, 4, 2.83, 2.4, 2, 1.75, 1.5, 1.3, 1.15, 1.07, 1.03}, 8, 76, 4, false, {14, 9, 6.5, 4.8, 3.6, 2.8, 2.2}, 64};
+    static const Settings exceedance{
+        {15, 7, 5, 3.5, 3, 2.5, 2.1, 1.8, 1.5, 1.3, 1.15, 1.07, 1.03}, 9, 81, 4, true, {12, 8, 5.6, 4.2, 3.2, 2.5, 2}, 72};
     return law == Law::density ? density : exceedance;
 }
 
@@ -22,12 +24,27 @@ double Levels::far_end(Law law, double accuracy, double G, double load)
 }
 
 Levels::Levels(Law l, const Ball& G_, const Ball& load_, double a)
-    : law(l), accuracy(a), epsilon(std::exp(-a) / 64), most_points(4 * static_cast<long>(static_cast<double>(settings(l).most_points) * std::max(a / 80, 1.0) / 4) + settings(l).most_points % 4),
-      most_gauss(static_cast<long>(static_cast<double>(settings(l).most_gauss) * std::max(a / 80, 1.0))), precision(WorkingPrecision::bits()),
-      wide(precision + most_points * 4 / 3 + 14), format(precision + most_points * 4 / 3),
-      xi_fixed(static_cast<std::size_t>(format.limbs())), sum_fixed(xi_fixed), product_fixed(xi_fixed), scratch(2 * xi_fixed.size()), G(G_), load(load_), full(arb_is_one(load.get())), G_d(about(G)),
-      load_d(about(load)), beta(l == Law::density ? 1.5 : 0.5), delta_max(far_end(l, a, G_d, load_d)),
-      shells(std::exp2(-static_cast<double>(Forward::largest_n) - 5), 16 * delta_max)
+    : law(l)
+    , accuracy(a)
+    , epsilon(std::exp(-a) / 64)
+    , most_points(4 * static_cast<long>(static_cast<double>(settings(l).most_points) * std::max(a / 80, 1.0) / 4) +
+                  settings(l).most_points % 4)
+    , most_gauss(static_cast<long>(static_cast<double>(settings(l).most_gauss) * std::max(a / 80, 1.0)))
+    , precision(WorkingPrecision::bits())
+    , wide(precision + most_points * 4 / 3 + 14)
+    , format(precision + most_points * 4 / 3)
+    , xi_fixed(static_cast<std::size_t>(format.limbs()))
+    , sum_fixed(xi_fixed)
+    , product_fixed(xi_fixed)
+    , scratch(2 * xi_fixed.size())
+    , G(G_)
+    , load(load_)
+    , full(arb_is_one(load.get()))
+    , G_d(about(G))
+    , load_d(about(load))
+    , beta(l == Law::density ? 1.5 : 0.5)
+    , delta_max(far_end(l, a, G_d, load_d))
+    , shells(std::exp2(-static_cast<double>(Forward::largest_n) - 5), 16 * delta_max)
 {
     levels.resize(2);
     levels[1] = first_level();
@@ -81,7 +98,8 @@ double Levels::ellipse_bound(const Level& to, double a, double b, bool logarithm
         if (logarithmic) {
             if (y + radius > 3.1) return infinity;
             const double outer = up(std::exp(x + radius)), least = std::max(0.0, y - radius);
-            const double back = whole ? std::exp((std::max(0.0, outer * std::cos(least)) + static_cast<double>(to.k) * (x + radius)) / 2) * (1 + 1e-6) : 1;
+            const double back =
+                whole ? std::exp((std::max(0.0, outer * std::cos(least)) + static_cast<double>(to.k) * (x + radius)) / 2) * (1 + 1e-6) : 1;
             most = std::max(most, back * lookup(boxes, {down(std::exp(x - radius)), outer, least, y + radius}));
         }
         else most = std::max(most, (whole ? up(std::exp((x + radius) / 2)) : 1) * lookup(boxes, polar(x, y, radius)));
@@ -93,7 +111,9 @@ Levels::Choice Levels::choose(const Level& from, const Level& to, double a, doub
 {
     static constexpr std::array rhos{12.0, 9.5, 7.6, 6.2, 5.0, 4.1, 3.4, 2.8, 2.35, 2.0, 1.75, 1.55};
     const double at_b = estimate_step(from, b);
-    const double goal = std::max(smallest_bound, epsilon * (whole && logarithmic ? std::pow(b, static_cast<double>(to.k) / 2) * at_b : std::min(estimate_step(from, a == 0 ? b * 1e-3 : a), at_b)));
+    const double goal =
+        std::max(smallest_bound, epsilon * (whole && logarithmic ? std::pow(b, static_cast<double>(to.k) / 2) * at_b
+                                                                 : std::min(estimate_step(from, a == 0 ? b * 1e-3 : a), at_b)));
     const Settings& set = settings(law);
     Choice best;
     for (const double rho : rhos) {
@@ -161,7 +181,8 @@ std::unique_ptr<Level> Levels::next(const Level& from, double whole_until)
         panel->a = a;
         panel->b = best.b;
         panel->logarithmic = logarithmic;
-        const Ball lo = logarithmic ? log(Ball::exactly(a)) : Ball::exactly(a), hi = logarithmic ? log(Ball::exactly(best.b)) : Ball::exactly(best.b);
+        const Ball lo = logarithmic ? log(Ball::exactly(a)) : Ball::exactly(a),
+                   hi = logarithmic ? log(Ball::exactly(best.b)) : Ball::exactly(best.b);
         panel->mid = (lo + hi) / 2;
         panel->half = (hi - lo) / 2;
         panel->mid_d = about(panel->mid);
@@ -172,7 +193,8 @@ std::unique_ptr<Level> Levels::next(const Level& from, double whole_until)
         const double n = static_cast<double>(best.points), r = best.rho, q = 1 / r;
         panel->interpolation = up_at_end(product_of_bounds({4 * best.bound / (r - 1), std::pow(r, 1 - n)}));
         // sum_{k >= N} 2 U rho^-k (k^2 + N^2) <= 4 U sum k^2 rho^-k
-        panel->slope = up_at_end(product_of_bounds({4 * best.bound * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q), std::pow(q, n)}));
+        panel->slope = up_at_end(product_of_bounds(
+            {4 * best.bound * (n * n + 2 * n * q / (1 - q) + q * (1 + q) / ((1 - q) * (1 - q))) / (1 - q), std::pow(q, n)}));
         fill_panel(from, *to, *panel, whole);
         a = best.b;
         to->panels.push_back(std::move(panel));
@@ -268,7 +290,8 @@ void Levels::fill_panel(const Level& from, Level& to, Panel& panel, bool whole)
         }
         const Row r = row(from, Kind::step, at[j], rule);
         to.row_nodes += rule.nodes.size();
-        const Ball decay = whole ? panel.logarithmic ? half_power(at[j], to.k) : Ball(1) : exp(-at[j] * Traits::quotient(law == Law::density ? 3 : 1, 2));
+        const Ball decay =
+            whole ? panel.logarithmic ? half_power(at[j], to.k) : Ball(1) : exp(-at[j] * Traits::quotient(law == Law::density ? 3 : 1, 2));
         Ball u = r.value;
         widen(u, r.error);
         u *= decay;

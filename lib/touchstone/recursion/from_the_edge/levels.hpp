@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The levels of one law, (G, load): analyticity box by box, rows, panels, values; forward.hpp says what is computed. Internal to from_the_edge/.
+/// The levels of one law, (G, load): analyticity box by box, rows, panels, values; forward.hpp says what is computed. Internal to
+/// from_the_edge/.
 #pragma once
 
 #include "touchstone/recursion/from_the_edge/boxes.hpp"
@@ -104,8 +105,8 @@ public:
     std::mutex mutex;
 
     static slong precision_for(double accuracy) { return static_cast<slong>(accuracy / std::numbers::ln2) + 34; }
-    /// Where the far end begins: what it holds is negligible even for a light load at the last scale. Twice as far as far_end.hpp needs, at least:
-    /// rows leave out what is beyond a little less.
+    /// Where the far end begins: what it holds is negligible even for a light load at the last scale. Twice as far as far_end.hpp needs, at
+    /// least: rows leave out what is beyond a little less.
     static double far_end(Law law, double accuracy, double G, double load);
 
     Levels(Law, const Ball& G, const Ball& load, double accuracy);
@@ -181,8 +182,8 @@ public:
     std::unique_ptr<Level> next(const Level& from, double whole_until = 0);
     /// Fixed-point form of the panel's polynomial: sum |c| < 2^14 units of 2^scale.
     ///
-    /// A value is off by at most: each of `points` coefficients one unit, each product one unit (both carried on by |xi| <= 1), and xi's own
-    /// unit times sum j |c_j| <= points 2^14. The radius of xi is added where it is used.
+    /// A value is off by at most: each of `points` coefficients one unit, each product one unit (both carried on by |xi| <= 1), and xi's
+    /// own unit times sum j |c_j| <= points 2^14. The radius of xi is added where it is used.
     void make_fixed(Panel& panel) const;
     void evaluate(const Panel& panel, const Ball& xi, Ball& u);
     void fill_panel(const Level& from, Level& to, Panel& panel, bool whole);

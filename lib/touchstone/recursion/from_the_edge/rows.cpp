@@ -11,8 +11,8 @@ const std::vector<std::pair<Ball, Ball>>& Levels::legendre(long n)
     if (rule.empty()) {
         rule.resize(static_cast<std::size_t>(n));
         for (long i = 0; i < n; ++i)
-            arb_hypgeom_legendre_p_ui_root(rule[static_cast<std::size_t>(i)].first.get(), rule[static_cast<std::size_t>(i)].second.get(), static_cast<ulong>(n),
-                                           static_cast<ulong>(i), precision);
+            arb_hypgeom_legendre_p_ui_root(rule[static_cast<std::size_t>(i)].first.get(), rule[static_cast<std::size_t>(i)].second.get(),
+                                           static_cast<ulong>(n), static_cast<ulong>(i), precision);
     }
     return rule;
 }
@@ -155,7 +155,8 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
         arb_expm1(b.get(), minus.get(), precision);
         Ball root; // e^(-delta/2), where x itself is to keep its sign
         if (kind == Kind::share) root = exp(-delta / 2);
-        const Ball x = kind == Kind::share ? e * root * root : e * (one + a), one_minus = one - x, R = sqrt(one_minus * one_minus + w4), P = one + x + R;
+        const Ball x = kind == Kind::share ? e * root * root : e * (one + a), one_minus = one - x, R = sqrt(one_minus * one_minus + w4),
+                   P = one + x + R;
         Ball k;
         if (kind == Kind::share) {
             // z^2 : 1 - z^2
@@ -176,7 +177,8 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
         else {
             const double at = about(delta);
             if (!panel || at < panel->a || at > panel->b) {
-                const auto it = std::lower_bound(from.panels.begin(), from.panels.end(), at, [](const auto& p, double y) { return p->b < y; });
+                const auto it =
+                    std::lower_bound(from.panels.begin(), from.panels.end(), at, [](const auto& p, double y) { return p->b < y; });
                 panel = it == from.panels.end() ? from.panels.back().get() : it->get();
             }
             const Ball xi = ((panel->logarithmic ? log(delta) : delta) - panel->mid) / panel->half;
@@ -217,7 +219,8 @@ Levels::Row Levels::row(const Level& from, Kind kind, const Ball& d, const RowRu
             for (std::size_t i = 1; i < n; ++i) B += 2 * moment[i] * T[i * n + j];
             out.carried += std::fabs(B) / static_cast<double>(n) * p->errors[j];
         }
-        out.carried += (at_panel_end + slack * static_cast<double>(n)) * weight * p->worst * static_cast<double>(with_slope ? n * n : 1); // this arithmetic's own rounding
+        out.carried += (at_panel_end + slack * static_cast<double>(n)) * weight * p->worst *
+                       static_cast<double>(with_slope ? n * n : 1); // this arithmetic's own rounding
     }
     out.value = sum;
     out.slope = sum_d;

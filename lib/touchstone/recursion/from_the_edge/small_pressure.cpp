@@ -104,7 +104,8 @@ Levels::Value Levels::small_density(long n, const Ball& d)
     const double C_d = above(level.C);
     Ball unit;
     arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n), precision);
-    const Ball beyond = load / (unit * level.edge) * exp(2 - 3 * Ball::exactly(end) / 2) * Ball::exactly(level.tail) * Ball::exactly(most(end) / 1.26 * 3.5 * (n == 2 ? (end + 2.2) / 5.2 : 1) * (1 + 1e-6));
+    const Ball beyond = load / (unit * level.edge) * exp(2 - 3 * Ball::exactly(end) / 2) * Ball::exactly(level.tail) *
+                        Ball::exactly(most(end) / 1.26 * 3.5 * (n == 2 ? (end + 2.2) / 5.2 : 1) * (1 + 1e-6));
     r.interpolation = interpolation * C_d;
     r.carried = carried * C_d;
     r.rule_error = above(beyond);

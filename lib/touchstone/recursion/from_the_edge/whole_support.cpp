@@ -67,7 +67,8 @@ std::pair<Ball, double> Levels::over_level(const Level& level, long twice, const
         mag_clear(tolerance);
         // where d^(twice/2) e^(-c d) is largest
         const double c_d = about(c), half = static_cast<double>(twice) / 2, peak = std::clamp(half / c_d, panel->a, panel->b);
-        const double off = up_at_end(panel->interpolation + (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst);
+        const double off =
+            up_at_end(panel->interpolation + (2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1) * panel->worst);
         Ball real = part.real();
         widen(real, up(product_of_bounds({off, std::pow(peak, half), std::exp(-c_d * peak), panel->b - panel->a})));
         sum += real;

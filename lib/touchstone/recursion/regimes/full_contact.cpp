@@ -37,17 +37,23 @@ Method heavy_load()
             return G_above(p, Rational(101, 50)) ? "" : "for load > 1 so near G = 2 it would take hours: many scales have ratios about 1";
         },
         .digits = 60, // 160 nats, heavy_load.cpp
-        .cost = [](const Problem& p, Accuracy a) {
-            const double near_2 = 1.2 / (about_G(p) - 2), nats = static_cast<double>(p.n) * std::log(about_G(p)); // panels shrink to G^(-n/2)
-            return (0.5 + 6.5 * near_2 * near_2 + 3e-7 * nats * nats * nats) * growth(a, 2.5);
-        },
+        .cost =
+            [](const Problem& p, Accuracy a) {
+                const double near_2 = 1.2 / (about_G(p) - 2),
+                             nats = static_cast<double>(p.n) * std::log(about_G(p)); // panels shrink to G^(-n/2)
+                return (0.5 + 6.5 * near_2 * near_2 + 3e-7 * nats * nats * nats) * growth(a, 2.5);
+            },
         .enclose = by(Scheme::force_weighted),
-        .budget = [](const Problem& p, Accuracy a) {
-            return Budget{"", {{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p), looked_at_again(a))}}};
-        },
+        .budget =
+            [](const Problem& p, Accuracy a) {
+                return Budget{"",
+                              {{transfer::heavy_load_certificate(Scheme::force_weighted, p.n, arguments(p), a)},
+                               {transfer::heavy_load_certificate(Scheme::area, p.n, arguments(p), looked_at_again(a))}}};
+            },
         .second = "heavy-load-area",
         .enclose_again = by(Scheme::area),
-        .shares = "lemmas 3 and 4 and the way the first scales are taken; every node is another, and below load ratio 1 so are grid, form of the step and rule",
+        .shares =
+            "lemmas 3 and 4 and the way the first scales are taken; every node is another, and below load ratio 1 so are grid, form of the step and rule",
     };
 }
 
@@ -79,15 +85,18 @@ const LevelsReach shares_reach{ProvenLevels::most_levels, 1000}, densities_reach
 static std::string refusal_of_levels(const Problem& p, const LevelsReach& reach)
 {
     if (p.n > reach.scales)
-        return fmt::format("with full contact, {} are certified for n <= {} only", p.asked == Asked::density ? "densities" : "areas and exceedances", reach.scales);
-    if (p.load > reach.load) return fmt::format("with full contact and so many digits, certified for load <= {} only", reach.load.get_str());
+        return fmt::format("with full contact, {} are certified for n <= {} only",
+                           p.asked == Asked::density ? "densities" : "areas and exceedances", reach.scales);
+    if (p.load > reach.load)
+        return fmt::format("with full contact and so many digits, certified for load <= {} only", reach.load.get_str());
     if (!G_above(p, Rational(1003, 1000))) return "G too near 1 for the proven levels";
     if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
     const double G = about_G(p); // below: the first panel of the finest mesh begins above all ratios
     return 4 * p.load.get_d() < 1e-53 * G * G ? "load too small for the proven levels" : "";
 }
 
-const char* const witness_shares = "the wave (2.2), (2.4) and nothing else: grid, interpolation, quadrature and arithmetic are others; its error is an estimate";
+const char* const witness_shares =
+    "the wave (2.2), (2.4) and nothing else: grid, interpolation, quadrature and arithmetic are others; its error is an estimate";
 
 Method proven_shares()
 {
@@ -124,7 +133,8 @@ Method proven_densities()
     return {
         .name = "proven-levels",
         .asked = {Asked::density},
-        .reach = fmt::format("2 <= n <= {}, load <= {}, load = 1 or at least 1e-27 off it, 1.003 < G < 10^9, p >= p*_n/1024", densities_reach.scales, densities_reach.load.get_str()),
+        .reach = fmt::format("2 <= n <= {}, load <= {}, load = 1 or at least 1e-27 off it, 1.003 < G < 10^9, p >= p*_n/1024",
+                             densities_reach.scales, densities_reach.load.get_str()),
         .refusal = [](const Problem& p) -> std::string {
             if (p.n < 2) return "n must be at least 2";
             if (p_is_0(p)) return no_density_at_0;
@@ -160,11 +170,13 @@ Method third_wave_density()
         .refusal = [levels = proven_densities()](const Problem& p) -> std::string { return p.n == 2 ? levels.refusal(p) : "n must be 2"; },
         .digits = 22, // of the 31 of two binary64
         .cost = [](const Problem&, Accuracy a) { return 6 * growth(a, 2); },
-        .enclose = [](const Problem& p, Accuracy a) {
-            const WorkingPrecision precision(256);
-            return above_support(p) ? Ball(0) : after_three_waves(p, a).value / unit_pressure(p);
-        },
-        .budget = [](const Problem& p, Accuracy a) { return Budget{above_support(p) ? "above the support" : after_three_waves(p, a).certificate}; },
+        .enclose =
+            [](const Problem& p, Accuracy a) {
+                const WorkingPrecision precision(256);
+                return above_support(p) ? Ball(0) : after_three_waves(p, a).value / unit_pressure(p);
+            },
+        .budget = [](const Problem& p,
+                     Accuracy a) { return Budget{above_support(p) ? "above the support" : after_three_waves(p, a).certificate}; },
         .second = "",
         .shares = witness_shares,
     };

@@ -42,23 +42,32 @@ Method partial_area()
             if (p.load > 1) return "no proof for load > 1, where the first scale is in full contact";
             if (p.n > 0 && too_near_1(p.load)) return "load within 1e-300 of 1, and not 1: the region of analyticity is too narrow";
             if (!G_below_10_9(p)) return "G = gamma^(D-1) must be below 10^9";
-            return p.compare_G(Rational(2'000'001, 1'000'000)) < 0 ? "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale" : "";
+            return p.compare_G(Rational(2'000'001, 1'000'000)) < 0
+                       ? "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale"
+                       : "";
         },
-        .fewer_digits = [](const Problem& p) {
-            const WorkingPrecision precision(128);
-            if (p.n > last_followed_scale) return digits_of_limit(p);
-            return transfer::most_digits_of_area(Ball(p.load), p.G.ball());
-        },
-        .cost = [](const Problem& p, Accuracy a) { return 0.2 * growth({a.digits + static_cast<long>(digits_lost_to_light_load(p))}, 2.5); },
+        .fewer_digits =
+            [](const Problem& p) {
+                const WorkingPrecision precision(128);
+                if (p.n > last_followed_scale) return digits_of_limit(p);
+                return transfer::most_digits_of_area(Ball(p.load), p.G.ball());
+            },
+        .cost = [](const Problem& p,
+                   Accuracy a) { return 0.2 * growth({a.digits + static_cast<long>(digits_lost_to_light_load(p))}, 2.5); },
         .enclose = by(Scheme::force_weighted),
-        .budget = [](const Problem& p, Accuracy a) {
-            if (in_the_limit(p, a))
-                return Budget{"A_n = C(G) G^-n load (1 +- delta_n), docs/limit.md, theorem 2", {{limit::area_constant_certificate(Scheme::force_weighted, p.G.ball, a)}}};
-            return Budget{"", {{transfer::area_certificate(Scheme::force_weighted, p.n, arguments(p), a)}, {transfer::area_certificate(Scheme::area, p.n, arguments(p), looked_at_again(a))}}};
-        },
+        .budget =
+            [](const Problem& p, Accuracy a) {
+                if (in_the_limit(p, a))
+                    return Budget{"A_n = C(G) G^-n load (1 +- delta_n), docs/limit.md, theorem 2",
+                                  {{limit::area_constant_certificate(Scheme::force_weighted, p.G.ball, a)}}};
+                return Budget{"",
+                              {{transfer::area_certificate(Scheme::force_weighted, p.n, arguments(p), a)},
+                               {transfer::area_certificate(Scheme::area, p.n, arguments(p), looked_at_again(a))}}};
+            },
         .second = "area-gauss-panels",
         .enclose_again = by(Scheme::area),
-        .shares = "lemmas 1 and 2 of the operator, the fixed-point arithmetic and how errors add; neither grid, variable, form of the step nor quadrature rule",
+        .shares =
+            "lemmas 1 and 2 of the operator, the fixed-point arithmetic and how errors add; neither grid, variable, form of the step nor quadrature rule",
     };
 }
 
@@ -78,7 +87,8 @@ Method partial_distribution()
     const auto by = [](Law law) {
         return [law](const Problem& p, Accuracy a) -> Ball {
             if (above_support(p)) return Ball(0);
-            return p.asked == Asked::exceedance ? transfer::exceedance(law, p.n, p.p.ball, arguments(p), a) : transfer::density(law, p.n, p.p.ball, arguments(p), a);
+            return p.asked == Asked::exceedance ? transfer::exceedance(law, p.n, p.p.ball, arguments(p), a)
+                                                : transfer::density(law, p.n, p.p.ball, arguments(p), a);
         };
     };
     return {
@@ -89,31 +99,37 @@ Method partial_distribution()
             if (p.n < 1) return "n must be at least 1";
             if (p.load > 1) return "no proof for load > 1, where the first scale is in full contact";
             if (!G_above(p, 2)) return "no proof for G = gamma^(D-1) <= 2, where some regions stay in full contact at every scale";
-            if (!G_above(p, 2 + power(Rational(10), -12))) return "no proof for G = gamma^(D-1) so near 2: boxes are searched for in binary64, which must tell it from 2";
+            if (!G_above(p, 2 + power(Rational(10), -12)))
+                return "no proof for G = gamma^(D-1) so near 2: boxes are searched for in binary64, which must tell it from 2";
             if (p.n > transfer::Forward::largest_n)
                 return fmt::format("distributions of pressure are computed for the scales n <= {} only", transfer::Forward::largest_n);
             if (p_is_0(p)) return no_density_at_0;
             return edges_clear_of_1(p) ? "" : "some scale's highest pressure is too near p*: the region of analyticity is too narrow";
         },
         .digits = 290,
-        .fewer_digits = [](const Problem& p) {
-            try {
-                return above_support(p) ? any_digits : transfer::most_digits_of_distribution(p.n, p.p.ball, arguments(p), p.asked == Asked::density);
-            }
-            catch (const BeyondReach&) { // p cannot be told from the edge: enclose() says so
-                return any_digits;
-            }
-        },
+        .fewer_digits =
+            [](const Problem& p) {
+                try {
+                    return above_support(p) ? any_digits
+                                            : transfer::most_digits_of_distribution(p.n, p.p.ball, arguments(p), p.asked == Asked::density);
+                }
+                catch (const BeyondReach&) { // p cannot be told from the edge: enclose() says so
+                    return any_digits;
+                }
+            },
         .cost = [](const Problem& p, Accuracy a) { return 0.25 * static_cast<double>(p.n) * growth(a, 2); },
         .enclose = by(Law::density),
-        .budget = [](const Problem& p, Accuracy a) {
-            if (above_support(p)) return Budget{"above the support"};
-            return Budget{"", {{transfer::distribution_certificate(Law::density, p.n, p.p.ball, arguments(p), a)},
+        .budget =
+            [](const Problem& p, Accuracy a) {
+                if (above_support(p)) return Budget{"above the support"};
+                return Budget{"",
+                              {{transfer::distribution_certificate(Law::density, p.n, p.p.ball, arguments(p), a)},
                                {transfer::distribution_certificate(Law::exceedance, p.n, p.p.ball, arguments(p), looked_at_again(a))}}};
-        },
+            },
         .second = "forward-exceedance",
         .enclose_again = by(Law::exceedance),
-        .shares = "boxes, panels, quadrature and arithmetic of one engine; the recursion of another law: kernel, closed first step and unknown are others",
+        .shares =
+            "boxes, panels, quadrature and arithmetic of one engine; the recursion of another law: kernel, closed first step and unknown are others",
     };
 }
 

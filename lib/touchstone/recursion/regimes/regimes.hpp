@@ -33,8 +33,8 @@ Method exceedance_in_any_limit();
 
 constexpr const char* no_density_at_0 = "not computed at p = 0, where q_n is 0 unless a singular point lies there; ask for p > 0";
 bool p_is_0(const Problem&);
-/// 0 < 1 - load < 1e-300: the zeros of 1 + (1 - load) sinh^2 v go out like -log(1 - load), and the strips of the discretised operator's rules become so
-/// much narrower (measured to 1e-300).
+/// 0 < 1 - load < 1e-300: the zeros of 1 + (1 - load) sinh^2 v go out like -log(1 - load), and the strips of the discretised operator's
+/// rules become so much narrower (measured to 1e-300).
 bool too_near_1(const Rational& load);
 double about_G(const Problem&);
 bool G_above(const Problem&, const Rational& least);
