@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <malloc.h>
 #include <thread>
 
@@ -326,6 +327,52 @@ TEST_CASE("a witness is asked for what a second proof would be, and two digits m
                         }};
         evaluate(known_by({.proofs = {proves(third)}, .witnesses = {look}}), inputs({}), {.digits = digits});
         CHECK(seen == asked);
+    }
+}
+
+TEST_CASE("what a proof certifies does not depend on the precision it begins with, however many bits that is")
+{
+    for (const bool dear : {false, true})
+        for (const slong bits : {2, 40, 300, 3000}) {
+            CAPTURE(dear);
+            CAPTURE(bits);
+            std::vector<long> asked;
+            const Proof unlimited = proves(third, 0, &asked);
+            const Proof to_thirty{"a proof", [=](Accuracy a) {
+                                      if (a.digits > 30) throw BeyondReach("no more than thirty");
+                                      return unlimited.ball(a);
+                                  }};
+            const Evaluation e = evaluate(known_by({.proofs = {to_thirty}, .dear = dear}), inputs({}), {.digits = 20, .start_bits = bits});
+            CHECK(e.status == Status::certified);
+            CHECK(e.value == "0.33333333333333333333");
+            CHECK(asked.front() >= 1);
+            asked.clear();
+            evaluate(known_by({.proofs = {unlimited}, .dear = dear}), inputs({}), {.digits = 20, .limit_bits = bits});
+            CHECK(*std::min_element(asked.begin(), asked.end()) >= 1);
+        }
+    // a limit of the caller's is not said to be the method's
+    const Plan few{.proofs = {proves(third)}, .most_digits = 40, .dear = true};
+    CHECK(evaluate(known_by(few), inputs({}), {.digits = 20, .limit_bits = 80}).note.find("--max-precision") != std::string::npos);
+}
+
+TEST_CASE("a second proof that refuses leaves no digit certified, and a witness that sees nothing does not agree")
+{
+    const Proof refuses{"another proof", [](Accuracy) -> Ball { throw BeyondReach("no second proof here"); }};
+    for (const bool dear : {false, true}) {
+        const Evaluation alone = evaluate(known_by({.proofs = {proves(third), refuses}, .dear = dear}), inputs({}), {.digits = 12});
+        CHECK(alone.status == Status::undecided);
+        CHECK(alone.value == "0.333333333333");
+        CHECK(alone.note.find("no second proof here") != std::string::npos);
+        CHECK_FALSE(alone.second_look);
+    }
+    const auto nothing = [](const Ball& value, const Ball& error) {
+        return Look{"blind", [=](Accuracy) { return Witness{value, error}; }};
+    };
+    for (const Look& blind : {nothing(Ball::indeterminate(), Ball(tiny)), nothing(Ball(third), Ball::indeterminate())}) {
+        const Evaluation e = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {blind}}), inputs({}), {.digits = 12});
+        CHECK(e.status == Status::certified);
+        CHECK_FALSE(e.second_look);
+        CHECK(e.note == "no second look: 'blind' has no value here");
     }
 }
 

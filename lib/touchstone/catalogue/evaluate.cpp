@@ -49,7 +49,8 @@ constexpr long fewer_digits = 15;
 /// A witness disagrees when it is off by so many times its own error, and by so much of the value.
 constexpr long witness_error_factor = 64;
 constexpr long witness_digits = 15;
-/// From here on the proofs of a formula run side by side. Each thread computes its own constants and Bernoulli numbers: below, that is most of the work.
+/// From here on the proofs of a formula run side by side. Each thread computes its own constants and Bernoulli numbers: below, that is most
+/// of the work.
 constexpr long digits_worth_a_thread = 3000;
 /// It is asked for the digits that a second proof would look at, and so many more, not for all that it could give.
 constexpr long witness_spare_digits = 2;
@@ -104,7 +105,15 @@ public:
     {
         limit_ = o.limit_bits > 0 ? accuracy_of(o.limit_bits).digits : accuracy_of(16 * working_bits({digits}) + 8192).digits;
         if (most_digits < any_digits) limit_ = std::min(limit_, most_digits + digits_to_spare);
-        at_ = std::min(limit_, o.start_bits > 0 ? accuracy_of(o.start_bits).digits : dear ? digits : std::max(digits, binary64_digits));
+        limit_ = std::max(limit_, least);
+        at_ = o.start_bits > 0 ? accuracy_of(o.start_bits).digits : dear ? digits : std::max(digits, binary64_digits);
+        at_ = std::clamp(at_, least, limit_);
+    }
+    /// From what was asked for on, for a dear proof that refuses to begin with more.
+    void begin_with_digits()
+    {
+        dear_ = true;
+        at_ = std::min(limit_, digits_);
     }
     Accuracy at() const { return {at_}; }
     bool last() const { return at_ >= limit_; }
@@ -116,6 +125,7 @@ public:
     }
 
 private:
+    static constexpr long least = 1; ///< however few bits are allowed
     long digits_, at_ = 0, limit_ = 0, step_ = 2;
     bool dear_;
 };
@@ -140,27 +150,30 @@ public:
     {
         long digits = std::min(options_.digits, plan_.most_digits);
         if (digits < options_.digits) reason_ = plan_.refusal;
-        for (Ladder ladder(options_, digits, dear_, plan_.most_digits);;) {
+        Ladder ladder(options_, digits, dear_, plan_.most_digits);
+        for (bool is_first = true;; is_first = false) {
             try {
                 if (attempt(e, ladder, digits)) break;
                 if (ladder.last()) break;
                 ladder.raise();
             }
             catch (const BeyondReach& refusal) {
+                if (is_first && ladder.at().digits > digits) { // asked for the sake of binary64, or of the first precision, alone
+                    dear_ = true;
+                    balls_.clear();
+                    ladder.begin_with_digits();
+                    continue;
+                }
                 if (!balls_.empty()) { // what the last accuracy gave stays proven
                     e.note = refusal.what();
                     break;
-                }
-                if (!dear_ && ladder.at().digits > digits) { // asked for the sake of binary64 alone
-                    dear_ = true;
-                    ladder = Ladder(options_, digits, dear_, plan_.most_digits);
-                    continue;
                 }
                 e.note = refusal.what();
                 if (digits <= fewer_digits || options_.digits <= fewer_digits) return false;
                 reason_ = refusal.what();
                 digits = fewer_digits;
                 ladder = Ladder(options_, digits, dear_, plan_.most_digits);
+                ladder.begin_with_digits();
             }
         }
         finish(e, digits);
@@ -181,23 +194,26 @@ private:
                 return proof.ball(proof.digits >= digits ? accuracy : Accuracy{std::max(1L, proof.digits + accuracy.digits - digits)});
             }));
         const Ball first = decided_first_ ? *decided_first_ : plan_.proofs.front().ball(accuracy);
-        point_ = exact_value(first); // radius zero: the value itself, which the other proofs must contain
+        const auto point = exact_value(first); // radius zero: the value itself, which the other proofs must contain
         balls_ = {first};
-        decided_ = point_ || round_to_digits(first, digits);
-        if (!decided_ && !ladder.last()) return false;
-        if (dear_ && decided_) decided_first_ = first;
+        point_.reset();
+        decided_ = false; // until the others have been heard, which may refuse
+        const bool first_decides = point || round_to_digits(first, digits);
+        if (!first_decides && !ladder.last()) return false;
+        if (dear_ && first_decides) decided_first_ = first;
         looked_again_ = {};
         bool confirmed = true;
         for (std::size_t i = 0; i < others.size(); ++i) {
             const Proof& other = plan_.proofs[i + 1];
             const Ball ball = others[i].get();
             if (!ball.overlaps(first))
-                throw RoutesDisagree(
-                    fmt::format("{}: proofs '{}' and '{}' give disjoint balls {} and {}", q_.name, plan_.proofs[0].name, other.name, first.to_string(), ball.to_string()));
+                throw RoutesDisagree(fmt::format("{}: proofs '{}' and '{}' give disjoint balls {} and {}", q_.name, plan_.proofs[0].name,
+                                                 other.name, first.to_string(), ball.to_string()));
             if (other.digits >= digits) balls_.push_back(ball);
             else confirmed = confirmed && decides_but_for_ties(ball, other.digits);
             looked_again_ = std::min(other.digits, digits);
         }
+        point_ = point;
         if (point_) return true;
         if (exact_ && !exact_->ball().overlaps(first))
             throw RoutesDisagree(fmt::format("{}: ball {} misses the exact value", q_.name, first.to_string()));
@@ -227,13 +243,21 @@ private:
     void explain_missing_digits(Evaluation& e, long digits) const
     {
         if (digits < options_.digits)
-            e.note = fmt::format("{} digits are certified here, {} were asked for: {}", e.digits, options_.digits, reason_.empty() ? "no method proves more" : reason_);
-        else if (plan_.most_digits < any_digits) e.note = "no more digits are certified here";
+            e.note = fmt::format("{} digits are certified here, {} were asked for: {}", e.digits, options_.digits,
+                                 reason_.empty() ? "no method proves more" : reason_);
+        else if (plan_.most_digits < any_digits && !is_limited()) e.note = "no more digits are certified here";
         else if (e.note.empty()) e.note = fmt::format("not decided at {} bits; a larger --max-precision may", e.bits);
-        if (plan_.proofs.size() > 1 && !looked_again_ && e.digits > 0) e.note += fmt::format("; the digits shown rest on '{}' alone", plan_.proofs.front().name);
+        if (plan_.proofs.size() > 1 && !looked_again_ && e.digits > 0)
+            e.note += fmt::format("; the digits shown rest on '{}' alone", plan_.proofs.front().name);
     }
 
-    const Look* second_look() const { return plan_.own_witness ? &*plan_.own_witness : plan_.witnesses.empty() ? nullptr : &plan_.witnesses.front(); }
+    /// Whether it is the caller's limit that leaves too few bits for the digits.
+    bool is_limited() const { return options_.limit_bits > 0 && accuracy_of(options_.limit_bits).digits < options_.digits; }
+
+    const Look* second_look() const
+    {
+        return plan_.own_witness ? &*plan_.own_witness : plan_.witnesses.empty() ? nullptr : &plan_.witnesses.front();
+    }
 
     void look_again(Evaluation& e)
     {
@@ -250,8 +274,9 @@ private:
                     look = std::move(*other);
                 }
                 else
-                    add(fmt::format("the witness '{}' DISAGREES: it gives {}, and {} digits agree; the proof stands, but one of the two has a fault: please report it",
-                                    look.name, seen.value.to_string(), look.digits));
+                    add(fmt::format(
+                        "the witness '{}' DISAGREES: it gives {}, and {} digits agree; the proof stands, but one of the two has a fault: please report it",
+                        look.name, seen.value.to_string(), look.digits));
             }
             e.routes.push_back(look.name + " (witness)");
             e.second_look = std::move(look);
@@ -261,16 +286,20 @@ private:
         }
     }
 
+    /// \throws BeyondReach where the witness saw nothing, with which anything would agree
     SecondLook held_against(const Ball& proven, const std::string& name, const Witness& seen) const
     {
-        const Ball off = abs(seen.value - proven), size = abs(proven), allowed = witness_error_factor * seen.error + size * pow(Ball(10), Ball(-witness_wants_));
+        if (!seen.value.is_finite() || !seen.error.is_finite()) throw BeyondReach(fmt::format("'{}' has no value here", name));
+        const Ball off = abs(seen.value - proven), size = abs(proven),
+                   allowed = witness_error_factor * seen.error + size * pow(Ball(10), Ball(-witness_wants_));
         SecondLook look{name, false, !certainly(less(allowed, off)), 0, plan_.shares};
-        while (look.digits < most_estimated_digits + 5 && certainly(less(2 * off * pow(Ball(10), Ball(look.digits + 1)), size))) ++look.digits;
+        while (look.digits < most_estimated_digits + 5 && certainly(less(2 * off * pow(Ball(10), Ball(look.digits + 1)), size)))
+            ++look.digits;
         return look;
     }
 
-    /// A witness misjudges itself now and then, next to a singular point that its grid does not know: another one is asked before anybody is told
-    /// of a fault.
+    /// A witness misjudges itself now and then, next to a singular point that its grid does not know: another one is asked before anybody
+    /// is told of a fault.
     /// \param fault by which the first is off: a witness that is vaguer than that does not overrule it
     std::optional<SecondLook> agreeing_witness(const Ball& proven, const std::string& but, const Ball& fault) const
     {
