@@ -51,17 +51,18 @@ Points free_points(const OwnLedger& ledger)
 
 /// Further points all over the ranges, and next to their ends: for formulas that no normal form compares and that may differ on a part
 /// only. Where ranges do not fit together, as x below a, a formula has no value at some of them; those say nothing.
-std::vector<std::string> points_all_over(const OwnLedger& ledger)
+std::vector<Point> points_all_over(const OwnLedger& ledger)
 {
     constexpr long parts = 31; // prime: each symbol visits every part, no two in the same order
-    std::vector<std::string> all;
+    std::vector<Point> all;
     const auto add = [&](const auto& share_of) {
         Point p;
         long index = 0;
         for (const auto& [name, s] : ledger.symbols) p[name] = s.low + (s.high - s.low) * share_of(++index);
-        all.push_back(as_text(p));
+        all.push_back(std::move(p));
     };
-    for (long k = 1; k < parts; ++k) add([&](long index) { return Rational((2 * (k * (index % (parts - 1) + 1) % parts) + 1), 2 * parts); });
+    for (long k = 1; k < parts; ++k)
+        add([&](long index) { return Rational((2 * (k * (index % (parts - 1) + 1) % parts) + 1), 2 * parts); });
     for (const long power : {7L, 20L})
         for (long pattern = 0; pattern < 4; ++pattern) // all low, all high, and by turns
             add([&](long index) {
@@ -129,15 +130,16 @@ std::string differ_by_a_number(const ex& print, const ex& wanted)
         return GiNaC::is_a<GiNaC::numeric>(n) ? std::optional(n) : std::nullopt;
     };
     if (const auto off = number(print - wanted)) return off->is_zero() ? "" : "the two differ by " + str(*off);
-    if (const auto ratio = wanted.is_zero() ? std::nullopt : number(print / wanted)) return "it is " + str(*ratio) + " times what it should be";
+    if (const auto ratio = wanted.is_zero() ? std::nullopt : number(print / wanted))
+        return "it is " + str(*ratio) + " times what it should be";
     return "";
 }
 
 /// A point, of those all over the ranges, at which the two differ.
 std::optional<Check> apart_somewhere(const OwnLedger& ledger, const ex& print, const ex& wanted)
 {
-    for (const std::string& point : points_all_over(ledger))
-        if (Check there = compare_at(print, wanted, {point.c_str()}); there.verdict == Verdict::refuted) return there;
+    for (const Point& point : points_all_over(ledger))
+        if (Check there = compare_at(print, wanted, {as_text(point).c_str()}); there.verdict == Verdict::refuted) return there;
     return std::nullopt;
 }
 
@@ -177,22 +179,59 @@ ex written_out(const OwnLedger& ledger, const OwnEntry& entry, ex e)
     return e; // what stands for what has no cycle
 }
 
+bool is_bound(const std::string& relation) { return relation == "<" || relation == ">" || relation == "<=" || relation == ">="; }
+
+/// By how much a part of the print holds, if it is a bound: positive where it does.
+ex gap_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p, const std::string& part)
+{
+    const ex larger_right = p(part + "rhs") - p(part + "lhs");
+    return written_out(ledger, e, p.text(part + "relation")[0] == '<' ? larger_right : -larger_right);
+}
+
 /// Each bound over its whole range.
 Check bounds(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     for (std::size_t i = 0; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
-        if (relation != "<" && relation != ">" && relation != "<=" && relation != ">=")
-            return {Verdict::refuted, "no bound: printed " + relation};
-        const ex gap = written_out(ledger, e, (p(part + "rhs") - p(part + "lhs")) * (relation[0] == '<' ? 1 : -1));
-        const Check c = positive_on(gap, e.over, usual_pieces, relation.size() == 2 ? Bound::may_be_reached : Bound::strict);
+        if (!is_bound(relation)) return {Verdict::refuted, "no bound: printed " + relation};
+        const Check c = positive_on(gap_of(ledger, e, p, part), e.over, usual_pieces,
+                                    relation.size() == 2 ? Bound::may_be_reached : Bound::strict);
         if (c.verdict != Verdict::proved) return c;
     }
     return {Verdict::proved, "over the whole range, by subdivision in balls"};
 }
 
-/// One printed number, at the working precision. A number that is cut off may be the value itself: so it is taken where balls do not tell the
-/// two apart, if `may_be_exact`.
+/// What a chain says beyond its first right side, which alone follows from another equation: equal as formulas, and bounds at the points
+/// all over the ranges. Where a bound has no value it says nothing.
+Check further_parts(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    const WorkingPrecision closer(bits_of_a_closer_look);
+    GiNaC::lst with; // the left side is what it follows from
+    if (const auto left = ledger.symbols.find(p.text("lhs")); left != ledger.symbols.end() && left->second.is.empty())
+        with.append(sym(left->first) == derived(ledger, *e.follows));
+    bool are_proved = true;
+    for (std::size_t i = 1; i < p.parts(); ++i) {
+        const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
+        if (relation == "=") {
+            const Check c = same(ledger, p(part + "rhs").subs(with), p(part + "lhs").subs(with));
+            if (c.verdict != Verdict::proved && c.verdict != Verdict::verified) return c;
+            are_proved = are_proved && c.verdict == Verdict::proved;
+            continue;
+        }
+        are_proved = false;
+        if (!is_bound(relation)) continue;
+        const ex gap = gap_of(ledger, e, p, part).subs(with);
+        for (const Point& point : points_all_over(ledger))
+            if (const Ball by = evaluate(gap, point); by.is_finite() && certainly(less(by, Ball(0))))
+                return {Verdict::refuted, "at " + as_text(point) + " " + p.text(part + "lhs") + " " + relation + " " +
+                                              p.text(part + "rhs") + " is off by " + by.to_string(6)};
+    }
+    return are_proved ? Check{Verdict::proved, "the further right sides, as formulas"}
+                      : Check{Verdict::verified, "what stands beyond the first right side, at the points"};
+}
+
+/// One printed number, at the working precision. A number that is cut off may be the value itself: so it is taken where balls do not tell
+/// the two apart, if `may_be_exact`.
 Check printed(const OwnTable& t, std::size_t row, const std::string& digits, bool may_be_exact)
 {
     Point at;
@@ -212,7 +251,8 @@ Check printed(const OwnTable& t, std::size_t row, const std::string& digits, boo
     const std::string says = "at " + where + " the value is " + value.to_string(12) + ", printed " + digits;
     // cut off, towards 0: what is printed is no larger in modulus, of 0 either sign may have been cut off
     const bool is_cut = t.rounding == "down";
-    const Ball least = is_cut ? (*number > 0 ? Ball(0) : -unit) : Ball(-unit / 2), most = is_cut ? (*number < 0 ? Ball(0) : unit) : Ball(unit / 2);
+    const Ball least = is_cut ? (*number > 0 ? Ball(0) : -unit) : Ball(-unit / 2),
+               most = is_cut ? (*number < 0 ? Ball(0) : unit) : Ball(unit / 2);
     if (certainly(less(off, least)) || certainly(less(most, off))) return {Verdict::refuted, says};
     const auto is_exact = [&](const Ball& end) { return may_be_exact && is_cut && end.contains_zero() && off.contains_zero(); };
     const bool inside = (certainly(less(least, off)) || is_exact(least)) && (certainly(less(off, most)) || is_exact(most));
@@ -293,8 +333,14 @@ Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
         if (readable(ledger, e)) {
             const Check whole = read_closely(ledger, e, p);
-            // where a proof stands already, the reading only refutes
-            if (whole.verdict == Verdict::refuted || (!e.follows && e.over.empty())) a.add("the whole print, each field", whole);
+            bool is_proved = e.follows || !e.over.empty();
+            if (e.follows && e.over.empty() && p.parts() > 1) { // the proof above is the first part's alone
+                const Check further = further_parts(ledger, e, p);
+                is_proved = further.verdict == Verdict::proved;
+                a.add("the further parts", further);
+            }
+            // where a proof stands for all of it already, the reading only refutes
+            if (whole.verdict == Verdict::refuted || !is_proved) a.add("the whole print, each field", whole);
         } else if (!e.definition) {
             a.add("what it should be", {Verdict::undecided, "nothing says so: \"follows\", \"over\", or \"is\" of the symbol on the left"});
         }
