@@ -32,7 +32,8 @@ from intervals import Interval
 MOST_BITS = 16384
 MOST_SCALE = 10**6  # the largest n in a table: the work grows with it
 LONGEST_FILE = 1 << 26
-NUMBER = re.compile(r"[-+]?[0-9]{1,5000}(/[0-9]{1,5000}|\.[0-9]{0,5000})?([eE][-+]?[0-9]{1,9})?")
+NUMBER = re.compile(r"[-+]?[0-9]{1,10010}(\.[0-9]{0,10010})?([eE][-+]?[0-9]{1,9})?")  # decimal: of a fraction no digit is the last
+NO_VALUE = ["nan", "inf"]  # and its error, in a table that says undecided
 MOST_EXPONENT = 2 * 10**6  # in decimals: a fraction beyond takes more than seconds
 DOMAIN = {  # of inputs by name, as `touchstone list` says it; what holds of one quantity only, beside that, by both names
     "n": lambda n: n.denominator == 1 and 0 <= n <= MOST_SCALE, "load": lambda load: load > 0, "G": lambda G: G > 1, "D": lambda D: 1 < D < 2,
@@ -89,6 +90,8 @@ def read(path):
         inputs, rows_promised, digest = header["inputs"], header["rows"], header["sha256"]
         if not all(isinstance(text, str) for text in (*inputs, header["name"], header["quantity"])) or not isinstance(inputs, list):
             raise ValueError("name, quantity or inputs are no texts")
+        if type(header.get("digits")) is not int:
+            raise ValueError("digits is no whole number")
     except (ValueError, KeyError, TypeError, RecursionError) as reason:
         raise Unreadable(f"{path}: header: {reason}") from None
     rows = [line for line in lines if line and not line.startswith("#")]
@@ -133,7 +136,7 @@ def words_of(path, header, rows):
     approximate = [row.split()[at] for row in rows if row.split()[at + 1] != "0"]
     if header.get("status") not in ("certified", "estimated", "undecided") and (approximate or header.get("status") != "exact"):
         raise Unreadable(f"{path}: the status of its rows is not {header.get('status', 'left out')}")
-    digits = {len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) for value in approximate}
+    digits = {0 if value == "nan" else len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) for value in approximate}
     short = any(count != header.get("digits") for count in digits)
     if header["status"] == "undecided" and not short:
         raise Unreadable(f"{path}: it says undecided, and its values have all {header.get('digits')} digits")
@@ -224,6 +227,8 @@ def verdict(form, row, names, wanted=0):
     """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits; a certified one has an error that leaves
     the digits wanted"""
     cells = row.split()
+    if cells[len(names) : len(names) + 2] == NO_VALUE:
+        return "undecided", 0
     if not all(NUMBER.fullmatch(cell) for cell in cells[: len(names) + 2]):
         return "unreadable", 0
     if any(abs(int(cell.lower().partition("e")[2] or 0)) > MOST_EXPONENT for cell in cells[: len(names) + 2]):

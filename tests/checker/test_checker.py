@@ -190,6 +190,9 @@ class Checker(unittest.TestCase):
             "a value beyond all exponents of five digits": (0, area, "1000000 0.5 8.08240626924901 3.33e-907541 5e-907544"), "one more in its last digit": (1, area, "1000000 0.5 8.08240626924901 3.34e-907541 5e-907544"),
             "another": (0, {**area, "quantity": "archard.segments", "inputs": ["n", "load", "D", "gamma"]}, "1000000 2 1.1 5 1.09e+629073 5e+629070"),
             "a control character": (1, half, "1\x1b[2J 1 0"),
+            "a value that is a fraction": (1, half, "0.75 1/2 0.4"), "an error that is one": (1, half, "0.5 0.250 1/2000"),
+            "digits that are a text": (65, {**half, "digits": "3", "status": "exact"}, "0.5 0.25 0"), "digits that are true": (65, {**half, "digits": True}, "0.5 0.2 5e-2"),
+            "no value in a table that is certified": (65, half, "0.5 nan inf"),
         }
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "t.txt"
@@ -211,6 +214,8 @@ class Checker(unittest.TestCase):
             for changes, row in ((area, "1000000 0.5 1e300 1.96e-299999701 5e-299999704"), ({}, "0 1.5 1e999999999 0"), ({}, "0 1.5 1.00 1e-999999999")):  # too long to be compared
                 result = written(changes, row)
                 self.assertEqual((result.returncode, result.stdout.split()[-4:], result.stderr.count(": undecided: ")), (0, ["0", "1", "0", "-"], 1), result.stderr)
+            result = written({**half, "status": "undecided"}, "0.5 nan inf")  # as the program writes it where nothing is decided
+            self.assertEqual((result.returncode, result.stdout.split()[-4:], result.stderr.count(": undecided: ")), (0, ["0", "1", "0", "-"], 1), result.stderr)
             for row, digits in (("0.5 0.2500 5e-4", "3"), ("0.5 0.7 1", "0")):  # a row that is right to no digit is not passed over
                 self.assertEqual(written({**half, "status": "estimated"}, row).stdout.split()[-1], digits)
             self.assertEqual(written(half, "0.5 0.250 5e-4 0.5", columns="load value error forced").returncode, 0)
@@ -267,6 +272,7 @@ class Checker(unittest.TestCase):
         for cell, error, digits in (("0.4199", "5e-5", 4), ("0.4199", "1e-4", 3), ("0.4199", "1e-2", 1), ("0.4199", "0.5", 0), ("4.1655E-1", "1e-30", 5), ("+4.1655e-1", "0", 5),
                                     ("-0.0041", "5e-5", 2), ("120", "0.5", 3), ("120", "5", 2), ("120", "10", 1), ("0", "0", 0)):
             self.assertEqual(check.digits_of(cell, check.Fraction(error)), digits, (cell, error))
+        self.assertEqual(check.verdict(lambda: Fraction(1, 3), "0." + "3" * 10000 + " 1e-10000", [])[0], "undecided")  # as many as the program gives, of which it reads all
 
     def test_a_row_that_takes_too_long_stays_open(self):
         """The alarm ends the one row and no later one; those after it are judged as ever."""
