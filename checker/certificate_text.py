@@ -4,7 +4,7 @@ import hashlib
 import re
 from fractions import Fraction
 
-LONGEST_FILE, LONGEST_WORD = 1 << 28, 4096
+LONGEST_FILE, LONGEST_WORD, MOST_DEGREE = 1 << 28, 4096, 64  # the degree of a root G
 INTEGER = {10: re.compile("0|-?[1-9][0-9]*"), 16: re.compile("0|-?[1-9a-f][0-9a-f]*")}  # a long certificate has millions
 MOST = {"claims": 20000, "scale": 64, "sections": 1000, "lines": 200000, "bits": 2048, "points": 50000, "terms": 400, "n": 64, "m": 64,
         "exponent": 1 << 14, "kept": 1024, "accuracy": 100, "rise": 1024, "power": 200}
@@ -47,7 +47,7 @@ def surface(text):
     """G as base, degree: base^(1/degree)"""
     base, mark, degree = text.partition("^1/")
     degree = decimal(degree) if mark else 1
-    need(1 + bool(mark) <= degree <= 64, f"'{text[:40]}' is no root")
+    need(1 + bool(mark) <= degree <= MOST_DEGREE, f"'{text[:40]}' is no root")
     return rational(base), degree
 
 

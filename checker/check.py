@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""check.py [--limit N] [--certificate FILE]... [--coverage FILE] TABLE...: recomputes every row of closed form in canonical tables and says
-how many it confirms.
+"""check.py [--limit N] [--certificate FILE]... [--coverage FILE] TABLE...: recomputes every row of closed form in canonical tables, and in
+files of rows (rows.py), and says how many it confirms.
 
 A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and an error of 0
 only if the value is found to be exactly what is printed. What the recursion gives is confirmed by certificates too, which are proved first
@@ -25,13 +25,14 @@ import certificate_text
 import closed_forms
 import intervals as iv
 import memory
+import rows as rows_file
 import scale_one
 import units
 from intervals import Interval
+from table_text import Unreadable, json_of, text_of
 
 MOST_BITS = 16384
 MOST_SCALE = 10**6  # the largest n in a table: the work grows with it
-LONGEST_FILE = 1 << 26
 NUMBER = re.compile(r"[-+]?[0-9]{1,10010}(\.[0-9]{0,10010})?([eE][-+]?[0-9]{1,9})?")  # decimal: of a fraction no digit is the last
 NO_VALUE = ["nan", "inf"]  # and its error, in a table that says undecided
 MOST_EXPONENT = 2 * 10**6  # in decimals: a fraction beyond takes more than seconds
@@ -44,10 +45,6 @@ DOMAIN = {  # of inputs by name, as `touchstone list` says it; what holds of one
     **dict.fromkeys(("westergaard.pressure x", "westergaard.gap x"), lambda x: abs(2 * x) <= 1)}
 PATIENCE = 1800  # seconds for one row: a stranger's inputs may lie in the domain and be beyond all patience
 sys.set_int_max_str_digits(0) if hasattr(sys, "set_int_max_str_digits") else None
-
-
-class Unreadable(Exception):
-    pass
 
 
 def printable(text):
@@ -63,30 +60,17 @@ def too_long(*_):
     raise TooLong
 
 
-def once(pairs):
-    """an object of JSON, whose readers would differ on a key that comes twice"""
-    if len(dict(pairs)) < len(pairs):
-        raise ValueError("a key comes twice")
-    return dict(pairs)
-
-
-def read(path):
+def read(path, text=None):
     """header, rows of a canonical table, its sha256 verified"""
-    try:
-        with open(path, encoding="ascii", newline="") as file:
-            text = file.read(LONGEST_FILE + 1)
-    except (OSError, UnicodeDecodeError) as reason:
-        raise Unreadable(f"{path}: {reason}") from None
-    if len(text) > LONGEST_FILE:
-        raise Unreadable(f"{path}: longer than any table")
-    if "\r" in text:
-        raise Unreadable(f"{path}: has carriage returns; its line ends were changed")
+    text = text_of(path) if text is None else text
+    if not text.isascii():
+        raise Unreadable(f"{path}: not a canonical table: has other characters than ASCII")
     lines = text.split("\n")
     headers = [line for line in lines if line.startswith("# {")]
     if len(headers) != 1:
         raise Unreadable(f"{path}: not a canonical table: {len(headers)} lines of JSON")
     try:
-        header = json.loads(headers[0][2:], object_pairs_hook=once)
+        header = json_of(headers[0][2:])
         inputs, rows_promised, digest = header["inputs"], header["rows"], header["sha256"]
         if not all(isinstance(text, str) for text in (*inputs, header["name"], header["quantity"])) or not isinstance(inputs, list):
             raise ValueError("name, quantity or inputs are no texts")
@@ -144,10 +128,10 @@ def words_of(path, header, rows):
         raise Unreadable(f"{path}: its values have not the {header.get('digits')} digits that it says")
 
 
-def with_certificates(forms, paths):
+def with_certificates(forms, paths, known=None):
     """the forms, and what the claims of certificates say of rows without one: A_n, and with it (8.1) the number gamma^n A_(n-1) of
-    segments"""
-    known = {}
+    segments; `known` comes to have these claims"""
+    known = {} if known is None else known
     for path in paths:
         path, *reports = path.split(",")
         read = certificate.Certificate(path)
@@ -162,6 +146,8 @@ def with_certificates(forms, paths):
         return lambda *inputs: known.get((quantity, *inputs[:-1], (inputs[-1], 1)))
 
     def segments(n, load, D, gamma):
+        if (D - 1).denominator > certificate_text.MOST_DEGREE:  # no claim's G is such a root
+            return None
         G = closed_forms.exact_power(gamma, D - 1)
         below = known.get(("contact.area", n - 1, load, (gamma ** (D - 1).numerator, (D - 1).denominator) if G is None else (G, 1)))
         return None if below is None else below * gamma ** int(n)
@@ -223,9 +209,9 @@ def digits_of(cell, error):
     return digits
 
 
-def verdict(form, row, names, wanted=0):
+def verdict(form, row, names, wanted=0, sides=(1, 1)):
     """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits; a certified one has an error that leaves
-    the digits wanted"""
+    the digits wanted. What is rounded to one side only, below or above the true value, may be off by a whole unit of its last digit."""
     cells = row.split()
     if cells[len(names) : len(names) + 2] == NO_VALUE:
         return "undecided", 0
@@ -238,7 +224,8 @@ def verdict(form, row, names, wanted=0):
         value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])
     except (ValueError, OverflowError, ZeroDivisionError):
         return "unreadable", 0
-    printed, low, high, width = digits_of(cells[len(names)], error) if error else inf, 0, 0, inf
+    printed, low, high, width = digits_of(cells[len(names)], error * sum(sides) / 2) if error else inf, 0, 0, inf
+    least, most = value - sides[0] * error, value + sides[1] * error
     if printed < wanted:
         return "wrong", 0
     Interval.bits = 64 + int(3.33 * len(cells[len(names)].lower().split("e")[0]))
@@ -255,11 +242,11 @@ def verdict(form, row, names, wanted=0):
         if true is None:
             return "not a closed form", 0
         if isinstance(true, Fraction):
-            return ("right", printed) if abs(true - value) <= error else ("wrong", 0)
+            return ("right", printed) if least <= true <= most else ("wrong", 0)
         low, high = true.ends()
-        if value - error <= low and high <= value + error:
+        if least <= low and high <= most:
             return "right", printed
-        if high < value - error or low > value + error:
+        if high < least or low > most:
             return "wrong", 0
         if high - low > width / 2:  # more bits are of no use: a certificate says no more
             break
@@ -267,6 +254,22 @@ def verdict(form, row, names, wanted=0):
         Interval.bits *= 2
     off = max(abs(high - value), abs(low - value))
     return "undecided", len(str(int(abs(value) / off))) - 1 if off else 0
+
+
+def opened(path, forms, known):
+    """how a file is called, its header and rows, and what judges a row of it"""
+    text = text_of(path)  # once: it may be a pipe
+    if text.startswith(rows_file.FIRST):
+        return rows_file.opened(path, text, forms, known, names_of, within_domain, verdict)
+    header, rows = read(path, text)
+    form, names = forms.get(header["quantity"]), header["inputs"]
+    if form is None:
+        raise Unreadable(f"{path}: no closed form is known for '{header['quantity']}'")
+    if names != (right := names_of(header["quantity"])):
+        raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(right)}, not {' '.join(names)}")
+    words_of(path, header, rows)
+    form, wanted = within_domain(header["quantity"], form), header.get("digits") if header["status"] == "certified" else 0
+    return header["name"], header, rows, lambda row: verdict(form, row, names, wanted)
 
 
 def keep(path, found):
@@ -296,33 +299,28 @@ def main():
     arguments = parser.parse_args()
     if arguments.coverage and arguments.limit:
         parser.error("--coverage is of whole tables: no --limit")
-    worst, found = 0, []
+    worst, found, known = 0, [], {}
     memory.bound()
     try:
-        forms = with_certificates(scale_one.FORMS, arguments.certificate)
+        forms = with_certificates(scale_one.FORMS, arguments.certificate, known)
     except (certificate.Malformed, certificate.Refused, MemoryError) as why:
         print(f"check.py: a certificate says no: {str(why) or 'needs too much memory'}", file=sys.stderr)
         return 65
     print(f"{'table':30} {'rows':>6} {'right':>6} {'open':>6} {'wrong':>6} {'digits':>6}")
     for path in arguments.tables:
         try:
-            header, rows = read(path)
-            form = forms.get(header["quantity"])
-            if form is None:
-                raise Unreadable(f"{path}: no closed form is known for '{header['quantity']}'")
-            if header["inputs"] != (names := names_of(header["quantity"])):
-                raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(names)}, not {' '.join(header['inputs'])}")
-            words_of(path, header, rows)
-            form = within_domain(header["quantity"], form)
+            name, header, rows, judge = opened(path, forms, known)
+            if arguments.coverage and "statuses" in header:
+                raise Unreadable(f"{path}: coverage is of canonical tables, not of files of rows")
         except (Unreadable, MemoryError) as reason:
             print(f"check.py: {printable(reason) or f'{path}: needs too much memory'}", file=sys.stderr)
             worst = max(worst, 65)
             continue
         step = max(1, -(-len(rows) // arguments.limit)) if arguments.limit else 1
-        count, least, confirmed, wanted = {}, inf, 0, header.get("digits") if header["status"] == "certified" else 0
+        count, least, confirmed = {}, inf, 0
         for number, row in enumerate(rows[::step]):
             with_patience(PATIENCE)
-            said, digits = verdict(form, row, header["inputs"], wanted)
+            said, digits = judge(row)
             with_patience(0)
             count[said] = count.get(said, 0) + 1
             if said == "right" or digits:
@@ -333,7 +331,7 @@ def main():
         right = count.get("right", 0)
         asked = len(rows[::step])
         digits = "-" if not confirmed else "exact" if least == inf else least
-        print(f"{printable(header['name']):30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {digits:>6}", flush=True)
+        print(f"{printable(name):30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {digits:>6}", flush=True)
         if wrong:
             worst = max(worst, 1)
         found.append({"table": header["name"], "rows": asked, "confirmed": confirmed, "all_digits": right, "wrong": wrong,

@@ -217,7 +217,7 @@ def iterate(n, load, G):
 
 
 def fixed_point(G):
-    return 4 / (G * G) if G >= 2 else 1 / (G - 1)  # (5.8), (5.9)
+    return 1 / (G - 1) if below(G, Fraction(2)) else 4 / (G * G)  # (5.8), (5.9)
 
 
 # ---- section 7
@@ -332,7 +332,7 @@ def everywhere_in_contact(n, load, p, G):
     total, power = Fraction(0), Fraction(1)
     for _ in range(int(n) + 1):
         total += power
-        if total > load - p:
+        if below(load - p, total):
             return False
         power *= G
     return True

@@ -134,10 +134,15 @@ def needed():
     common = {part for part in code if part[0] in ("certificate", "certificate_text")} - of_some
     kinds = {kind: common | {part for part in code if part[0] == kind} | named(code, "certificate", methods("Replay", PARTS[kind])) | more
              for kind, more in borrowed(code).items()}
-    code.update(functions("check"))
-    closed = {part for part in code if part[0] in ("check", "closed_forms", "intervals", "scale_one", "memory")}
+    code.update({**functions("check"), **functions("table_text")})
+    closed = {part for part in code if part[0] in ("check", "table_text", "closed_forms", "intervals", "scale_one", "memory")}
     closed |= named(code, "full_contact", "Trigonometry") | named(code, "transfer", "Refused chebyshev fixed")
     return {"closed_forms": closed, **kinds}, code
+
+
+def of_rows():
+    """lines of code that a reader of files of rows has to trust besides those of closed forms"""
+    return sum(count for name in ("rows", "exact_text") for count in functions(name).values())
 
 
 def rows():

@@ -64,6 +64,7 @@ class Length(unittest.TestCase):
 
     def test_the_page_has_what_is_counted(self):
         page = (length.ROOT / "docs" / "certificate.md").read_text()
+        self.assertIn(f"Files of rows take {length.of_rows()} lines more", page)
         self.assertIn(length.page(), page, "tests/checker/length.py prints another table")
 
     @unittest.skipUnless(known.long, "of the campaign")

@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: MIT
+"""The checker on files of rows: what `touchstone eval` writes of many kinds is right, and no forged one is."""
+import argparse
+import collections
+import hashlib
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--checker", required=True, type=pathlib.Path)
+parser.add_argument("--program", required=True, help="that writes files of rows")
+known, rest = parser.parse_known_args()
+sys.path.insert(0, str(known.checker))
+import exact_text  # noqa: E402
+import rows as rows_file  # noqa: E402
+
+WAYS = ("nearest", "up", "down", "zero", "away")
+ASKED = {  # of each quantity ranges, and how many rows are open, for reasons that are said
+    "westergaard.pressure": (["x=0,1/4,-0.3,1", "load=0.1,0x1.8p-1,7/3"], 3),  # x = 1 is refused
+    "westergaard.density": (["p=0,0.25,1/3,1e-40", "load=0.1,2"], 0),
+    "westergaard.half_width": (["load=1e-300,1/3,1,-1,abc"], 2),  # refused
+    "archard.K": (["n=0:4:1"], 0),
+    "archard.area": (["n=0,3", "load=1e-3", "G=sqrt(10),2^0.25,3"], 0),
+    "archard.alpha": (["n=0:3:1", "D=1.3,5/4"], 0),
+    "weierstrass.profile": (["x=0,1/3,0.8", "D=1.3", "gamma=4,2.5"], 0),
+    "peaks.iterate": (["n=0,3", "load=1/2,3", "D=1.5,1.1", "gamma=4,10"], 0),
+    "peaks.fixed_point": (["G=sqrt(2),9^(1/2),3/sqrt(2),1.1"], 0),
+    "segments.max_half_width": (["n=0,2", "load=0.3", "G=1.5,10^(1/2)"], 0),
+    "contact.area": (["n=0,1", "load=0.3,2", "G=3,sqrt(3)"], 2),  # n = 1 and a root
+}
+
+
+def run(*arguments, **more):
+    return subprocess.run([sys.executable, known.checker / "check.py", *map(str, arguments)], capture_output=True, text=True, timeout=300, **more)
+
+
+def sealed(text, instead=None, **changes):
+    """a file of --out with other rows, statuses counted anew unless the changes say otherwise, and its sha256 made anew"""
+    lines = text.splitlines()
+    said, rows = json.loads(lines[5][2:]), lines[7:] if instead is None else instead
+    count = collections.Counter(row.partition(" # ")[2].partition(":")[0] for row in rows)
+    said |= {"rows": len(rows), "status": max(count, key=lambda status: (rows_file.STATUSES + [status]).index(status)), "statuses": count,
+             "sha256": hashlib.sha256("".join(row + "\n" for row in rows).encode()).hexdigest()} | changes
+    said = {key: value for key, value in said.items() if value is not ...}
+    return "\n".join([*lines[:5], f"# {json.dumps(said)}", lines[6], *rows]) + "\n"
+
+
+class Rows(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name) / "t.txt"
+
+    def evaluated(self, *arguments, out=True, stdin=None):
+        words = [known.program, "eval", *map(str, arguments), *(["--out", self.path] if out else [])]
+        result = subprocess.run(words, capture_output=True, text=True, input=stdin)
+        if not out:
+            self.path.write_text(result.stdout)
+        return self.path.read_text()
+
+    def found(self, text, code, *numbers, said=""):
+        """exit code, and numbers of rows right, open and wrong"""
+        self.path.write_text(text)
+        result = run(self.path)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(len(result.stderr.splitlines()), 0 if not code else 1, result.stderr)
+        self.assertIn(said, result.stderr)
+        if numbers:
+            self.assertEqual(tuple(map(int, result.stdout.splitlines()[1].split()[2:5])), numbers, result.stderr)
+        else:
+            self.assertEqual(len(result.stdout.splitlines()), 1)
+
+    def test_what_the_program_writes_is_right(self):
+        for quantity, (ranges, still_open) in ASKED.items():
+            for k, way in enumerate(WAYS):
+                with self.subTest(quantity, way=way):
+                    text = self.evaluated(quantity, *ranges, "--round", way, "--digits", (20, 1, 7, 3, 60)[k], out=k % 2)
+                    rows = sum(" # " in line for line in text.splitlines() if line[0] != "#")
+                    self.assertGreater(rows, 3)
+                    self.found(text, 0, rows - still_open, still_open, 0)
+
+    def test_binary64_and_resumed_and_interrupted(self):
+        self.found(self.evaluated("archard.area", "n=1", "load=0.1,1/3", "G=sqrt(10),2.5", "--binary64"), 0, 4, 0, 0)
+        # a row of four columns ends the table after those before it
+        broken = self.evaluated("archard.area", "--rows", "-", stdin="# n load G\n1 0.1 3\n1 0.2 3\n1 2 3 4\n1 0.3 3\n")
+        self.assertIn('"complete":false', broken)
+        self.found(broken, 0, 2, 0, 0)
+        rows = self.path.with_name("rows.txt")
+        rows.write_text("# n load G\n1 0.1 3\n1 0.2 3\n1 1D-3 3\n")
+        self.found(self.evaluated("archard.area", "--rows", rows, "--resume"), 0, 3, 0, 0)
+        self.found(self.evaluated("archard.area", "--rows", "-", stdin="# n load G\n", out=False), 0, 0, 0, 0)
+
+    def test_what_is_undecided_is_open(self):
+        text = self.evaluated("archard.K", "n=1:3:1", "--max-precision", 8)
+        self.assertIn("undecided: ", text)
+        self.found(text, 0, 0, 3, 0)
+
+    def test_claims_of_certificates_are_found_for_roots(self):
+        certificate = self.path.with_name("certificate")
+        subprocess.run([known.program, "certificate", "contact.area", "n=2", "load=1/10", "G=10^(1/2)", "--digits", "6", "--out", certificate], check=True)
+        for surface in (["G=sqrt(10)"], ["D=1.5", "gamma=10"]):
+            self.evaluated("contact.area", "n=2", "load=0.1,0.2", *surface, "--digits", 5)
+            result = run("--certificate", certificate, self.path)
+            self.assertEqual((result.returncode, result.stdout.split()[-5:]), (0, ["2", "1", "1", "0", "5"]), result.stderr)
+
+    def test_forged_rows_are_wrong(self):
+        text = self.evaluated("archard.area", "n=1", "load=0.1,0.2", "G=3", "--digits", 5)
+        first, second = text.splitlines()[7:]
+        self.assertEqual(first, "1 0.1 3 0.051432 5e-07 # certified")
+        for row in ("1 0.1 3 0.051433 5e-07 # certified", "1 0.1 3 0.051431 5e-07 # certified",  # a digit
+                    "1 0.1 3 0.051432 6e-07 # certified", "1 0.1 3 0.0514 5e-05 # certified",  # fewer digits
+                    "1 0.1 3 0.05143181 5e-09 # certified", "1 0.1 3 0.051432 0 # exact", "1 0.1 3 0.051432 5e-07 # exact",
+                    "1 0.1 3 0.051432 0 # certified", "1 0.1 3 0 5e-7 # certified", "1 0.1 3 nan inf # certified", "1 0.1 3 nan inf # estimated",
+                    "1 0.1 3 0.051432 -5e-07 # certified",
+                    "1 0.1 3 0.051433 5e-07 # estimated", "1 0.1 3 0.051433 5e-07 # undecided: why", "1 0.1 3 0.051432 5e-07 # refused: why",
+                    "1.5 0.1 3 0.051432 5e-07 # certified", "1 -0.1 3 0.051432 5e-07 # certified", "1 0.1 1 0.051432 5e-07 # certified",
+                    "1 0.1 sqrt(1/2) 0.051432 5e-07 # certified", "1 .. 3 0.051432 5e-07 # certified", "1 0.1- 3 0.051432 5e-07 # certified",
+                    "1 1/0 3 0.051432 5e-07 # certified"):
+            with self.subTest(row):
+                self.found(sealed(text, [row, second]), 1, 1, 0, 1, said="t.txt: row 1: ")
+        for row in ("1 0.1 3 0.051432 5e-07 # estimated", "1 0.1 3 0.051432 5e-07 # undecided: why", "1 0.1 3 nan inf # undecided: why",
+                    "1 0.1 3 nan inf # refused: why", "1 0.1 2^(1/99) 0.051432 5e-07 # certified", "1 1e999999 3 0.051432 5e-07 # certified",
+                    "1 sqrt(2) 3 0.051432 5e-07 # certified", "1 9^9^9 3 0.051432 5e-07 # certified",
+                    "1 " + "7*" * 30000 + "7 3 0.051432 5e-07 # certified"):
+            with self.subTest(row[:50]):
+                self.found(sealed(text, [row, second]), 0, 1, 1, 0)
+        for row in ("1 0.1 3 0.051432 5e-07 # certified: why", "1 0.1 3 nan inf # refused", "1 0.1 3 nan inf # unknown", "1 0.1 3 0.051432 5e-07",
+                    "1 0.1 0.051432 5e-07 # certified", "1 0.1 3  0.051432 5e-07 # certified", "1 0.1 3\t0.051432 5e-07 # certified",
+                    "1 0.1 3 4 # 0.051432 5e-07 # certified", "x", "# 1 0.1 3 0.051432 5e-07 # certified"):
+            with self.subTest(row):
+                self.found(sealed(text, [row, second], status="certified"), 65, said="row 1 is not 5 columns")
+
+    def test_a_bound_is_on_its_side(self):
+        for quantity, where, down, up in (("archard.area", ["n=1,1", "load=0.1", "G=3"], "0.051432", "0.051433"),
+                                          ("archard.alpha", ["n=2,2", "D=1.23456789"], "-0.29321", "-0.29320")):
+            negative = down.startswith("-")
+            for way in WAYS[1:]:
+                text = self.evaluated(quantity, *where, "--round", way, "--digits", 5)
+                right, wrong = (up, down) if way == "up" or way == ("zero" if negative else "away") else (down, up)
+                self.assertIn(f" {right} ", text)
+                row, _ = text.splitlines()[7:]
+                with self.subTest(quantity, way=way):
+                    self.found(sealed(text, [row]), 0, 1, 0, 0)
+                    self.found(sealed(text, [row.replace(right, wrong)]), 1, 0, 0, 1)
+                    unit = "1e-05" if negative else "1e-06"
+                    self.found(sealed(text, [row.replace(unit, f"2{unit[1:]}")]), 1, 0, 0, 1)  # more than a unit
+
+    def test_what_a_file_says_of_itself_is_so(self):
+        text = self.evaluated("archard.area", "n=1", "load=0.1,-1", "G=3", "--digits", 5)
+        self.found(sealed(text), 0, 1, 1, 0)
+        for key, value in (("rows", 1), ("rows", True), ("status", "certified"), ("statuses", {"certified": 2}), ("statuses", {"certified": 1, "refused": True}),
+                           ("complete", 1), ("complete", ...), ("sha256", "0" * 64), ("digits", 6), ("digits", "5"), ("digits", 5.0), ("rounding", "up"), ("rounding", ["up"]),
+                           ("input_format", "binary64"), ("equation", "7.13"), ("unit", "1"), ("description", "x"), ("quantity", "archard.K"), ("quantity", ["x"]),
+                           ("inputs", ["load", "n", "G"]), ("inputs", ["n", "load", "D", "gamma"]), ("inputs", 3), ("name", "x"), ("version", ...), ("more", 1)):
+            with self.subTest(key, value=value):
+                self.found(sealed(text, **{key: value}), 65)
+        for old, new in (("values of", "value of"), ("archard.area\n", "archard.areas\n"), ("0.1 is 1/10", "0.1 is 0.1"), ("to nearest", "up"), ("5 significant", "15 significant"),
+                         ("is not (nor", "is (and"), ("# n load G value error", "# load n G value error"), ("# n load G value error", "# n load G error value"),
+                         ("# n load", "# note\n# n load"), ('"digits":5', '"digits":6,"digits":5'), ('"complete":true', '"complete":' + "[" * 100000),
+                         ('"digits":5', '"digits":' + "9" * 10**6), ("\n", "\r\n"), (" # certified\n", " # certified\n# {}\n")):
+            with self.subTest(old, new=new[:30]):
+                self.found(text.replace(old, new, -1 if old == "\n" else 1), 65)
+        self.found(text[:-1], 65)
+        self.found("\n".join(text.split("\n")[:5]) + "\n", 65)
+
+    def test_a_file_that_was_written_through(self):
+        text = self.evaluated("archard.K", "n=1,2", out=False)
+        *lines, last = text.splitlines()
+        self.found(text, 0, 2, 0, 0)
+        for rest in ([], [last, last], ["# {}"], [last.replace('"complete"', '"digits":3,"complete"')], [last.replace('"complete":true', '"sha256":""')]):
+            self.found("\n".join([*lines, *rest]) + "\n", 65)
+
+    def test_where_else_files_come_from(self):
+        rows = self.path.with_name("größe.txt")
+        rows.write_text("# n load G\n1 0.1 3\n1 -1 3\n")
+        self.found(self.evaluated("archard.area", "--rows", rows, "--digits", 5), 0, 1, 1, 0)
+        coverage = self.path.with_name("coverage.json")
+        result = run("--coverage", coverage, self.path)
+        self.assertEqual((result.returncode, coverage.read_text()), (65, "[\n\n]\n"))
+        with open(self.path) as file:
+            self.assertEqual(run("/dev/stdin", stdin=file).returncode, 0)
+        # 1.1 as a binary64 number: gamma^(D-1) is no fraction, and no power of such a size is taken
+        self.found(self.evaluated("segments.count", "n=1,2", "load=0.1", "D=1.1", "gamma=4", "--binary64", "--digits", 5), 0, 1, 1, 0)
+
+    def test_numbers_are_read_exactly(self):
+        for text, number in (("0.1", "1/10"), ("+.5", "1/2"), ("5.", "5"), ("-1/3", "-1/3"), ("1e-3", "1/1000"), ("0x1.8p-3", "3/16"), ("0XfF", "255"), ("2^-5", "1/32"), ("-2^2", "-4"),
+                             ("2^3^2", "512"), ("(1/3)*6", "2"), ("9^(1/2)", "3"), ("sqrt(2)*sqrt(8)", "4"), ("4^0.25*sqrt(2)", "2"), ("0.5/0.25/4", "1/2"), ("sqrt(0)", "0"), ("-(1-0)", None),
+                             ("(-2)^3", "-8"), ("2^-(-1)", "2"), ("10e2p", None), ("", None), ("1..2", None), ("1e", None), ("1/0", None), ("0^0", None), ("0^-1", None), ("sqrt(-1)", None), ("2^sqrt(2)", None),
+                             ("1_0", None), ("inf", None), ("0x", None), ("0x.p1", None), ("1/-3", None), ("--1", None), ("(1", None), ("(" * 99 + "1" + ")" * 99, None), ("²", None)):
+            with self.subTest(text):
+                if number is None:
+                    self.assertRaises(ValueError, exact_text.exact, text)
+                else:
+                    self.assertEqual(exact_text.exact(text), (Fraction(number), 1))
+        for text, root in (("sqrt(10)", (10, 2)), ("10^(2/4)", (10, 2)), ("2^0.25", (2, 4)), ("3/sqrt(2)", (Fraction(9, 2), 2)), ("2^(1/3)*sqrt(2)", (32, 6))):
+            self.assertEqual(exact_text.exact(text), root, text)
+        for text in ("1e1000000", "9^9^9", "2^(1/65)", "7*" * 20000 + "7", "-sqrt(2)", "*".join(["3^300000"] * 3)):
+            self.assertRaises(exact_text.TooLong, exact_text.exact, text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *rest])
