@@ -114,7 +114,7 @@ class Rows(unittest.TestCase):
         self.assertEqual(first, "1 0.1 3 0.051432 5e-07 # certified")
         for row in ("1 0.1 3 0.051433 5e-07 # certified", "1 0.1 3 0.051431 5e-07 # certified",  # a digit
                     "1 0.1 3 0.051432 6e-07 # certified", "1 0.1 3 0.0514 5e-05 # certified",  # fewer digits
-                    "1 0.1 3 0.05143181 5e-09 # certified", "1 0.1 3 0.051432 0 # exact", "1 0.1 3 0.051432 5e-07 # exact",
+                    "1 0.1 3 0.05143226 5e-09 # certified", "1 0.1 3 0.051432 0 # exact", "1 0.1 3 0.051432 5e-07 # exact",
                     "1 0.1 3 0.051432 0 # certified", "1 0.1 3 0 5e-7 # certified", "1 0.1 3 nan inf # certified", "1 0.1 3 nan inf # estimated",
                     "1 0.1 3 0.051432 -5e-07 # certified",
                     "1 0.1 3 0.051433 5e-07 # estimated", "1 0.1 3 0.051433 5e-07 # undecided: why", "1 0.1 3 0.051432 5e-07 # refused: why",
@@ -172,7 +172,7 @@ class Rows(unittest.TestCase):
         text = self.evaluated("archard.K", "n=1,2", out=False)
         *lines, last = text.splitlines()
         self.found(text, 0, 2, 0, 0)
-        for rest in ([], [last, last], ["# {}"], [last.replace('"complete"', '"digits":3,"complete"')], [last.replace('"complete":true', '"sha256":""')]):
+        for rest in ([], [last, last], ["# {}"], [last.replace('"complete"', '"digits":20,"complete"')], [last.replace('"complete":true', '"sha256":""')]):
             self.found("\n".join([*lines, *rest]) + "\n", 65)
 
     def test_where_else_files_come_from(self):
