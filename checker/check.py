@@ -34,7 +34,6 @@ from table_text import Unreadable, json_of, text_of
 MOST_BITS = 16384
 MOST_SCALE = 10**6  # the largest n in a table: the work grows with it
 NUMBER = re.compile(r"[-+]?[0-9]{1,10010}(\.[0-9]{0,10010})?([eE][-+]?[0-9]{1,9})?")  # decimal: of a fraction no digit is the last
-NO_VALUE = ["nan", "inf"]  # and its error, in a table that says undecided
 MOST_EXPONENT = 2 * 10**6  # in decimals: a fraction beyond takes more than seconds
 DOMAIN = {  # of inputs by name, as `touchstone list` says it; what holds of one quantity only, beside that, by both names
     "n": lambda n: n.denominator == 1 and 0 <= n <= MOST_SCALE, "load": lambda load: load > 0, "G": lambda G: G > 1, "D": lambda D: 1 < D < 2,
@@ -72,10 +71,9 @@ def read(path, text=None):
     try:
         header = json_of(headers[0][2:])
         inputs, rows_promised, digest = header["inputs"], header["rows"], header["sha256"]
-        if not all(isinstance(text, str) for text in (*inputs, header["name"], header["quantity"])) or not isinstance(inputs, list):
-            raise ValueError("name, quantity or inputs are no texts")
-        if type(header.get("digits")) is not int:
-            raise ValueError("digits is no whole number")
+        texts = isinstance(inputs, list) and all(isinstance(text, str) for text in (*inputs, header["name"], header["quantity"]))
+        if not texts or type(header.get("digits")) is not int:
+            raise ValueError("name, quantity or inputs are no texts, or digits no whole number")
     except (ValueError, KeyError, TypeError, RecursionError) as reason:
         raise Unreadable(f"{path}: header: {reason}") from None
     rows = [line for line in lines if line and not line.startswith("#")]
@@ -213,8 +211,6 @@ def verdict(form, row, names, wanted=0, sides=(1, 1)):
     """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits; a certified one has an error that leaves
     the digits wanted. What is rounded to one side only, below or above the true value, may be off by a whole unit of its last digit."""
     cells = row.split()
-    if cells[len(names) : len(names) + 2] == NO_VALUE:
-        return "undecided", 0
     if not all(NUMBER.fullmatch(cell) for cell in cells[: len(names) + 2]):
         return "unreadable", 0
     if any(abs(int(cell.lower().partition("e")[2] or 0)) > MOST_EXPONENT for cell in cells[: len(names) + 2]):
@@ -269,7 +265,9 @@ def opened(path, forms, known):
         raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(right)}, not {' '.join(names)}")
     words_of(path, header, rows)
     form, wanted = within_domain(header["quantity"], form), header.get("digits") if header["status"] == "certified" else 0
-    return header["name"], header, rows, lambda row: verdict(form, row, names, wanted)
+    no_value = ["nan", "inf"]  # in a table that says undecided
+    return header["name"], header, rows, lambda row: (
+        ("undecided", 0) if row.split()[len(names) :][:2] == no_value else verdict(form, row, names, wanted))
 
 
 def keep(path, found):

@@ -102,6 +102,14 @@ int opened_anew(const std::string& path)
     return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
 
+/// A reason names a file as somebody called it: in a table it is one line all the same.
+std::string in_one_line(std::string reason)
+{
+    for (char& c : reason)
+        if (static_cast<unsigned char>(c) < 0x20) c = '?';
+    return reason;
+}
+
 } // namespace
 
 struct RowTable::Hash {
@@ -145,7 +153,8 @@ std::string row_line(const RowTableKind& k, std::size_t number, const std::vecto
         return j.dump() + "\n";
     }
     const std::string value = o.refusal.empty() ? o.result.value + " " + o.result.error_bound : "nan inf";
-    return fmt::format("{} {}{}{}{}\n", fmt::join(words, " "), value, status_mark, status, told ? ": " + reason : "");
+    return fmt::format("{} {}{}{}{}\n", fmt::join(words, " "), value, status_mark, status,
+                       told ? ": " + in_one_line(reason) : "");
 }
 
 std::string kind_text(const RowTableKind& k) { return description(k).dump(); }

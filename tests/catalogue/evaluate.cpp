@@ -345,7 +345,8 @@ TEST_CASE("what a proof certifies does not depend on the precision it begins wit
             const Evaluation e = evaluate(known_by({.proofs = {to_thirty}, .dear = dear}), inputs({}), {.digits = 20, .start_bits = bits});
             CHECK(e.status == Status::certified);
             CHECK(e.value == "0.33333333333333333333");
-            CHECK(asked.front() >= 1);
+            if (!dear) continue;
+            CHECK(asked.front() >= 1); // however few bits that is
             asked.clear();
             evaluate(known_by({.proofs = {unlimited}, .dear = dear}), inputs({}), {.digits = 20, .limit_bits = bits});
             CHECK(*std::min_element(asked.begin(), asked.end()) >= 1);

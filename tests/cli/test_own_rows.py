@@ -124,6 +124,9 @@ class OwnRows(Scratch):
         self.broken("# x\n1\n", "", "missing key 'load'", 0, quantity="westergaard.pressure", code=64)
         self.broken("# load\n1\n", "", "load=2", 0, "load=2", code=64)
         self.broken("# G gamma n load\n1 1 1 1\n", "", "either G or D and gamma", 0, quantity="contact.area", code=64)
+        path = self.folder / "rows\nof a strange name.txt"  # which a row's reason names: rows stay lines all the same
+        path.write_text("load\n-1\n")
+        self.assertEqual([row[1][:9] for row in rows_of(run("eval", "hertz.half_width", "--rows", str(path)).stdout)], ["refused: "])
         self.assertEqual(run("eval", "hertz.half_width", "--rows", str(self.folder)).returncode, 65)
         self.assertEqual(run("eval", "hertz.half_width", "--rows", str(self.folder / "none")).returncode, 66)
         self.assertEqual(run("eval", "hertz.half_width", "load=1:2").returncode, 65)

@@ -105,9 +105,12 @@ public:
     {
         limit_ = o.limit_bits > 0 ? accuracy_of(o.limit_bits).digits : accuracy_of(16 * working_bits({digits}) + 8192).digits;
         if (most_digits < any_digits) limit_ = std::min(limit_, most_digits + digits_to_spare);
-        limit_ = std::max(limit_, least);
         at_ = o.start_bits > 0 ? accuracy_of(o.start_bits).digits : dear ? digits : std::max(digits, binary64_digits);
-        at_ = std::clamp(at_, least, limit_);
+        if (dear) {
+            limit_ = std::max(limit_, least_digits_of_dear);
+            at_ = std::max(at_, least_digits_of_dear);
+        }
+        at_ = std::min(limit_, at_);
     }
     /// From what was asked for on, for a dear proof that refuses to begin with more.
     void begin_with_digits()
@@ -125,7 +128,7 @@ public:
     }
 
 private:
-    static constexpr long least = 1; ///< however few bits are allowed
+    static constexpr long least_digits_of_dear = 1; ///< however few bits are allowed, where digits are asked for, not bits
     long digits_, at_ = 0, limit_ = 0, step_ = 2;
     bool dear_;
 };
