@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""User CPU seconds of single evaluations by two builds of the program, in one run, and their ratio.
+"""User CPU seconds of single evaluations, by one build of the program or by two in one run, with their ratio.
 
-    tests/bench/speeds.py NEW OLD [--limit SECONDS] [--only WORD]
+    tests/bench/speeds.py NEW [OLD] [--limit SECONDS] [--only WORD]
 
 NEW and OLD are touchstone programs. Runs alternate; the least of three is taken, of one where a run takes over 5 s. A run over the limit
 (default 300 s of wall clock), or without a certified value, is shown as such and not as a time.
@@ -48,10 +48,11 @@ def timed(program, row, digits, limit):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("new")
-    parser.add_argument("old")
+    parser.add_argument("old", nargs="?")
     parser.add_argument("--limit", type=float, default=300)
     parser.add_argument("--only", default="")
     options = parser.parse_args()
+    names = ("old", "new") if options.old else ("new",)
     show = lambda t: f"{t:.3f}" if isinstance(t, float) else t
     print(f"{'':58} digits {'old':>10} {'new':>10} {'old/new':>8}   goal")
     differ = 0
@@ -60,14 +61,14 @@ def main():
             continue
         least = {}
         for _ in range(3):
-            for name in ("old", "new"):
+            for name in names:
                 time, value = timed(getattr(options, name), row, digits, options.limit)
                 known = least.get(name)
                 if known is None or (isinstance(known[0], float) and isinstance(time, float) and time < known[0]):
                     least[name] = (time, value)
             if any(not isinstance(t, float) or t > 5 for t, _ in least.values()):
                 break
-        (old, a), (new, b) = least["old"], least["new"]
+        (old, a), (new, b) = least.get("old", ("-", None)), least["new"]
         ratio = f"{old / new:.1f}" if isinstance(old, float) and isinstance(new, float) and new > 0 else "-"
         wrong = a is not None and b is not None and a != b
         differ += wrong
