@@ -181,6 +181,22 @@ ex written_out(const OwnLedger& ledger, const OwnEntry& entry, ex e)
 
 bool is_bound(const std::string& relation) { return relation == "<" || relation == ">" || relation == "<=" || relation == ">="; }
 
+/// Whether the printed condition of a part, "0 < x < a", surely holds at a point, with the symbols that `with` says otherwise.
+bool surely_holds(const OwnLedger& ledger, const OwnEntry& e, const Print& p, const std::string& part, const GiNaC::lst& with,
+                  const Point& point)
+{
+    if (!p.has(part + "condition")) return true;
+    std::vector<Ball> sides;
+    for (const ex& side : p.sides(part + "condition")) sides.push_back(evaluate(written_out(ledger, e, side).subs(with), point));
+    std::string relations;
+    for (const char c : p.text(part + "condition"))
+        if (c == '<' || c == '>') relations += c;
+    if (relations.size() + 1 != sides.size()) return false; // an equation, which no point of these is on
+    for (std::size_t k = 0; k < relations.size(); ++k)
+        if (!certainly(relations[k] == '<' ? less(sides[k], sides[k + 1]) : less(sides[k + 1], sides[k]))) return false;
+    return true;
+}
+
 /// By how much a part of the print holds, if it is a bound: positive where it does.
 ex gap_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p, const std::string& part)
 {
@@ -212,19 +228,22 @@ Check further_parts(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
     bool are_proved = true;
     for (std::size_t i = 1; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
-        if (relation == "=") {
+        if (relation == "=" && !p.has(part + "condition")) {
             const Check c = same(ledger, p(part + "rhs").subs(with), p(part + "lhs").subs(with));
             if (c.verdict != Verdict::proved && c.verdict != Verdict::verified) return c;
             are_proved = are_proved && c.verdict == Verdict::proved;
             continue;
         }
         are_proved = false;
-        if (!is_bound(relation)) continue;
+        if (relation != "=" && !is_bound(relation)) continue;
         const ex gap = gap_of(ledger, e, p, part).subs(with);
-        for (const Point& point : points_all_over(ledger))
-            if (const Ball by = evaluate(gap, point); by.is_finite() && certainly(less(by, Ball(0))))
+        for (const Point& point : points_all_over(ledger)) {
+            const Ball by = evaluate(gap, point);
+            if (!by.is_finite() || !(relation == "=" ? !by.contains_zero() : certainly(less(by, Ball(0))))) continue;
+            if (surely_holds(ledger, e, p, part, with, point))
                 return {Verdict::refuted, "at " + as_text(point) + " " + p.text(part + "lhs") + " " + relation + " " +
                                               p.text(part + "rhs") + " is off by " + by.to_string(6)};
+        }
     }
     return are_proved ? Check{Verdict::proved, "the further right sides, as formulas"}
                       : Check{Verdict::verified, "what stands beyond the first right side, at the points"};

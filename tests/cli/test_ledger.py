@@ -203,9 +203,9 @@ class Changed(unittest.TestCase):
 
     def test_of_a_chain_no_more_is_proved_than_its_first_part(self):
         """What follows from another equation is the first right side; further ones are looked at all over the range."""
-        def verdict(says, low="0", high="1", of="x*x"):
+        def verdict(says, low="0", high="1", of="x*x", **more):
             ledger = {"symbols": {"z": {"dimension": "1", "sign": "real"}, "x": {"dimension": "1", "sign": "positive", "range": [low, high]}},
-                      "entries": [{"id": "A", "says": f"z = {says}", "follows": {"equation": "B"}}, {"id": "B", "says": f"z = {of}", "is": "definition"}]}
+                      "entries": [{"id": "A", "says": f"z = {says}", "follows": {"equation": "B"}, **more}, {"id": "B", "says": f"z = {of}", "is": "definition"}]}
             result = self.judge_text(json.dumps(ledger))
             return result.stdout.split()[0], result.returncode
         for proved in ("x^2", "x^2 = (x+1)^2-2*x-1 = x^3/x"):
@@ -216,6 +216,11 @@ class Changed(unittest.TestCase):
             self.assertEqual(verdict(wrong, "1/4", "2"), ("refuted", 1), wrong)
         for right in ("x^2 < 1", "x^2 = (x+1)^2-2*x-1 < 1", "x^2 < x", "x^2 > 0", "x^2 < 1 < 2", "x^2 < 1+z"):
             self.assertEqual(verdict(right), ("verified", 0), right)
+        # where a condition is printed, it is read at the points too: the last of the range are beyond these
+        for says, where in (("x^2 < 98/100", "x < 98/100"), ("x^2 = x^2+(abs(x-0.98)+x-0.98)", "0 < x < 0.98"), ("x^2 < 98/100", "z < 96/100")):
+            self.assertEqual(verdict(says, where=where), ("verified", 0), says)
+            self.assertEqual(verdict(says), ("refuted", 1), says)
+        self.assertEqual(verdict("x^2 < 0.7", where="x < 0.98"), ("refuted", 1))
 
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
