@@ -82,6 +82,8 @@ int main(int argc, char** argv)
     }
     pclose(pipe);
     const std::string ours = evaluate(K_inf, Inputs(), {.digits = 1000}).value;
-    std::printf("1000 digits: mpmath's product %.2f s (%s); one proven enclosure %.4f s, %.0f times less; both routes and rounding %.4f s, %.0f times less\n", peer_time,
-                ours.substr(0, 990) == std::string(value).substr(0, 990) ? "same digits" : "OTHER DIGITS", one_route, peer_time / one_route, at_1000, peer_time / at_1000);
+    std::printf(
+        "1000 digits: mpmath's product %.2f s (%s); one proven enclosure %.4f s, %.0f times less; both routes and rounding %.4f s, %.0f times less\n",
+        peer_time, ours.substr(0, 990) == std::string(value).substr(0, 990) ? "same digits" : "OTHER DIGITS", one_route,
+        peer_time / one_route, at_1000, peer_time / at_1000);
 }

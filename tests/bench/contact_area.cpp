@@ -54,7 +54,8 @@ int main(int argc, char** argv)
             std::array<char, 200> value{};
             double ms = 0;
             if (std::fscanf(gp, "%199s %lf", value.data(), &ms) == 2)
-                std::printf("PARI, one nested A_2: %.3f s; ours/PARI = %.2f\n  PARI  %s\n  ours  %s\n", ms / 1000, ours * 1000 / ms, value.data(), A_2.c_str());
+                std::printf("PARI, one nested A_2: %.3f s; ours/PARI = %.2f\n  PARI  %s\n  ours  %s\n", ms / 1000, ours * 1000 / ms,
+                            value.data(), A_2.c_str());
             pclose(gp);
         }
     }
@@ -65,7 +66,8 @@ int main(int argc, char** argv)
                     last > 0 ? (", exponent " + std::to_string(std::log2(t / last))).c_str() : "");
         last = t;
     }
-    for (const long n : {1L, 5L, 20L, 100L}) std::printf("another load, n = %3ld, 50 digits: %.3f s\n", n, seconds([&] { area(n, "0.3", "10", 50); }));
+    for (const long n : {1L, 5L, 20L, 100L})
+        std::printf("another load, n = %3ld, 50 digits: %.3f s\n", n, seconds([&] { area(n, "0.3", "10", 50); }));
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     std::printf("undecided: %ld; peak memory %ld MB\n", undecided, usage.ru_maxrss / 1024);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the double forms cost beside the printed ones, written as a user would, on random points of partial contact (p <= 2 sqrt(load), x in the
-/// contact or, for the gap, beside it) and, for the second exceedance, of full contact. Best of many passes over 8192 points.
+/// What the double forms cost beside the printed ones, written as a user would, on random points of partial contact (p <= 2 sqrt(load), x
+/// in the contact or, for the gap, beside it) and, for the second exceedance, of full contact. Best of many passes over 8192 points.
 ///     bench_double_forms
 #include "touchstone/paper/as_printed.hpp"
 #include "touchstone/paper/gap.hpp"
@@ -63,7 +63,9 @@ int main()
         p.inside = a * unit(random);
         p.beside = a + (0.5 - a) * unit(random);
     }
-    compare("half_width", points, [](const Point& p) { return westergaard::half_width(p.load); }, [](const Point& p) { return as_printed::half_width(p.load); });
+    compare(
+        "half_width", points, [](const Point& p) { return westergaard::half_width(p.load); },
+        [](const Point& p) { return as_printed::half_width(p.load); });
     compare("pressure", points, [](const Point& p) { return westergaard::pressure(p.inside, p.load); },
             [](const Point& p) { return as_printed::pressure_partial(p.inside, p.load); });
     compare("exceedance", points, [](const Point& p) { return westergaard::exceedance(p.pressure, p.load); },

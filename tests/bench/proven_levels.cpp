@@ -16,8 +16,10 @@ int main(int argc, char** argv)
     const WorkingPrecision precision(256);
     const std::string surface = argc > 1 ? argv[1] : "1.05,5", tolerance = argc > 2 ? argv[2] : "1e-12";
     const auto comma = surface.find(',');
-    const Ball G = comma == std::string::npos ? Ball(*parse_rational(surface))
-                                              : Inputs({{"D", *parse_rational(surface.substr(0, comma))}, {"gamma", *parse_rational(surface.substr(comma + 1))}}).G_ball();
+    const Ball G =
+        comma == std::string::npos
+            ? Ball(*parse_rational(surface))
+            : Inputs({{"D", *parse_rational(surface.substr(0, comma))}, {"gamma", *parse_rational(surface.substr(comma + 1))}}).G_ball();
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t cpu = std::clock();
     const transfer::ProvenLevels levels(G, 10, std::stod(tolerance));

@@ -91,7 +91,9 @@ Timed by_boost(const F& f, const Interval& interval, long digits)
     std::unique_ptr<boost::math::quadrature::tanh_sinh<Mpfr>> rule;
     return timed([&] {
         if (!rule) rule = std::make_unique<boost::math::quadrature::tanh_sinh<Mpfr>>(20, Mpfr(pow(A::epsilon(), 20)));
-        auto g = [&](Mpfr x, Mpfr nearest) -> Mpfr { return nearest < 0 ? f(x, Mpfr(-nearest), Mpfr(b - a + nearest)) : f(x, Mpfr(b - a - nearest), nearest); };
+        auto g = [&](Mpfr x, Mpfr nearest) -> Mpfr {
+            return nearest < 0 ? f(x, Mpfr(-nearest), Mpfr(b - a + nearest)) : f(x, Mpfr(b - a - nearest), nearest);
+        };
         Mpfr error, magnitude;
         std::size_t levels = 0;
         return Mpfr(rule->integrate(g, a, b, Mpfr(sqrt(A::epsilon())), &error, &magnitude, &levels)).str();
@@ -120,7 +122,8 @@ Timed by_arb(const ComplexFunction& f, const std::function<Ball()>& a, const std
         options->eval_limit = 100000000;
         options->depth_limit = 100000;
         ComplexBall value;
-        const int status = acb_calc_integrate(value.get(), call, const_cast<ComplexFunction*>(&f), ComplexBall(a()).get(), ComplexBall(b()).get(), bits, tolerance, options, bits);
+        const int status = acb_calc_integrate(value.get(), call, const_cast<ComplexFunction*>(&f), ComplexBall(a()).get(),
+                                              ComplexBall(b()).get(), bits, tolerance, options, bits);
         mag_clear(tolerance);
         if (!value.is_finite()) return status == ARB_CALC_SUCCESS ? "refused: NaN with a success code" : "refused: NaN";
         return value.real().to_string(digits + 5);
@@ -182,8 +185,10 @@ int main(int count, char** words)
     else if (tool == "boost") generic([&](const auto& f, const Interval& i) { return by_boost(f, i, digits); });
     else if (tool == "arb") {
         const std::function<Ball()> zero = [] { return Ball(0); }, one = [] { return Ball(1); }, minus_one = [] { return Ball(-1); };
-        if (which == "profile") t = by_arb([](const ComplexBall& z, bool a) { return analytic_power(1 - z * z, Rational(3, 8), a); }, minus_one, one, digits);
-        else if (which == "pole") t = by_arb([](const ComplexBall& z, bool a) { return analytic_power(z, Rational(-9, 10), a); }, zero, one, digits);
+        if (which == "profile")
+            t = by_arb([](const ComplexBall& z, bool a) { return analytic_power(1 - z * z, Rational(3, 8), a); }, minus_one, one, digits);
+        else if (which == "pole")
+            t = by_arb([](const ComplexBall& z, bool a) { return analytic_power(z, Rational(-9, 10), a); }, zero, one, digits);
         else if (which == "root") t = by_arb([](const ComplexBall& z, bool a) { return analytic_root(1 - z, a); }, zero, one, digits);
         else { // its best form: the bounded one, two steps of the recursion
             t = by_arb([](const ComplexBall& psi, bool analytic) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Random (quantity, inputs, digits): what is printed against the equations of the paper as a reader would type them, in MPFR with digits to
-/// spare; edges of the domain and ties more often than chance would have them. The recursion against its other proof at ten digits more.
+/// Random (quantity, inputs, digits): what is printed against the equations of the paper as a reader would type them, in MPFR with digits
+/// to spare; edges of the domain and ties more often than chance would have them. The recursion against its other proof at ten digits more.
 /// TOUCHSTONE_SEED and TOUCHSTONE_COUNT choose the cases (ctest -R containment_campaign -V).
 #include "touchstone/catalogue/evaluate.hpp"
 
@@ -95,7 +95,7 @@ const std::vector<Case>& cases()
              const Real b = 1 + load, s = (b - sqrt(b * b - 4 * (load - p * p / 4))) / 2;
              return 2 * asin(sqrt(s)) / pi();
          }},
-        {"hertz.half_width", [](In in) -> Real { return sqrt(in("load")) / pi(); }, false},                // (2.7)
+        {"hertz.half_width", [](In in) -> Real { return sqrt(in("load")) / pi(); }, false}, // (2.7)
         {"hertz.pressure",
          [](In in) -> Real {
              const Real inside = in("load") - squared(pi() * in("x"));
@@ -108,12 +108,24 @@ const std::vector<Case>& cases()
              const Real w = sqrt(v * v - load);
              return 2 * (v * w - load * log((v + w) / sqrt(load)));
          }},
-        {"westergaard.mean_gap", [](In in) -> Real { const Real s = in("load"); return s >= 1 ? Real(0) : Real(1 - s + s * log(s)); }},
-        {"westergaard.energy", [](In in) -> Real { const Real s = in("load"); return s >= 1 ? Real(0.25) : Real(s * s * (1 - 2 * log(s)) / 4); }},
+        {"westergaard.mean_gap",
+         [](In in) -> Real {
+             const Real s = in("load");
+             return s >= 1 ? Real(0) : Real(1 - s + s * log(s));
+         }},
+        {"westergaard.energy",
+         [](In in) -> Real {
+             const Real s = in("load");
+             return s >= 1 ? Real(0.25) : Real(s * s * (1 - 2 * log(s)) / 4);
+         }},
         {"weierstrass.bound", [](In in) -> Real { return 1 / (1 - pow(in("gamma"), Real(in("D") - 2))); }}, // (3.4)
         {"peaks.f", [](In in) { return f(in("x")); }},
         {"peaks.iterate", [](In in) { return iterate(in("n").convert_to<long>(), in("load"), in("G")); }},
-        {"peaks.fixed_point", [](In in) -> Real { const Real G = in("G"); return G > 2 ? Real(4 / (G * G)) : Real(1 / (G - 1)); }},
+        {"peaks.fixed_point",
+         [](In in) -> Real {
+             const Real G = in("G");
+             return G > 2 ? Real(4 / (G * G)) : Real(1 / (G - 1));
+         }},
         {"segments.max_half_width",
          [](In in) {
              const long n = in("n").convert_to<long>();
@@ -124,13 +136,15 @@ const std::vector<Case>& cases()
              const long n = in("n").convert_to<long>();
              const Real last = pow(Real(2), -n);
              return K(n) * pow(in("G"), Real(-(n - 1 + last))) * pow(in("load"), Real(1 - last / 2)); // (7.18), corrected
-         }, false},
+         },
+         false},
         {"archard.segments",
          [](In in) -> Real {
              const long n = in("n").convert_to<long>();
              const Real last = pow(Real(2), -n), D = in("D");
              return K(n - 1) * pow(in("gamma"), Real((2 - D) * n + 2 * (D - 1) * (1 - last))) * pow(in("load"), Real(1 - last)); // (8.2)
-         }, false}};
+         },
+         false}};
     return all;
 }
 
@@ -164,7 +178,12 @@ public:
         default: return binary64() / 2;
         }
     }
-    Rational surface() { return Rational(below(4) == 0 ? Rational(2 + small()) : below(4) == 0 ? Rational(1 + small()) : Rational(1 + 9 * binary64() + small())); }
+    Rational surface()
+    {
+        return Rational(below(4) == 0   ? Rational(2 + small())
+                        : below(4) == 0 ? Rational(1 + small())
+                                        : Rational(1 + 9 * binary64() + small()));
+    }
 
     Rational input(const std::string& name, const Rational& given_load)
     {
@@ -185,13 +204,18 @@ void check(const Evaluation& e, const Real& truth, long digits, const std::strin
 {
     const Rational value = *parse_rational(e.value), bound = e.error_bound.empty() ? Rational(0) : *parse_rational(e.error_bound);
     // a root of what is exactly 0 keeps half of the reference's digits
-    const Real off = abs(real(value) - truth), arithmetic = abs(truth) * pow(Real(10), -(digits + 100)) + pow(Real(10), 5 - static_cast<long>(Real::default_precision()) / 2);
+    const Real off = abs(real(value) - truth), arithmetic = abs(truth) * pow(Real(10), -(digits + 100)) +
+                                                            pow(Real(10), 5 - static_cast<long>(Real::default_precision()) / 2);
     const bool sound = off <= real(bound) + arithmetic;
-    const bool tight = e.status == Status::exact || (e.status == Status::certified && e.digits == digits && real(bound) <= abs(truth) * pow(Real(10), Real(1 - digits)));
-    const bool nearest = !e.binary64 || abs(Real(*e.binary64) - truth) <= abs(Real(std::nextafter(*e.binary64, HUGE_VAL)) - Real(std::nextafter(*e.binary64, -HUGE_VAL))) / 2 + arithmetic;
+    const bool tight = e.status == Status::exact ||
+                       (e.status == Status::certified && e.digits == digits && real(bound) <= abs(truth) * pow(Real(10), Real(1 - digits)));
+    const bool nearest =
+        !e.binary64 || abs(Real(*e.binary64) - truth) <=
+                           abs(Real(std::nextafter(*e.binary64, HUGE_VAL)) - Real(std::nextafter(*e.binary64, -HUGE_VAL))) / 2 + arithmetic;
     if (sound && tight && nearest) return;
-    const std::string text = fmt::format("{}: {} +/- {}, {};{}{}{} {}", what, e.value, e.error_bound, to_string(e.status), sound ? "" : " does not hold", tight ? "" : " is wide",
-                                         nearest ? "" : " binary64 is not nearest", truth.str(40));
+    const std::string text =
+        fmt::format("{}: {} +/- {}, {};{}{}{} {}", what, e.value, e.error_bound, to_string(e.status), sound ? "" : " does not hold",
+                    tight ? "" : " is wide", nearest ? "" : " binary64 is not nearest", truth.str(40));
     FAIL_CHECK(text);
 }
 
@@ -246,7 +270,8 @@ TEST_CASE("areas of the recursion hold what the other proof gives at ten digits 
         Rational load = draw.load();
         if (load > 1) load = 1 / load;
         if (load < Rational(1, 1'000'000'000)) continue; // a mesh for each: forward_campaign and the tests of light loads have those
-        const std::map<std::string, Rational> inputs{{"n", Rational(static_cast<long>(draw.below(21)))}, {"load", load}, {"G", surfaces[draw.below(surfaces.size())]}};
+        const std::map<std::string, Rational> inputs{
+            {"n", Rational(static_cast<long>(draw.below(21)))}, {"load", load}, {"G", surfaces[draw.below(surfaces.size())]}};
         const Inputs in(inputs);
         const Plan plan = plan_of(q, in, {digits});
         if (plan.proofs.size() < 2) continue;

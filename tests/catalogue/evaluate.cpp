@@ -176,7 +176,8 @@ TEST_CASE("extremes: tiny loads, loads next to 1, many digits, huge n")
     CHECK(eval("archard.K", inputs({{"n", "1000000"}}), {.digits = 30}).value == eval("archard.K_inf", inputs({}), {.digits = 30}).value);
     CHECK(eval("archard.area", inputs({{"n", "1000000"}, {"load", "0.1"}, {"G", "2"}}), {.digits = 5}).status == Status::certified);
     CHECK(eval("weierstrass.profile", inputs({{"x", "0.1"}, {"D", "1.95"}, {"gamma", "1.5"}}), {.digits = 30}).status == Status::certified);
-    CHECK(eval("weierstrass.profile", inputs({{"x", "0.1"}, {"D", "1.999999999"}, {"gamma", "1.5"}}), {.digits = 30}).status == Status::undecided);
+    CHECK(eval("weierstrass.profile", inputs({{"x", "0.1"}, {"D", "1.999999999"}, {"gamma", "1.5"}}), {.digits = 30}).status ==
+          Status::undecided);
 }
 
 TEST_CASE("exactness far from the ordinary: high degrees, long iterations, saturation")
@@ -184,8 +185,10 @@ TEST_CASE("exactness far from the ordinary: high degrees, long iterations, satur
     // G = (2^4097)^(1/4097) = 2: no radical of that degree is held, but a perfect power needs none
     CHECK(eval("peaks.fixed_point", inputs({{"gamma", "0x1p4097"}, {"D", "4098/4097"}})).status == Status::exact);
     CHECK(inputs({{"gamma", "0x1p5000"}, {"D", "5001/5000"}}).compare_G(2) == 0);
-    CHECK(eval("peaks.iterate", inputs({{"n", "1000000"}, {"load", "21/20"}, {"G", "41/21"}}), {.digits = 2}).value == "1.0"); // the fixed point, a tie
-    CHECK(eval("segments.max_half_width", inputs({{"n", "65"}, {"load", "1/2"}, {"gamma", "8"}, {"D", "1.5"}}), {.digits = 1}).value == "0.2");
+    CHECK(eval("peaks.iterate", inputs({{"n", "1000000"}, {"load", "21/20"}, {"G", "41/21"}}), {.digits = 2}).value ==
+          "1.0"); // the fixed point, a tie
+    CHECK(eval("segments.max_half_width", inputs({{"n", "65"}, {"load", "1/2"}, {"gamma", "8"}, {"D", "1.5"}}), {.digits = 1}).value ==
+          "0.2");
     CHECK(eval("segments.max_half_width", inputs({{"n", "200"}, {"load", "10"}, {"G", "1.1"}})).value == "0.5");
     CHECK(eval("segments.max_half_width", inputs({{"n", "7"}, {"load", "1e300"}, {"D", "1.5"}, {"gamma", "10"}})).status == Status::exact);
     CHECK(eval("weierstrass.profile", inputs({{"x", "0"}, {"D", "3/2"}, {"gamma", "25/9"}}), {.digits = 1}).value == "2"); // 5/2, a tie
@@ -271,7 +274,8 @@ const Rational third(1, 3), tiny = power(Rational(10), -18);
 
 TEST_CASE("a witness that agrees is a second look; one that does not is said loudly and leaves the proof alone")
 {
-    const Evaluation agreed = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + tiny, tiny)}, .shares = "nothing"}), inputs({}), {.digits = 12});
+    const Evaluation agreed = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + tiny, tiny)}, .shares = "nothing"}),
+                                       inputs({}), {.digits = 12});
     CHECK(agreed.status == Status::certified);
     REQUIRE(agreed.second_look);
     CHECK_FALSE(agreed.second_look->is_proof);
@@ -281,7 +285,8 @@ TEST_CASE("a witness that agrees is a second look; one that does not is said lou
     CHECK(agreed.note.empty());
     CHECK(agreed.routes == std::vector<std::string>{"a proof", "an estimate (witness)"});
 
-    const Evaluation apart = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + power(Rational(10), -9), tiny)}}), inputs({}), {.digits = 12});
+    const Evaluation apart = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + power(Rational(10), -9), tiny)}}),
+                                      inputs({}), {.digits = 12});
     CHECK(apart.status == Status::certified);
     CHECK(apart.value == "0.333333333333");
     CHECK(apart.proven);
@@ -291,11 +296,13 @@ TEST_CASE("a witness that agrees is a second look; one that does not is said lou
     CHECK(apart.note.find("an estimate") != std::string::npos);
 
     // one that misjudges itself is named, where another one agrees; where none does, or cannot look, the first is what disagrees
-    Look other = sees(third, tiny), off = sees(third + power(Rational(10), -8), tiny), cannot{"blind", [](Accuracy) -> Witness { throw BeyondReach("no grid"); }};
+    Look other = sees(third, tiny), off = sees(third + power(Rational(10), -8), tiny),
+         cannot{"blind", [](Accuracy) -> Witness { throw BeyondReach("no grid"); }};
     other.name = "another";
     off.name = "a third";
     const Look wrong = sees(third + power(Rational(10), -9), tiny);
-    const Evaluation mended = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {wrong, cannot, other}}), inputs({}), {.digits = 12});
+    const Evaluation mended =
+        evaluate(known_by({.proofs = {proves(third)}, .witnesses = {wrong, cannot, other}}), inputs({}), {.digits = 12});
     REQUIRE(mended.second_look);
     CHECK(mended.second_look->agrees);
     CHECK(mended.second_look->name == "another");
@@ -307,10 +314,13 @@ TEST_CASE("a witness that agrees is a second look; one that does not is said lou
     CHECK(none.note.find("'an estimate' DISAGREES") != std::string::npos);
     Look vague = sees(third + power(Rational(10), -9), power(Rational(10), -8)); // would agree with what is off by 10^-7 too
     vague.name = "a vague one";
-    CHECK_FALSE(evaluate(known_by({.proofs = {proves(third)}, .witnesses = {wrong, vague}}), inputs({}), {.digits = 12}).second_look->agrees);
+    CHECK_FALSE(
+        evaluate(known_by({.proofs = {proves(third)}, .witnesses = {wrong, vague}}), inputs({}), {.digits = 12}).second_look->agrees);
 
     // an error that the witness knows of is no disagreement, and one that cannot look is missed
-    CHECK(evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + power(Rational(10), -9), power(Rational(10), -10))}}), inputs({}), {.digits = 12}).second_look->agrees);
+    CHECK(evaluate(known_by({.proofs = {proves(third)}, .witnesses = {sees(third + power(Rational(10), -9), power(Rational(10), -10))}}),
+                   inputs({}), {.digits = 12})
+              .second_look->agrees);
     const Look blind{"blind", [](Accuracy) -> Witness { throw BeyondReach("no grid"); }};
     const Evaluation alone = evaluate(known_by({.proofs = {proves(third)}, .witnesses = {blind}}), inputs({}), {.digits = 12});
     CHECK(alone.status == Status::certified);
@@ -383,7 +393,8 @@ TEST_CASE("two proofs have to agree, and two estimates never make one")
     const Evaluation both = evaluate(known_by({.proofs = {proves(third), proves(third)}}), inputs({}));
     REQUIRE(both.second_look);
     CHECK(both.second_look->is_proof);
-    const Evaluation guessed = evaluate(known_by({.witnesses = {sees(third, tiny), sees(third, tiny)}, .refusal = "nobody tried"}), inputs({}), {.digits = 10});
+    const Evaluation guessed =
+        evaluate(known_by({.witnesses = {sees(third, tiny), sees(third, tiny)}, .refusal = "nobody tried"}), inputs({}), {.digits = 10});
     CHECK(guessed.status == Status::estimated);
     CHECK_FALSE(guessed.proven);
     CHECK_FALSE(guessed.second_look);
@@ -396,7 +407,9 @@ TEST_CASE("two proofs have to agree, and two estimates never make one")
 TEST_CASE("more digits than are certified: those that are, and the reason; never unproven ones")
 {
     const std::vector<Look> witnesses{sees(third, tiny), sees(third, tiny)};
-    const Evaluation e = evaluate(known_by({.proofs = {proves(third)}, .witnesses = witnesses, .most_digits = 12, .refusal = "the mesh ends there"}), inputs({}), {.digits = 25});
+    const Evaluation e =
+        evaluate(known_by({.proofs = {proves(third)}, .witnesses = witnesses, .most_digits = 12, .refusal = "the mesh ends there"}),
+                 inputs({}), {.digits = 25});
     CHECK(e.status == Status::undecided);
     CHECK(e.value == "0.333333333333");
     CHECK(e.digits == 12);
@@ -432,7 +445,8 @@ TEST_CASE("fewer digits never cost more: nothing dear is computed for the sake o
             long most = 0;
             for (const long digits : {30L, 20L, 12L, 5L, 1L}) {
                 std::vector<long> asked;
-                const Evaluation e = evaluate(known_by({.proofs = {proves(value, 0, &asked)}, .dear = dear}), inputs({}), {.digits = digits});
+                const Evaluation e =
+                    evaluate(known_by({.proofs = {proves(value, 0, &asked)}, .dear = dear}), inputs({}), {.digits = digits});
                 CHECK(e.status == Status::certified);
                 REQUIRE_FALSE(asked.empty());
                 if (dear) CHECK(asked == std::vector<long>{digits});
@@ -462,7 +476,10 @@ TEST_CASE("a ball that more accuracy does not narrow is not asked for again and 
 
 TEST_CASE("at G = 2 the largest half-width tends to 1/2, and its proofs do not stop where no ball tells it from that")
 {
-    for (const auto& [n, load, value] : {std::tuple{"3", "0.5", "0.406980"}, {"20000", "0.5", "0.500000"}, {"20000", "0.9999999999999999999", "0.500000"}, {"20000", "1e-300", "0.500000"}}) {
+    for (const auto& [n, load, value] : {std::tuple{"3", "0.5", "0.406980"},
+                                         {"20000", "0.5", "0.500000"},
+                                         {"20000", "0.9999999999999999999", "0.500000"},
+                                         {"20000", "1e-300", "0.500000"}}) {
         CAPTURE(n);
         const Evaluation e = eval("segments.max_half_width", inputs({{"n", n}, {"load", load}, {"G", "2"}}), {.digits = 6});
         CHECK(e.status == Status::certified);
@@ -473,7 +490,9 @@ TEST_CASE("at G = 2 the largest half-width tends to 1/2, and its proofs do not s
 
 TEST_CASE("areas from the limit answer few digits at once, whatever more of them would take")
 {
-    for (const auto& [n, load, G, value] : {std::tuple{"100", "1.2", "2.6", "4.4e-42"}, {"70", "2", "10", "7.9e-70"}, {"5", "1000", "100000", "2.3e-18"}}) { // the last by panels, at the end of their reach
+    for (const auto& [n, load, G, value] : {std::tuple{"100", "1.2", "2.6", "4.4e-42"},
+                                            {"70", "2", "10", "7.9e-70"},
+                                            {"5", "1000", "100000", "2.3e-18"}}) { // the last by panels, at the end of their reach
         CAPTURE(G);
         const Evaluation e = eval("contact.area", inputs({{"n", n}, {"load", load}, {"G", G}}), {.digits = 2});
         CHECK(e.status == Status::certified);
@@ -495,10 +514,12 @@ TEST_CASE("a second proof that is asked for fewer digits confirms those, and has
     CHECK(e.digits == 30);
     REQUIRE(e.second_look);
     CHECK(e.second_look->digits == 10);
-    const Evaluation wide = evaluate(known_by({.proofs = {proves(third), looks_again(third, power(Rational(10), -8))}}), inputs({}), thirty);
+    const Evaluation wide =
+        evaluate(known_by({.proofs = {proves(third), looks_again(third, power(Rational(10), -8))}}), inputs({}), thirty);
     CHECK(wide.status == Status::undecided); // not even ten digits
     const Rational off = third + power(Rational(10), -12);
-    CHECK_THROWS_AS(evaluate(known_by({.proofs = {proves(third), looks_again(off, power(Rational(10), -13))}}), inputs({}), thirty), RoutesDisagree);
+    CHECK_THROWS_AS(evaluate(known_by({.proofs = {proves(third), looks_again(off, power(Rational(10), -13))}}), inputs({}), thirty),
+                    RoutesDisagree);
     std::vector<long> asked;
     Proof counts = proves(third, 0, &asked);
     counts.digits = 10;
@@ -516,7 +537,8 @@ TEST_CASE("a second proof that is asked for fewer digits confirms those, and has
     // a dear first proof that has decided is not asked again while the second is
     std::vector<long> first_asked;
     asked.clear();
-    CHECK(evaluate(known_by({.proofs = {proves(third, 0, &first_asked), wider}, .dear = true}), inputs({}), to_eighty).status == Status::undecided);
+    CHECK(evaluate(known_by({.proofs = {proves(third, 0, &first_asked), wider}, .dear = true}), inputs({}), to_eighty).status ==
+          Status::undecided);
     CHECK(asked.size() > 1);
     CHECK(first_asked == std::vector<long>{30});
     // asked for fewer itself, it is a proof like the first, binary64 and all
@@ -528,7 +550,8 @@ TEST_CASE("a second proof that is asked for fewer digits confirms those, and has
 TEST_CASE("what is shown undecided, and binary64, rest on every proof")
 {
     // the second proof knows 4 digits at any accuracy: no more are shown, and no double
-    const Evaluation e = evaluate(known_by({.proofs = {proves(third), proves(third, power(Rational(10), -6))}}), inputs({}), {.digits = 10, .limit_bits = 400});
+    const Evaluation e = evaluate(known_by({.proofs = {proves(third), proves(third, power(Rational(10), -6))}}), inputs({}),
+                                  {.digits = 10, .limit_bits = 400});
     CHECK(e.status == Status::undecided);
     CHECK(e.digits <= 5);
     CHECK(e.value.starts_with("0.333"));
@@ -552,7 +575,8 @@ TEST_CASE("inputs are brought to lowest terms, and a denominator 0 is no number"
     CHECK(in.compare_G(Rational(204, 200)) == 0);
     CHECK(inputs({{"gamma", "4"}, {"D", "1.5"}}).compare_G(Rational(6, 3)) == 0);
     CHECK(inputs({{"G", "1.02"}}).compare_G(Rational(102, 100)) == 0);
-    CHECK(eval("archard.K", Inputs({{"n", Rational(6, 2)}}), {.digits = 10}).value == eval("archard.K", inputs({{"n", "3"}}), {.digits = 10}).value);
+    CHECK(eval("archard.K", Inputs({{"n", Rational(6, 2)}}), {.digits = 10}).value ==
+          eval("archard.K", inputs({{"n", "3"}}), {.digits = 10}).value);
     Rational nothing;
     mpz_set_ui(mpq_denref(nothing.get_mpq_t()), 0);
     CHECK_THROWS_AS(Inputs({{"G", nothing}}), std::invalid_argument);

@@ -13,7 +13,9 @@ using namespace touchstone;
 
 TEST_CASE("powers and roots are read exactly")
 {
-    const auto is = [](const char* text, const Rational& r) { return parse_exact(text).has_value() && parse_exact(text)->is_rational() && parse_exact(text)->rational() == r; };
+    const auto is = [](const char* text, const Rational& r) {
+        return parse_exact(text).has_value() && parse_exact(text)->is_rational() && parse_exact(text)->rational() == r;
+    };
     CHECK(is("1/3", Rational(1, 3)));
     CHECK(is("-2^2", -4));
     CHECK(is("2^3^2", 512));
@@ -27,7 +29,8 @@ TEST_CASE("powers and roots are read exactly")
     CHECK(*parse_exact("10^(1/2)") == sqrt(Exact(10)));
     CHECK(*parse_exact("10^0.5") == *parse_exact("sqrt(10)"));
     CHECK(*parse_exact("2^0.25") == Exact(2).power(Rational(1, 4)));
-    for (const char* text : {"", " ", "sqrt", "sqrt(2", "sqrt()", "(1", "1)", "2^", "^2", "2**3", "1+1", "nan", "inf", "sqrt(-1)", "1/0", "0^-1", "2^sqrt(2)", "10^1e9", "--1", "1 2", "pi"})
+    for (const char* text : {"",    " ",   "sqrt",     "sqrt(2", "sqrt()", "(1",        "1)",     "2^",  "^2",  "2**3", "1+1",
+                             "nan", "inf", "sqrt(-1)", "1/0",    "0^-1",   "2^sqrt(2)", "10^1e9", "--1", "1 2", "pi"})
         CHECK_MESSAGE(!parse_exact(text).has_value(), text);
     CHECK_FALSE(parse_exact(std::string(100'000, '(')).has_value());
     CHECK_FALSE(parse_exact("2" + std::string(1000, '^') + "1").has_value());
@@ -61,7 +64,8 @@ TEST_CASE("directed roundings enclose the value, a unit apart; what is exact sta
         if (k % 5 == 0) r *= power(Rational(10), static_cast<long>(random() % 40) - 20);
         for (const long digits : {1L, 2L, 5L}) {
             const Rational up = round_to_digits(r, digits, Rounding::up).value(), down = round_to_digits(r, digits, Rounding::down).value();
-            const Rational zero = round_to_digits(r, digits, Rounding::zero).value(), away = round_to_digits(r, digits, Rounding::away).value();
+            const Rational zero = round_to_digits(r, digits, Rounding::zero).value(),
+                           away = round_to_digits(r, digits, Rounding::away).value();
             CAPTURE(r.get_str());
             CHECK((down <= r && r <= up));
             CHECK((zero == (r > 0 ? down : up) && away == (r > 0 ? up : down)));
@@ -69,7 +73,8 @@ TEST_CASE("directed roundings enclose the value, a unit apart; what is exact sta
             const Decimal nearest = round_to_digits(r, digits);
             CHECK((nearest.value() == up || nearest.value() == down));
             if (r != 0 && up != down) CHECK(up - down <= power(Rational(10), nearest.exponent - digits));
-            for (const Rounding how : {Rounding::up, Rounding::down}) CHECK((r == 0 || static_cast<long>(round_to_digits(r, digits, how).digits.size()) == digits));
+            for (const Rounding how : {Rounding::up, Rounding::down})
+                CHECK((r == 0 || static_cast<long>(round_to_digits(r, digits, how).digits.size()) == digits));
         }
     }
     CHECK(round_to_digits(Rational(9996, 100), 3, Rounding::down).text() == "99.9");
@@ -120,7 +125,9 @@ TEST_CASE("ranges are exact and end where they say")
     for (std::size_t i = 1; i < 50; ++i) CHECK(*parse_rational(ratios.at(i - 1)) < *parse_rational(ratios.at(i)));
     CHECK(Range("log:1e-400:1e-390:11").at(5) == "1.0000000000000000e-395");
     CHECK(Range("1/3,sqrt(2)").at(1) == "sqrt(2)");
-    for (const char* text : {"1:2", "1:2:0", "1:2:-1", "a:2:1", "1:2:3:4", "log:0:1:5", "log:1:2:1", "log:1:2:1.5", "1,,2", "0:1:1e-300", "log:1:2:1e12"}) CHECK_THROWS_AS(Range{text}, DomainError);
+    for (const char* text :
+         {"1:2", "1:2:0", "1:2:-1", "a:2:1", "1:2:3:4", "log:0:1:5", "log:1:2:1", "log:1:2:1.5", "1,,2", "0:1:1e-300", "log:1:2:1e12"})
+        CHECK_THROWS_AS(Range{text}, DomainError);
 }
 
 TEST_CASE("rows that share a surface come together, the most demanding first, and none is lost")
@@ -140,7 +147,9 @@ TEST_CASE("rows that share a surface come together, the most demanding first, an
         const Inputs& in = *mixed[order[k]];
         if (k > 0 && in.real("G") == mixed[order[k - 1]]->real("G") && in.real("load") == mixed[order[k - 1]]->real("load")) continue;
         ++changes;
-        for (std::size_t other = k; other < order.size() && mixed[order[other]]->real("G") == in.real("G") && mixed[order[other]]->real("load") == in.real("load"); ++other)
+        for (std::size_t other = k;
+             other < order.size() && mixed[order[other]]->real("G") == in.real("G") && mixed[order[other]]->real("load") == in.real("load");
+             ++other)
             CHECK(in.real("p") <= mixed[order[other]]->real("p"));
     }
     CHECK(changes == 4);

@@ -31,7 +31,10 @@ std::string written(const std::string& text)
     return file;
 }
 
-bool close(ref::Interval i, double expected) { return i.least <= expected && expected <= i.most && i.most - i.least <= 1e-10 * (expected + 1); }
+bool close(ref::Interval i, double expected)
+{
+    return i.least <= expected && expected <= i.most && i.most - i.least <= 1e-10 * (expected + 1);
+}
 
 } // namespace
 
@@ -118,7 +121,8 @@ TEST_CASE("damaged tables are refused")
         CHECK_THROWS(ref::load(written(damaged)));
     }
     const auto row = text.rfind('\n', text.size() - 2) + 1, value = text.find(' ', row) + 1, after = text.find(' ', value);
-    for (const char* other : {"0.5E306952043666", "1e-99999", "0x1p-1", "1e", "1.5.0", "+-1", "inf", "e5", "1e+"}) // the first two had no end
+    for (const char* other :
+         {"0.5E306952043666", "1e-99999", "0x1p-1", "1e", "1.5.0", "+-1", "inf", "e5", "1e+"}) // the first two had no end
         CHECK_THROWS(ref::load(written(text.substr(0, value) + other + text.substr(after))));
     for (const char* forced : {"nan", "inf", "-2", "x"})
         CHECK_THROWS(ref::load(written(text.substr(0, text.rfind(' ') + 1) + forced + "\n")));

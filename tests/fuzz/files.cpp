@@ -21,7 +21,8 @@
 namespace touchstone::fuzz {
 namespace {
 
-/// A hash stands between a changed byte and what reads the rows. A text whose hash is SHA is given the right one, so that both sides are tried.
+/// A hash stands between a changed byte and what reads the rows. A text whose hash is SHA is given the right one, so that both sides are
+/// tried.
 std::string sealed(std::string text, const std::string& rows)
 {
     if (const auto at = text.find("\"SHA\""); at != std::string::npos) text.replace(at + 1, 3, sha256(rows));
@@ -42,7 +43,8 @@ void rows(std::string_view text)
 {
     std::istringstream in{std::string(text)};
     try {
-        RowsReader reader(in, "rows.txt", {.known = {"x", "load", "n", "p"}, .ignored = {"error"}, .free_last = text.size() % 2 == 0, .longest_line = 200});
+        RowsReader reader(in, "rows.txt",
+                          {.known = {"x", "load", "n", "p"}, .ignored = {"error"}, .free_last = text.size() % 2 == 0, .longest_line = 200});
         RowsReader::Row row;
         while (reader.next(row)) {
             expect(row.words.size() == reader.columns().size(), "a row has as many words as columns");
@@ -85,7 +87,8 @@ void shards(std::string_view bytes)
     try {
         const Shard shard = parse_shard(text, "shard.txt");
         const Shard again = parse_shard(format_shard(shard), "again.txt");
-        expect(shard.same_as(again) && shard.rows.size() == again.rows.size() && shard.about == again.about, "a shard written is the same shard");
+        expect(shard.same_as(again) && shard.rows.size() == again.rows.size() && shard.about == again.about,
+               "a shard written is the same shard");
     }
     catch (const CorruptTable&) {
     }

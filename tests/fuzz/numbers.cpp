@@ -39,8 +39,8 @@ void one_answer(std::string_view text)
     expect(again && (std::isnan(*value) ? std::isnan(*again) : *again == *value), "an answer written as a hexfloat is the same answer");
 }
 
-/// Of the quantities the one whose name begins most like this: the inputs of a name that has been changed are read too, and in less time than
-/// the nearest name, which is looked for in a sample, takes.
+/// Of the quantities the one whose name begins most like this: the inputs of a name that has been changed are read too, and in less time
+/// than the nearest name, which is looked for in a sample, takes.
 const Quantity& quantity_like(const std::string& name, bool nearest)
 {
     static const std::vector<std::string> names = quantity_names();
@@ -121,7 +121,8 @@ void answers(std::string_view text)
     std::istringstream in{std::string(text)};
     constexpr std::size_t asked = 3;
     const oracle::Answers got = oracle::read_answers(in, asked);
-    expect(got.fault ? got.values.size() <= asked && !got.fault->detail.empty() : got.values.size() == asked, "as many answers as rows, or a fault that says why");
+    expect(got.fault ? got.values.size() <= asked && !got.fault->detail.empty() : got.values.size() == asked,
+           "as many answers as rows, or a fault that says why");
 }
 
 void ranges(std::string_view text)

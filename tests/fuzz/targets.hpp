@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What a stranger's text can reach, a function a parser: it takes any bytes, and what it refuses it refuses with the error it promises. Anything
-/// else (another exception, a check that fails, a sanitizer's complaint, seconds without end) is a find. libFuzzer drives them one at a time
-/// (campaign.py, clang), the default tests all of them over the corpora and over changes of these drawn from a seed.
+/// What a stranger's text can reach, a function a parser: it takes any bytes, and what it refuses it refuses with the error it promises.
+/// Anything else (another exception, a check that fails, a sanitizer's complaint, seconds without end) is a find. libFuzzer drives them one
+/// at a time (campaign.py, clang), the default tests all of them over the corpora and over changes of these drawn from a seed.
 #pragma once
 
 #include <cstddef>

@@ -108,7 +108,8 @@ TEST_CASE("the area law of four terms is within 0.01 (4/G^2)^5 where G >= 3")
     rest += 2 * power / (1 - most); // |R_N| <= 2
     CHECK(certainly(less(rest, Ball(Rational(1, 100)))));
     CHECK_FALSE(certainly(less(rest, Ball(Rational(99, 10'000))))); // no slack is claimed that is not there
-    const Rational printed[] = {1, Rational(208379, 1'000'000), Rational(37321, 1'000'000), Rational(12173, 1'000'000), Rational(5790, 1'000'000)};
+    const Rational printed[] = {1, Rational(208379, 1'000'000), Rational(37321, 1'000'000), Rational(12173, 1'000'000),
+                                Rational(5790, 1'000'000)};
     for (std::size_t N = 0; N < 5; ++N) CHECK(certainly(less(abs(R[N] - Ball(printed[N])), Ball(Rational(1, 2'000'000)))));
 }
 
@@ -124,7 +125,12 @@ TEST_CASE("the paper's constant is wrong by 9 and 20 percent where D = 1.5")
 
 TEST_CASE("fewer digits are the rounding of more, and every value of the limit has a second look")
 {
-    const Inputs in({{"G", Rational(10)}, {"load", Rational(1, 2)}, {"tolerance", Rational(1, 100)}, {"n", 5}, {"p", Rational(1, 10)}, {"a", Rational(1, 100)}});
+    const Inputs in({{"G", Rational(10)},
+                     {"load", Rational(1, 2)},
+                     {"tolerance", Rational(1, 100)},
+                     {"n", 5},
+                     {"p", Rational(1, 10)},
+                     {"a", Rational(1, 100)}});
     for (const auto& q : catalogue()) {
         if (!q.name.starts_with("limit.")) continue;
         CAPTURE(q.name);
@@ -142,8 +148,11 @@ TEST_CASE("fewer digits are the rounding of more, and every value of the limit h
 
 TEST_CASE("edges of the limiting distributions: the highest pressure is not exceeded, what is out of the domain is one line")
 {
-    const auto at = [](const char* name, std::map<std::string, Rational> in) { return evaluate(*find_quantity(name), Inputs(std::move(in)), {6}); };
-    for (const auto& [p, G] : {std::pair{Rational(4, 3), Rational(3)}, {Rational(3), Rational(3, 2)}, {Rational(2), Rational(2)}, {Rational(7), Rational(1000)}})
+    const auto at = [](const char* name, std::map<std::string, Rational> in) {
+        return evaluate(*find_quantity(name), Inputs(std::move(in)), {6});
+    };
+    for (const auto& [p, G] :
+         {std::pair{Rational(4, 3), Rational(3)}, {Rational(3), Rational(3, 2)}, {Rational(2), Rational(2)}, {Rational(7), Rational(1000)}})
         for (const char* name : {"limit.exceedance", "limit.force"}) {
             const Evaluation e = at(name, {{"p", p}, {"G", G}});
             CHECK(e.status == Status::exact);
@@ -163,7 +172,8 @@ TEST_CASE("edges of the domain")
     CHECK(digits("limit.area_ratio", "1e300", 20) == "1.0000000000000000000");
     CHECK(digits("limit.area_ratio", "5000", 12) == "1.00000003334"); // the series from here on
     CHECK(digits("limit.area_ratio", "4999.999", 12) == "1.00000003334");
-    const Evaluation none = evaluate(*find_quantity("limit.area_constant"), Inputs({{"G", Rational(101, 100)}})); // ratios up to 100: no mesh
+    const Evaluation none =
+        evaluate(*find_quantity("limit.area_constant"), Inputs({{"G", Rational(101, 100)}})); // ratios up to 100: no mesh
     CHECK(none.status == Status::undecided);
     CHECK_FALSE(none.proven);
     CHECK_FALSE(none.note.empty());

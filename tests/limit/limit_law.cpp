@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Two routes to the limit (docs/limit.md): backwards, from the eigenfunction and Poisson's equation, and forwards, from the distribution. They must give the same C(G),
-/// the same gap and the same limiting distributions.
+/// Two routes to the limit (docs/limit.md): backwards, from the eigenfunction and Poisson's equation, and forwards, from the distribution.
+/// They must give the same C(G), the same gap and the same limiting distributions.
 #include "touchstone/limit/limit_law.hpp"
 #include "touchstone/limit/area_constant.hpp"
 #include "touchstone/limit/poisson.hpp"
@@ -94,7 +94,8 @@ TEST_CASE("force above a pressure: its density is the pressure times that of con
     for (const Ball& G : {Ball(17) / 10, Ball(3)}) {
         const Ball P1 = Ball(1) / 2, P2 = Ball(3) / 4;
         const auto mean = [&](Question::Of of, const Ball& P) { return enclosure(limit::solve_poisson({of, P}, G, 1e-4)); };
-        const Ball above_P1 = mean(Question::Of::force, P1), force = above_P1 - mean(Question::Of::force, P2), contact = mean(Question::Of::pressure, P1) - mean(Question::Of::pressure, P2);
+        const Ball above_P1 = mean(Question::Of::force, P1), force = above_P1 - mean(Question::Of::force, P2),
+                   contact = mean(Question::Of::pressure, P1) - mean(Question::Of::pressure, P2);
         CHECK(certainly(less(P1 * contact, force)));
         CHECK(certainly(less(force, P2 * contact)));
         CHECK(certainly(less(Ball(0), contact)));

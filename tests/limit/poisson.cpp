@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// C(G) from any Phi (docs/limit.md, theorem 4): against the other proof where both hold, against estimates where only it does, and with Phi spoilt.
+/// C(G) from any Phi (docs/limit.md, theorem 4): against the other proof where both hold, against estimates where only it does, and with
+/// Phi spoilt.
 #include "touchstone/limit/area_constant.hpp"
 #include "touchstone/limit/limit_law.hpp"
 #include "touchstone/limit/poisson.hpp"
@@ -60,7 +61,8 @@ TEST_CASE("Phi may be anything: what it is made worse by is in the bound")
     const Ball G = Ball(3) / 2, C = limit::area_constant_by_law(G).value;
     const limit::Poisson good = limit::solve_poisson({}, G, 1e-5);
     for (const bool everywhere : {true, false}) {
-        const limit::Poisson bad = limit::solve_poisson({}, G, 1e-5, [=](double y0, double y1) { return everywhere || (y0 < 0.7 && y1 > 0.7) ? 1e-2 : 0.; });
+        const limit::Poisson bad =
+            limit::solve_poisson({}, G, 1e-5, [=](double y0, double y1) { return everywhere || (y0 < 0.7 && y1 > 0.7) ? 1e-2 : 0.; });
         CAPTURE(everywhere);
         CHECK(bad.error > 10 * good.error);
         CHECK(enclosure(bad).overlaps(C));

@@ -27,7 +27,10 @@ Ball off_limit(long n)
     return abs(transfer::area(Scheme::area, n, {load_of_a_tenth, G_4}, {20}) * pow(G_4(), Ball(n)) / load_of_a_tenth() / C - 1);
 }
 
-Evaluation eval(const char* name, std::map<std::string, Rational> in, long digits) { return evaluate(*find_quantity(name), Inputs(std::move(in)), {digits}); }
+Evaluation eval(const char* name, std::map<std::string, Rational> in, long digits)
+{
+    return evaluate(*find_quantity(name), Inputs(std::move(in)), {digits});
+}
 
 } // namespace
 
@@ -75,13 +78,16 @@ TEST_CASE("one wave in full contact brings two chains together by the rate of th
     CHECK(certainly(less(bound, Ball(Rational(8996, 10'000)))));
     CHECK(certainly(less(Ball(Rational(8995, 10'000)), bound)));
     for (double x = 1.0001; x < 1.1547; x += 0.01) CHECK(contraction_in_full_contact(x) <= 1 - 1 / (4 * x * (x + 1)));
-    for (const double x : {1.1548, 1.5, 3., 10., 50.}) CHECK(contraction_in_full_contact(x) == doctest::Approx(std::sqrt(1 - 1 / (x * x))).epsilon(1e-7));
+    for (const double x : {1.1548, 1.5, 3., 10., 50.})
+        CHECK(contraction_in_full_contact(x) == doctest::Approx(std::sqrt(1 - 1 / (x * x))).epsilon(1e-7));
     // the rate that the bound decays with, where ratios have settled at 1/(G - 1) = 2
     const Ball rate = limit::distance_from_limit(2001, Ball(3) / 2, Ball(1)) / limit::distance_from_limit(2000, Ball(3) / 2, Ball(1));
     CHECK(certainly(less(abs(rate * rate - bound), Ball(Rational(1, 1'000'000)))));
     const Ball t = asin(sqrt(Ball(Rational(2, 3)))); // and of kappa_1, in closed form
     CHECK(limit::contraction(Ball(0), Ball(1)).overlaps((t + 3 * sin(2 * t) / 2) / ScalarTraits<Ball>::pi()));
-    CHECK(certainly(less(abs(limit::distance_from_limit(0, Ball(3) / 2, Ball(3)) - 2 * sqrt(Ball(Rational(9, 2)) * (2 * log(Ball(3)) + log(Ball(Rational(13, 4)))))), Ball(Rational(1, 1'000'000)))));
+    CHECK(certainly(less(abs(limit::distance_from_limit(0, Ball(3) / 2, Ball(3)) -
+                             2 * sqrt(Ball(Rational(9, 2)) * (2 * log(Ball(3)) + log(Ball(Rational(13, 4)))))),
+                         Ball(Rational(1, 1'000'000)))));
 }
 
 TEST_CASE("areas far beyond are those of the limit")
@@ -89,7 +95,8 @@ TEST_CASE("areas far beyond are those of the limit")
     const WorkingPrecision precision(256);
     const long n = 230;
     const transfer::Arguments at{load_of_a_tenth, G_4};
-    const Ball followed = transfer::area(Scheme::force_weighted, n, at, {15}), limit = limit::area_in_the_limit(Scheme::force_weighted, n, at, {15});
+    const Ball followed = transfer::area(Scheme::force_weighted, n, at, {15}),
+               limit = limit::area_in_the_limit(Scheme::force_weighted, n, at, {15});
     CHECK(followed.overlaps(limit));
     CHECK(limit.relative_bits() > 45);
     CHECK(limit::most_digits_of_area_in_the_limit(n, load_of_a_tenth(), G_4()) > 40);
@@ -134,7 +141,8 @@ TEST_CASE("slow: exceedances far beyond with full contact are those of the limit
     const WorkingPrecision precision(256);
     const Rational G(3, 2), half(1, 2), unit = power(G, 10'000);
     const auto share = [&](const Rational& at) { return eval("contact.exceedance", {{"n", 10'000}, {"p", at}, {"load", 3}, {"G", G}}, 5); };
-    const Evaluation full = share(unit / 2), limiting = eval("limit.exceedance", {{"p", half}, {"G", G}}, 6), area = eval("contact.area", {{"n", 10'000}, {"load", 3}, {"G", G}}, 6);
+    const Evaluation full = share(unit / 2), limiting = eval("limit.exceedance", {{"p", half}, {"G", G}}, 6),
+                     area = eval("contact.area", {{"n", 10'000}, {"load", 3}, {"G", G}}, 6);
     CHECK(full.status == Status::certified);
     REQUIRE(full.second_look);
     CHECK(full.second_look->agrees);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The second eigenvalue (docs/limit.md, theorem 8): what is proven of any w is held against sums in binary64 that share only the wave with it.
+/// The second eigenvalue (docs/limit.md, theorem 8): what is proven of any w is held against sums in binary64 that share only the wave with
+/// it.
 #include "touchstone/limit/second_eigenvalue.hpp"
 #include "touchstone/limit/eigenfunction.hpp"
 #include "touchstone/limit/limit_law.hpp"
@@ -31,7 +32,10 @@ double mean(double G, double x, const std::function<double(double psi, double be
     return 2 * sum / parts;
 }
 double lowest(double G) { return 2 * std::log(G / 2); }
-double value(const Eigenfunction& w, double s) { return number(chebyshev_sum(w.value, w.place(at_most(Ball::exactly(s), exp(Ball::exactly(w.high)))))); }
+double value(const Eigenfunction& w, double s)
+{
+    return number(chebyshev_sum(w.value, w.place(at_most(Ball::exactly(s), exp(Ball::exactly(w.high))))));
+}
 double slope(const Eigenfunction& w, double s)
 {
     return std::log(s) > w.high ? 0 : number(chebyshev_sum(w.slope, w.place(Ball::exactly(s))) * w.stretch()) / s;
@@ -39,11 +43,13 @@ double slope(const Eigenfunction& w, double s)
 double weight(double sigma) { return 1 + std::exp(-2 * sigma) + 1.5 * std::exp(-8 * sigma) + 1e-4 * std::exp(2 * sigma); }
 double weights_below(double sigma) { return sigma - std::exp(-2 * sigma) / 2 - 3 * std::exp(-8 * sigma) / 16 + 5e-5 * std::exp(2 * sigma); }
 
-/// The lowest G: two digits are lost to the distance of the third eigenvalue. By the recursion of moments, in 45 digits, 0.3682133515739633119713.
+/// The lowest G: two digits are lost to the distance of the third eigenvalue. By the recursion of moments, in 45 digits,
+/// 0.3682133515739633119713.
 void check_lowest_G(long digits)
 {
     const Ball found = second_eigenvalue([] { return Ball(Rational(22, 10)); }, {digits});
-    CHECK(certainly(less(abs(found - Ball(Rational(3682133515739633) / Rational(10000000000000000))), Ball::exactly(2e-16 + std::pow(10.0, 2 - static_cast<double>(digits))))));
+    CHECK(certainly(less(abs(found - Ball(Rational(3682133515739633) / Rational(10000000000000000))),
+                         Ball::exactly(2e-16 + std::pow(10.0, 2 - static_cast<double>(digits))))));
 }
 
 void check_against_the_forward_law(double G)

@@ -99,11 +99,12 @@ TEST_CASE("baselines are finite, complete, and of one table")
     const Baseline back = parse_baseline(b.text(), "b");
     CHECK(back.bounds == b.bounds);
     CHECK(back.table == "t");
-    for (const char* bad : {"", "[]", "{}", R"({"table":"t","sha256":"h","ulps":{"0x1p-1":NaN}})", R"({"table":"t","sha256":"h","ulps":{"0x1p-1":Infinity}})",
-                            R"({"table":"t","sha256":"h","ulps":{"0x1p-1":1e999}})", R"({"table":"t","sha256":"h","ulps":{"0x1p-1":-1}})",
-                            R"({"table":"t","sha256":"h","ulps":{"0x1p-1":null}})", R"({"table":"t","sha256":"h","ulps":{"0x1p-1":"1"}})",
-                            R"({"table":"t","sha256":"h","ulps":{"0x1p-1":1.7976931348623157e308}})",
-                            R"({"table":"t","sha256":"h","ulps":{"0x1p-1":1,"0x1p-1":2}})"})
+    for (const char* bad :
+         {"", "[]", "{}", R"({"table":"t","sha256":"h","ulps":{"0x1p-1":NaN}})", R"({"table":"t","sha256":"h","ulps":{"0x1p-1":Infinity}})",
+          R"({"table":"t","sha256":"h","ulps":{"0x1p-1":1e999}})", R"({"table":"t","sha256":"h","ulps":{"0x1p-1":-1}})",
+          R"({"table":"t","sha256":"h","ulps":{"0x1p-1":null}})", R"({"table":"t","sha256":"h","ulps":{"0x1p-1":"1"}})",
+          R"({"table":"t","sha256":"h","ulps":{"0x1p-1":1.7976931348623157e308}})",
+          R"({"table":"t","sha256":"h","ulps":{"0x1p-1":1,"0x1p-1":2}})"})
         CHECK_THROWS_AS(parse_baseline(bad, "b"), BadBaseline);
     CHECK(differences(b, Baseline{"t", "hash", {{"0x1p-1", 0.8}, {"0x1p-3", 1}}}).size() == 3);
 }

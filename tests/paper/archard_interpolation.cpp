@@ -52,7 +52,8 @@ Ball size_of_log_factor(const Rational& turn, long arcs)
 
 } // namespace
 
-TEST_CASE("the logarithm of a factor of K is below 1.44 on |x| = 1, so by Schwarz's lemma below 1.44 |x| inside: what the interpolation's error rests on")
+TEST_CASE(
+    "the logarithm of a factor of K is below 1.44 on |x| = 1, so by Schwarz's lemma below 1.44 |x| inside: what the interpolation's error rests on")
 {
     const WorkingPrecision precision(80);
     constexpr long arcs = 256;
@@ -81,7 +82,8 @@ TEST_CASE("the interpolation's error is what Cauchy's integral on |w| = 4 leaves
     }
 }
 
-TEST_CASE("a polynomial through the first K_n is off by no more than its bound at all later ones, and as near to it as a circle of half the radius of analyticity allows")
+TEST_CASE(
+    "a polynomial through the first K_n is off by no more than its bound at all later ones, and as near to it as a circle of half the radius of analyticity allows")
 {
     const WorkingPrecision precision(2000);
     for (const long M : {1L, 2L, 3L, 7L, 20L, 40L})
@@ -89,7 +91,8 @@ TEST_CASE("a polynomial through the first K_n is off by no more than its bound a
             const long n = after == 0 ? archard::infinity : M + after;
             CAPTURE(M);
             CAPTURE(n);
-            const Ball off = abs(archard::K_polynomial(M, n) - archard::K_gamma_product(n)), bound = power_of_two<Ball>(archard::interpolation_error(M));
+            const Ball off = abs(archard::K_polynomial(M, n) - archard::K_gamma_product(n)),
+                       bound = power_of_two<Ball>(archard::interpolation_error(M));
             CHECK(certainly(less(off, bound)));
             CHECK(certainly(less(bound * power_of_two<Ball>(-(M + 11)), off))); // |u| = 4 was taken, kappa is analytic for |u| < 8
         }
@@ -99,7 +102,8 @@ TEST_CASE("K by interpolation encloses the plain recursion (7.13), tightly, befo
 {
     for (const slong bits : {2L, 53L, 200L, 1000L}) {
         const WorkingPrecision precision(bits);
-        for (const long n : {0L, 1L, 2L, 3L, 7L, 12L, 13L, 14L, 15L, 16L, 17L, 18L, 19L, 20L, 21L, 22L, 23L, 24L, 40L, 43L, 44L, 45L, 46L, 64L, 200L}) {
+        for (const long n :
+             {0L, 1L, 2L, 3L, 7L, 12L, 13L, 14L, 15L, 16L, 17L, 18L, 19L, 20L, 21L, 22L, 23L, 24L, 40L, 43L, 44L, 45L, 46L, 64L, 200L}) {
             CAPTURE(bits);
             CAPTURE(n);
             Ball plain;

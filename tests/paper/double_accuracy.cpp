@@ -132,9 +132,18 @@ const std::map<std::string, Code>& library_codes()
         {"archard_K_inf", [](const Row&) { return archard::K(-1); }},
         {"archard_delta", [](const Row& r) { return archard::delta<double>(static_cast<long>(r[0])); }},
         {"archard_alpha", [](const Row& r) { return archard::alpha(static_cast<long>(r[0]), r[1]); }},
-        {"archard_area", [](const Row& r) { const long n = static_cast<long>(r[0]); return archard::area(n, r[1], r[2], archard::K(n)); }},
-        {"archard_segments", [](const Row& r) { const long n = static_cast<long>(r[0]); return archard::segments(n, r[1], r[2], r[3], archard::K(n - 1)); }},
-        {"archard_segments_limit", [](const Row& r) { return archard::segments_limit(static_cast<long>(r[0]), r[1], r[2], r[3], archard::K(-1)); }},
+        {"archard_area",
+         [](const Row& r) {
+             const long n = static_cast<long>(r[0]);
+             return archard::area(n, r[1], r[2], archard::K(n));
+         }},
+        {"archard_segments",
+         [](const Row& r) {
+             const long n = static_cast<long>(r[0]);
+             return archard::segments(n, r[1], r[2], r[3], archard::K(n - 1));
+         }},
+        {"archard_segments_limit",
+         [](const Row& r) { return archard::segments_limit(static_cast<long>(r[0]), r[1], r[2], r[3], archard::K(-1)); }},
         {"segments_max_half_width", [](const Row& r) { return segments::max_half_width(static_cast<long>(r[0]), r[1], r[2]); }},
         {"weierstrass_profile", [](const Row& r) { return weierstrass::profile(r[0], r[1], r[2]); }},
     };
@@ -147,7 +156,8 @@ TEST_CASE("the library's double forms: 4 ulp plus what the inputs' rounding forc
 {
     for (const auto& [table, code] : library_codes()) {
         const Report r = judge(stored(table), code);
-        MESSAGE(fmt::format("{:<26} worst {:.2f} ulp where well conditioned, {:+.2f} beyond the forced part", table, r.worst, r.worst_excess));
+        MESSAGE(
+            fmt::format("{:<26} worst {:.2f} ulp where well conditioned, {:+.2f} beyond the forced part", table, r.worst, r.worst_excess));
         CHECK_MESSAGE(r.over == 0, table << ": " << r.over << " rows; worst " << r.worst_row);
     }
 }
@@ -202,6 +212,7 @@ TEST_CASE("GSL: Gamma ratios and arcsines against the tables")
     const Report arcsine = judge(stored("westergaard_half_width"), [](const Row& r) {
         return GSL_REAL(gsl_complex_arcsin_real(std::sqrt(r[0]))) / M_PI;
     });
-    MESSAGE(fmt::format("gsl_complex_arcsin_real: worst {:.2f} ulp where well conditioned, {:+.2f} beyond the forced part", arcsine.worst, arcsine.worst_excess));
+    MESSAGE(fmt::format("gsl_complex_arcsin_real: worst {:.2f} ulp where well conditioned, {:+.2f} beyond the forced part", arcsine.worst,
+                        arcsine.worst_excess));
     CHECK(arcsine.worst < 8);
 }

@@ -34,7 +34,8 @@ public:
         }
         for (int j = 0; j <= 800; ++j) {
             double p = 0;
-            for (int i = 0; i < nodes; ++i) p += weight[static_cast<std::size_t>(i)] * std::cos(2 * pi_ * j * x[static_cast<std::size_t>(i)]);
+            for (int i = 0; i < nodes; ++i)
+                p += weight[static_cast<std::size_t>(i)] * std::cos(2 * pi_ * j * x[static_cast<std::size_t>(i)]);
             coefficients_.push_back(j == 0 ? p : 2 * p);
         }
     }

@@ -120,7 +120,8 @@ TEST_CASE("section 3: what the second route leaves out is in its ball where the 
 
 TEST_CASE("section 3: the two routes of the profile, the bound, the scaling relation (3.5)")
 {
-    for (const auto& [D, gamma] : {std::pair{Rational(3, 2), Rational(5)}, {Rational(21, 20), Rational(10)}, {Rational(7, 5), Rational(5, 2)}}) {
+    for (const auto& [D, gamma] :
+         {std::pair{Rational(3, 2), Rational(5)}, {Rational(21, 20), Rational(10)}, {Rational(7, 5), Rational(5, 2)}}) {
         const WorkingPrecision precision(200);
         const Ball zhat = weierstrass::bound(Ball(D), Ball(gamma));
         for (const Rational& x : {Rational(1, 10), Rational(-3, 7), Rational(123456789, 1000)}) {
@@ -136,7 +137,8 @@ TEST_CASE("section 3: the two routes of the profile, the bound, the scaling rela
 
 TEST_CASE("section 3: what is left out of the profile's sum is in its radius, also at x = 0, where all of it adds up")
 {
-    for (const auto& [D, gamma] : {std::pair{Rational(3, 2), Rational(5)}, {Rational(21, 20), Rational(10)}, {Rational(7, 5), Rational(5, 2)}}) {
+    for (const auto& [D, gamma] :
+         {std::pair{Rational(3, 2), Rational(5)}, {Rational(21, 20), Rational(10)}, {Rational(7, 5), Rational(5, 2)}}) {
         const WorkingPrecision precision(64);
         const Ball by_terms = weierstrass::profile_by_terms(0, D, gamma), by_scaling = weierstrass::profile_by_scaling(0, D, gamma);
         const WorkingPrecision more(256);

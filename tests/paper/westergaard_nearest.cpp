@@ -117,7 +117,8 @@ TEST_CASE("every operation on balls of pairs encloses what it does to each numbe
                 CHECK(ball(x * y).contains(u * v));
                 CHECK(ball(x / y).overlaps(u / v));
                 CHECK(ball(PairBall::root(x)).overlaps(ScalarTraits<Ball>::sqrt_positive_part(u)));
-                if (certainly(less(Ball(0), X)) && certainly(less(Ball(0), Y))) CHECK(ball(angle_over_pi(x, y)).overlaps(atan2(u, v) / pi<Ball>()));
+                if (certainly(less(Ball(0), X)) && certainly(less(Ball(0), Y)))
+                    CHECK(ball(angle_over_pi(x, y)).overlaps(atan2(u, v) / pi<Ball>()));
                 if (less(x, y) != Truth::unknown) CHECK(less(x, y) == less(u, v));
             }
         tight += ball(x * y).relative_bits() > std::min({X.relative_bits(), Y.relative_bits(), slong(102)}) - 4;
@@ -208,7 +209,8 @@ TEST_CASE("many points: the nearest binary64 number is the catalogue's")
         for (unsigned long n = 0; n < count; ++n) {
             const int i = static_cast<int>(n);
             const double load = points.load(i);
-            evaluated += !answers_rightly(q, q.inputs.size() == 1 ? std::vector{load > 1 ? 1 / load : load} : std::vector{points.pressure(i, load), load});
+            evaluated += !answers_rightly(q, q.inputs.size() == 1 ? std::vector{load > 1 ? 1 / load : load}
+                                                                  : std::vector{points.pressure(i, load), load});
         }
         std::cout << name << ", seed " << seed << ": " << evaluated << " of " << count << " points took an evaluation in balls\n";
         CHECK(evaluated < count / 50);
@@ -217,7 +219,8 @@ TEST_CASE("many points: the nearest binary64 number is the catalogue's")
 
 TEST_CASE("edges of the domain: the catalogue's answer, or none")
 {
-    std::vector<double> numbers{0, -0.0, -1, 1, 2, 4, 0.25, 0.5, 0.75, 1.5, 3, infinity, not_a_number, 0x1p-1074, 0x1p-1022, 1e-300, 1e-160, 1e-100, 1e-30, 1e30, 1e100, 1e200, 1e308};
+    std::vector<double> numbers{0,         -0.0,      -1,     1,      2,      4,     0.25, 0.5,   0.75,  1.5,  3, infinity, not_a_number,
+                                0x1p-1074, 0x1p-1022, 1e-300, 1e-160, 1e-100, 1e-30, 1e30, 1e100, 1e200, 1e308};
     for (const double x : {1.0, 0.25, 0.5, 2.0})
         for (const double off : {0x1p-53, 0x1p-52, 1e-15, 0x1p-40}) numbers.insert(numbers.end(), {x * (1 - off), x * (1 + off)});
     int answered = 0;

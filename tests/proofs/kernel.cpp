@@ -39,7 +39,8 @@ TEST_CASE("an integral is read over the range that is printed, wherever it lies"
     };
     CHECK(verdict({}) == Verdict::verified);
     CHECK(verdict({{"J.from", "-1", "0"}, {"rhs", "*J", "*2*J"}}) == Verdict::verified);
-    CHECK(verdict({{"J.from", "-1", "-2"}, {"J.to", "1", "2"}, {"J.integrand", "xi^2", "xi^2/4"}, {"rhs", "*J", "*J/2"}}) == Verdict::verified);
+    CHECK(verdict({{"J.from", "-1", "-2"}, {"J.to", "1", "2"}, {"J.integrand", "xi^2", "xi^2/4"}, {"rhs", "*J", "*J/2"}}) ==
+          Verdict::verified);
     CHECK(verdict({{"J.from", "-1", "0"}}) == Verdict::refuted);
     CHECK(verdict({{"J.to", "1", "1/2"}}) == Verdict::refuted);
 }
@@ -51,7 +52,8 @@ TEST_CASE("logarithms of powers do not hide a sign either")
     CHECK(power_identity(sqrt(pow(x - 1, 2) * c), (x - 1) * sqrt(c), Points{"x=2 S=1/3"}).verdict != Verdict::proved);
     CHECK(power_identity(sqrt(pow(c + 1, 2)), c + 1, Points{"S=2"}).verdict == Verdict::proved);
     // one factor of unknown sign under a real root is positive there
-    CHECK(power_identity(pow((1 - nu * nu) * c, ex(3) / 2), c * (1 - nu * nu) * sqrt((1 - nu * nu) * c), Points{"nu=1/3 S=1/3"}).verdict == Verdict::proved);
+    CHECK(power_identity(pow((1 - nu * nu) * c, ex(3) / 2), c * (1 - nu * nu) * sqrt((1 - nu * nu) * c), Points{"nu=1/3 S=1/3"}).verdict ==
+          Verdict::proved);
 }
 
 TEST_CASE("the ring rewrites roots, sines and cosines of the angle and of twice the angle, and nothing else")
@@ -135,16 +137,27 @@ TEST_CASE("every equation is read as a whole, and its reader sees a turned sign"
             ++read;
         }
     CHECK(read == 84 + 4);
-    for (const auto& [id, edit] : std::vector<std::pair<std::string, Edit>>{
-             {"2.18", {"relation", "=", "<"}}, {"2.18", {"condition", ">", "<"}}, {"2.20", {"condition", ">", "<"}}, {"6.3", {"condition", ">", "<"}}, {"5.8", {"condition", ">", "<"}},
-             {"2.13", {"0.relation", "<", ">"}}, {"6.4", {"rhs", "1/Pi", "-1/Pi"}}, {"6.5", {"rhs", "1/Pi", "-1/Pi"}}, {"7.9", {"0.rhs", "lambda_0/Pi", "-lambda_0/Pi"}},
-             {"3.7", {"S.from", "0", "1"}}, {"3.10", {"S1.from", "0", "1"}}, {"3.10", {"S2.from", "0", "1"}}}) {
+    for (const auto& [id, edit] : std::vector<std::pair<std::string, Edit>>{{"2.18", {"relation", "=", "<"}},
+                                                                            {"2.18", {"condition", ">", "<"}},
+                                                                            {"2.20", {"condition", ">", "<"}},
+                                                                            {"6.3", {"condition", ">", "<"}},
+                                                                            {"5.8", {"condition", ">", "<"}},
+                                                                            {"2.13", {"0.relation", "<", ">"}},
+                                                                            {"6.4", {"rhs", "1/Pi", "-1/Pi"}},
+                                                                            {"6.5", {"rhs", "1/Pi", "-1/Pi"}},
+                                                                            {"7.9", {"0.rhs", "lambda_0/Pi", "-lambda_0/Pi"}},
+                                                                            {"3.7", {"S.from", "0", "1"}},
+                                                                            {"3.10", {"S1.from", "0", "1"}},
+                                                                            {"3.10", {"S2.from", "0", "1"}}}) {
         CAPTURE(id);
         const auto found = read_whole(prints().at(id).edited({edit}));
         REQUIRE(found);
         CHECK(found->verdict == Verdict::refuted);
     }
-    for (const auto& [id, edit] : std::vector<std::pair<std::string, Edit>>{{"7.18", {"M.to", "n-1", "n"}}, {"7.18", {"M.from", "0", "1"}}, {"7.10", {"J.from", "-1", "0"}}, {"3.3", {"0.relation", "<=", ">="}}}) {
+    for (const auto& [id, edit] : std::vector<std::pair<std::string, Edit>>{{"7.18", {"M.to", "n-1", "n"}},
+                                                                            {"7.18", {"M.from", "0", "1"}},
+                                                                            {"7.10", {"J.from", "-1", "0"}},
+                                                                            {"3.3", {"0.relation", "<=", ">="}}}) {
         CAPTURE(id);
         const auto claim = std::find_if(claims().begin(), claims().end(), [&, name = id](const Claim& c) { return c.id == name; });
         const Print right = prints().at(id).edited(claim->correction->edits);

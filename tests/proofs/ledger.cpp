@@ -49,7 +49,11 @@ TEST_CASE("a step that words carry makes it argued, not proved")
     CHECK(Argument("").add("a", yes).argue("words").conclude().verdict == Verdict::argued);
     CHECK(Argument("").argue("words").add("a", yes).conclude().verdict == Verdict::argued);
     CHECK(Argument("").argue("words").add("a", no).conclude().verdict == Verdict::refuted);
-    CHECK(Argument("").add("a", {Verdict::argued, "a lemma with words"}).add("b", {Verdict::verified, ""}).conclude("", Verdict::verified).verdict == Verdict::argued);
+    CHECK(Argument("")
+              .add("a", {Verdict::argued, "a lemma with words"})
+              .add("b", {Verdict::verified, ""})
+              .conclude("", Verdict::verified)
+              .verdict == Verdict::argued);
     CHECK(Argument("").argue("words").conclude("", Verdict::qualitative).verdict == Verdict::qualitative);
     CHECK(one_limiting_law().verdict == Verdict::argued);
     CHECK(area_bounds().verdict == Verdict::proved);
@@ -75,7 +79,13 @@ TEST_CASE("all 84 equations are there, and each claim names entries it rests on"
 TEST_CASE("a judge that accepts everything is found out by its control")
 {
     // a table entry, behind which no reader of the whole print stands
-    Claim gullible{"table1.n07", "anything", "", [](const Print&) { return Argument("none").add("nothing", exactly(true, "")).conclude(); }, {{"a digit", {{"rhs", "0.392919", "0.392918"}}}}, {}, {}};
+    Claim gullible{"table1.n07",
+                   "anything",
+                   "",
+                   [](const Print&) { return Argument("none").add("nothing", exactly(true, "")).conclude(); },
+                   {{"a digit", {{"rhs", "0.392919", "0.392918"}}}},
+                   {},
+                   {}};
     CHECK(run(gullible, prints().at("table1.n07")).surviving().size() == 1);
     gullible.controls.clear();
     CHECK(run(gullible, prints().at("table1.n07")).surviving() == std::vector<std::string>{"no control"});
@@ -195,7 +205,8 @@ TEST_CASE("neighbouring symbols in the situations where a print is read are what
     for (std::size_t i = 1; i < ratios.size(); ++i) CHECK(ratios[i - 1].value.at("x_n").overlaps(ratios[i].value.at("x_nm1")));
     // (A_1/A_0)^4 is at most 4 ptilde/G^2
     CHECK(meaning("text.simple-fractal")->situations.at(0).value.at("slope_small_load").overlaps(log(Ball(Rational(4, 5000))) / 4));
-    for (const Situation& s : meaning("text.fractal-domain")->situations) CHECK(s.wanted == (certainly(less(Ball(1), s.value.at("D"))) && certainly(less(s.value.at("D"), Ball(2)))));
+    for (const Situation& s : meaning("text.fractal-domain")->situations)
+        CHECK(s.wanted == (certainly(less(Ball(1), s.value.at("D"))) && certainly(less(s.value.at("D"), Ball(2)))));
     const Ball h(Rational(1, 10000));
     for (const Situation& s : meaning("9.3")->situations) { // q = -dQ/dp
         const auto& Q = s.function.at("Q_nm1");
@@ -217,7 +228,9 @@ TEST_CASE("the numbers of the bounds")
     CHECK(certainly(less(least_excess(sqrt(Ball(5))), Ball(Rational(12, 10)))));
     CHECK(certainly(less(least_excess(sqrt(Ball(10))), Ball(Rational(109, 100)))));
     // and none has become weaker: pi^2/32 - G/(4 sqrt 5) by hand, the others as they were proved first
-    const auto near = [](const Ball& bound, const Ball& value) { return certainly(less(abs(bound - value), Ball(Rational(1, 100000000)))); };
+    const auto near = [](const Ball& bound, const Ball& value) {
+        return certainly(less(abs(bound - value), Ball(Rational(1, 100000000))));
+    };
     const Ball pi_squared = touchstone::pi<Ball>() * touchstone::pi<Ball>();
     CHECK(near(least_non_hertzian_share(sqrt(Ball(5))), pi_squared / 32 - Ball(Rational(1, 4))));
     CHECK(near(least_non_hertzian_share(Ball(2)), pi_squared / 32 - 1 / (2 * sqrt(Ball(5)))));
@@ -250,6 +263,8 @@ TEST_CASE("the theorems about the area hold for certified areas")
         }
     }
     // one_limiting_law: the ratio to the Hertzian area becomes the same for all loads
-    const Ball spread = model_area(60, Rational(1, 1000), 5) / hertz_area(60, Rational(1, 1000), 5) / (model_area(60, Rational(9, 10), 5) / hertz_area(60, Rational(9, 10), 5)) - 1;
+    const Ball spread = model_area(60, Rational(1, 1000), 5) / hertz_area(60, Rational(1, 1000), 5) /
+                            (model_area(60, Rational(9, 10), 5) / hertz_area(60, Rational(9, 10), 5)) -
+                        1;
     CHECK(certainly(less(abs(spread), Ball(Rational(1, 1000000000)))));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of the changes a typesetter makes in an equation, a table entry, a sentence, a figure's claim or a formula beyond the paper none comes out as
-// anything but refuted, except those that data/paper/excuses.json excuses one by one.
+// Of the changes a typesetter makes in an equation, a table entry, a sentence, a figure's claim or a formula beyond the paper none comes
+// out as anything but refuted, except those that data/paper/excuses.json excuses one by one.
 #include "proofs/mutation/survivors.hpp"
 #include "proofs/mutation/typesetter.hpp"
 
@@ -73,7 +73,8 @@ TEST_CASE("the typesetter's kinds of change all occur, and each change reads dif
     std::map<std::string, int> kinds;
     for (const Claim* c : everything())
         for (const Change& change : typesetters_changes(prints().at(c->id))) ++kinds[change.kind];
-    for (const char* kind : {"digit", "sign", "function", "index", "symbol", "bound", "relation", "condition", "factor", "lost root", "lost square", "fraction"}) {
+    for (const char* kind : {"digit", "sign", "function", "index", "symbol", "bound", "relation", "condition", "factor", "lost root",
+                             "lost square", "fraction"}) {
         CAPTURE(kind);
         CHECK(kinds[kind] > 0);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program itself rests on: every lemma is proved or verified, every perturbed constant is refuted, and a judge that accepts anything is found out.
+// What the program itself rests on: every lemma is proved or verified, every perturbed constant is refuted, and a judge that accepts
+// anything is found out.
 #include "proofs/operator/own.hpp"
 #include "proofs/recorded.hpp"
 
@@ -52,7 +53,8 @@ TEST_CASE("each constant of each statement has a control")
 
 TEST_CASE("a lemma with a wrong constant, and a judge that accepts anything, fail")
 {
-    const OwnClaim gullible{"gullible", "{0}", "", {{"constant", 1}}, [](const Constants&) { return Finding{Verdict::proved, "", {}, ""}; }, {{0, 2}}};
+    const OwnClaim gullible{"gullible", "{0}", "", {{"constant", 1}}, [](const Constants&) { return Finding{Verdict::proved, "", {}, ""}; },
+                            {{0, 2}}};
     CHECK(run(gullible).failures().size() == 1);
     for (const OwnClaim& c : own_claims())
         if (c.id == "wave::disc_partial") {

@@ -84,12 +84,15 @@ TEST_CASE("a bound that is false is refuted")
 
 TEST_CASE("a judge sees by itself that a bound is false")
 {
-    const auto refuted = [](const char* id, const std::vector<Edit>& edits) { return by_the_judge_alone(id, edits).verdict == Verdict::refuted; };
+    const auto refuted = [](const char* id, const std::vector<Edit>& edits) {
+        return by_the_judge_alone(id, edits).verdict == Verdict::refuted;
+    };
     CHECK(refuted("text.conditional-contact", {{"relation", "=", "<"}, {"rhs", "1", "1/2"}}));
     CHECK(refuted("text.conditional-contact", {{"relation", "=", ">"}, {"rhs", "1", "2"}}));
     CHECK(refuted("text.limiting-slope", {{"relation", "=", "<"}, {"rhs", "-(D-1)", "-2*(D-1)"}}));
     CHECK(refuted("text.limiting-slope", {{"relation", "=", ">"}, {"rhs", "-(D-1)", "-1/2*(D-1)"}}));
-    CHECK_FALSE(holds(by_the_judge_alone("text.limiting-slope", {{"relation", "=", "<"}, {"rhs", "-(D-1)", "-1/2"}}).verdict)); // near D = 1
+    CHECK_FALSE(
+        holds(by_the_judge_alone("text.limiting-slope", {{"relation", "=", "<"}, {"rhs", "-(D-1)", "-1/2"}}).verdict)); // near D = 1
     CHECK(refuted("text.full-contact-persists", {{"rhs", "1", "3/2"}, {"condition", "n >= 0", "n >= n_0"}}));
     const Finding wide = by_the_judge_alone("text.fractal-domain", {{"1.rhs", "infinity", "5/2"}});
     CHECK(wide.verdict == Verdict::refuted);
@@ -118,13 +121,15 @@ TEST_CASE("a share of full contacts is held by the rarer of the two: to climb ab
     const Ball G(Rational(11, 10)), far(Rational(4, 5)); // where staying is the rarer
     const Ball stay = acos(G - 1) / touchstone::pi<Ball>();
     CHECK(least_full_share(G, far).overlaps((1 - G * far) * stay * (G - 1) / (G * G)));
-    CHECK(touchstone::certainly(less(least_full_share(G, Ball(Rational(3, 5))), (1 - G * 3 / 5) * stay * (G - 1) / (G * G)))); // climbing is
+    CHECK(
+        touchstone::certainly(less(least_full_share(G, Ball(Rational(3, 5))), (1 - G * 3 / 5) * stay * (G - 1) / (G * G)))); // climbing is
 }
 
 TEST_CASE("between what is proved and what is refuted nothing is claimed")
 {
     CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "1/(3*G^2)"}}) == Verdict::undecided);
-    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "G/80"}}) == Verdict::undecided); // at G = 100 above load 1, where A_1 may be below the Hertzian area
+    CHECK(verdict_of("text.light-load-steeper", {{"rhs", "1/(4*G^2)", "G/80"}}) ==
+          Verdict::undecided); // at G = 100 above load 1, where A_1 may be below the Hertzian area
     CHECK(verdict_of("text.several-scales", {{"rhs", "gamma^(-2*m)", "3/2*gamma^(-2*m)"}}) == Verdict::undecided);
     // What bounds for every n would leave open, certified limits decide: 1.20 of (7.21) at gamma = 5, 1.09 at gamma = 10.
     CHECK(verdict_of("text.defines-limit", {{"relation", "=", ">"}, {"rhs", "1", "3/2"}}) == Verdict::refuted);

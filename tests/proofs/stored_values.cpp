@@ -38,15 +38,16 @@ TEST_CASE("the table is read whole, and a changed digit is found by its hash")
 
 TEST_CASE("a value that is not stored is named")
 {
-    CHECK_THROWS_WITH_AS(stored_value("contact.area n=99", [] { return Ball(0); }), doctest::Contains("contact.area n=99"), std::out_of_range);
+    CHECK_THROWS_WITH_AS(stored_value("contact.area n=99", [] { return Ball(0); }), doctest::Contains("contact.area n=99"),
+                         std::out_of_range);
     values_used();
     stored_value("contact.area n=1 load=1 D=21/20 gamma=5", [] { return Ball(0); });
     CHECK(values_used() == std::vector<std::string>{"contact.area n=1 load=1 D=21/20 gamma=5"});
     CHECK(values_used().empty());
 }
 
-// Skipped here, since it takes a quarter of a minute; `touchstone paper --recompute` (ctest -R paper_recompute) computes all values, and the campaign
-// over our own proofs (mutate_sources.py) runs this one.
+// Skipped here, since it takes a quarter of a minute; `touchstone paper --recompute` (ctest -R paper_recompute) computes all values, and
+// the campaign over our own proofs (mutate_sources.py) runs this one.
 TEST_CASE("values of the limit, computed anew, are the stored ones" * doctest::skip())
 {
     using touchstone::Rational;

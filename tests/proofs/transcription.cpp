@@ -40,11 +40,41 @@ std::string squeezed(const std::string& s)
 /// The second hand's names in those of the first.
 std::string renamed(const std::string& text, const std::string& id)
 {
-    static const std::map<std::string, std::string> names = {
-        {"zx", "z"}, {"px", "p"}, {"fx", "f"}, {"gam", "gamma"}, {"g0", "g_0"}, {"lambda0", "lambda_0"}, {"lambda1", "lambda_1"}, {"g1", "g_1"}, {"F0", "F_0"}, {"F1", "F_1"},
-        {"a0", "a_0"}, {"p0x", "p_0"}, {"pnx", "p_n"}, {"pstar0", "pstar_0"}, {"xP", "x_P"}, {"Kn", "K_n"}, {"Knp1", "K_np1"}, {"Knm1", "K_nm1"}, {"K0", "K_0"}, {"Kinf", "K_infinity"},
-        {"A0", "A_0"}, {"alpha0", "alpha_0"}, {"beta0", "beta_0"}, {"delta0", "delta_0"}, {"zgamx", "z_gx"}, {"q_cond", "q"}, {"I_1", "I1"}, {"I_2", "I2"}, {"dQ_dp", "dQdp"},
-        {"f_nm1", "f_x"}, {"Q_at", "Q_a"}, {"Q_nm1", "Q_p"}, {"q_at", "q_a"}, {"dN_n", "dN"}, {"limKn", "L"}};
+    static const std::map<std::string, std::string> names = {{"zx", "z"},
+                                                             {"px", "p"},
+                                                             {"fx", "f"},
+                                                             {"gam", "gamma"},
+                                                             {"g0", "g_0"},
+                                                             {"lambda0", "lambda_0"},
+                                                             {"lambda1", "lambda_1"},
+                                                             {"g1", "g_1"},
+                                                             {"F0", "F_0"},
+                                                             {"F1", "F_1"},
+                                                             {"a0", "a_0"},
+                                                             {"p0x", "p_0"},
+                                                             {"pnx", "p_n"},
+                                                             {"pstar0", "pstar_0"},
+                                                             {"xP", "x_P"},
+                                                             {"Kn", "K_n"},
+                                                             {"Knp1", "K_np1"},
+                                                             {"Knm1", "K_nm1"},
+                                                             {"K0", "K_0"},
+                                                             {"Kinf", "K_infinity"},
+                                                             {"A0", "A_0"},
+                                                             {"alpha0", "alpha_0"},
+                                                             {"beta0", "beta_0"},
+                                                             {"delta0", "delta_0"},
+                                                             {"zgamx", "z_gx"},
+                                                             {"q_cond", "q"},
+                                                             {"I_1", "I1"},
+                                                             {"I_2", "I2"},
+                                                             {"dQ_dp", "dQdp"},
+                                                             {"f_nm1", "f_x"},
+                                                             {"Q_at", "Q_a"},
+                                                             {"Q_nm1", "Q_p"},
+                                                             {"q_at", "q_a"},
+                                                             {"dN_n", "dN"},
+                                                             {"limKn", "L"}};
     static const std::map<std::string, std::set<std::string>> single = { // an only sum, integral or product
         {"S1", {"3.1", "3.7"}}, {"J1", {"6.2", "6.4", "6.5", "7.7", "7.10", "7.13"}}, {"P1", {"7.17", "7.18"}}};
     static const std::map<std::string, std::string> single_name = {{"S1", "S"}, {"J1", "J"}, {"P1", "M"}};
@@ -109,7 +139,9 @@ TEST_CASE("two transcriptions of the 84 equations agree")
         std::vector<ex> mine, theirs;
         for (const std::string& s : expressions_of_first(r["machine"])) mine.push_back(read(s));
         for (const std::string& s : expressions_of_second(other["machine"])) theirs.push_back(read(renamed(s, id)));
-        const auto in = [](const ex& e, const std::vector<ex>& all) { return std::any_of(all.begin(), all.end(), [&](const ex& o) { return same(e, o); }); };
+        const auto in = [](const ex& e, const std::vector<ex>& all) {
+            return std::any_of(all.begin(), all.end(), [&](const ex& o) { return same(e, o); });
+        };
         for (const ex& e : theirs) CHECK(in(e, mine));
         if (!arguments_left_out.count(id))
             for (const ex& e : mine) CHECK(in(e, theirs));

@@ -24,13 +24,15 @@ Ball atan_of(const Ball& x)
 TEST_CASE("x^-0.9 on [0, 1]: an integrable pole, where ball integrators give NaN and doubles lose everything")
 {
     for (const long d : digits_tried)
-        check_integral([](auto, auto l, auto) { return to_power(l, Rational(-9, 10)); }, Interval::finite(0, 1), d, [] { return Ball(10); });
+        check_integral([](auto, auto l, auto) { return to_power(l, Rational(-9, 10)); }, Interval::finite(0, 1), d,
+                       [] { return Ball(10); });
 }
 
 TEST_CASE("(1 + x)^-0.9 on [-1, 1]: the same away from zero")
 {
     for (const long d : digits_tried)
-        check_integral([](auto, auto l, auto) { return to_power(l, Rational(-9, 10)); }, Interval::finite(-1, 1), d, [] { return Ball(10) * pow(Ball(2), Ball(1) / Ball(10)); });
+        check_integral([](auto, auto l, auto) { return to_power(l, Rational(-9, 10)); }, Interval::finite(-1, 1), d,
+                       [] { return Ball(10) * pow(Ball(2), Ball(1) / Ball(10)); });
 }
 
 TEST_CASE("1/sqrt(1 - x) and sqrt(1 - x) on [0, 1]")
@@ -44,7 +46,8 @@ TEST_CASE("1/sqrt(1 - x) and sqrt(1 - x) on [0, 1]")
 TEST_CASE("1/(x^2 + 1e-4) on [-1, 1]: poles close to the middle")
 {
     for (const long d : digits_tried)
-        check_integral([](auto x, auto, auto) { return 1 / (x * x + Rational(1, 10000)); }, Interval::finite(-1, 1), d, [] { return 200 * atan_of(Ball(100)); });
+        check_integral([](auto x, auto, auto) { return 1 / (x * x + Rational(1, 10000)); }, Interval::finite(-1, 1), d,
+                       [] { return 200 * atan_of(Ball(100)); });
 }
 
 TEST_CASE("branch points just outside the interval: the strip must not reach across their cuts")
@@ -80,11 +83,12 @@ TEST_CASE("|x - 1/3| on [-1, 1]: refused whole, right in two parts")
 TEST_CASE("cos(64 sin x) on [0, pi] = pi J_0(64): oscillation that two coarse levels can agree on")
 {
     for (const long d : digits_tried) {
-        check_integral([](auto x, auto, auto) { return cos(64 * sin(x)); }, Interval::finite(0, Endpoint([] { return pi<Ball>(); })), d, [] {
-            Ball j;
-            arb_hypgeom_bessel_j(j.get(), Ball(0).get(), Ball(64).get(), WorkingPrecision::bits());
-            return pi<Ball>() * j;
-        });
+        check_integral([](auto x, auto, auto) { return cos(64 * sin(x)); }, Interval::finite(0, Endpoint([] { return pi<Ball>(); })), d,
+                       [] {
+                           Ball j;
+                           arb_hypgeom_bessel_j(j.get(), Ball(0).get(), Ball(64).get(), WorkingPrecision::bits());
+                           return pi<Ball>() * j;
+                       });
     }
 }
 
@@ -115,11 +119,16 @@ TEST_CASE("logarithms at the ends")
 TEST_CASE("half-infinite and infinite intervals")
 {
     for (const long d : digits_tried) {
-        check_integral([](auto x, auto, auto) { return 1 / (1 + x * x); }, Interval::whole_line(Decay::algebraic), d, [] { return pi<Ball>(); });
-        check_integral([](auto x, auto l, auto) { return 1 / (sqrt(l) * (1 + x)); }, Interval::right_half_line(0, Decay::algebraic), d, [] { return pi<Ball>(); });
-        check_integral([](auto, auto l, auto r) { return r / sqrt(l); }, Interval::right_half_line(0, Decay::exponential), d, [] { return sqrt(pi<Ball>()); });
-        check_integral([](auto, auto l, auto r) { return l * sqrt(r); }, Interval::left_half_line(2, Decay::exponential), d, [] { return sqrt(pi<Ball>()) / 2; });
+        check_integral([](auto x, auto, auto) { return 1 / (1 + x * x); }, Interval::whole_line(Decay::algebraic), d,
+                       [] { return pi<Ball>(); });
+        check_integral([](auto x, auto l, auto) { return 1 / (sqrt(l) * (1 + x)); }, Interval::right_half_line(0, Decay::algebraic), d,
+                       [] { return pi<Ball>(); });
+        check_integral([](auto, auto l, auto r) { return r / sqrt(l); }, Interval::right_half_line(0, Decay::exponential), d,
+                       [] { return sqrt(pi<Ball>()); });
+        check_integral([](auto, auto l, auto r) { return l * sqrt(r); }, Interval::left_half_line(2, Decay::exponential), d,
+                       [] { return sqrt(pi<Ball>()) / 2; });
         // sech x = 2 l r / (l^2 + r^2) with exp(x) = l/r
-        check_integral([](auto, auto l, auto r) { return 2 * l * r / (l * l + r * r); }, Interval::whole_line(Decay::exponential), d, [] { return pi<Ball>(); });
+        check_integral([](auto, auto l, auto r) { return 2 * l * r / (l * l + r * r); }, Interval::whole_line(Decay::exponential), d,
+                       [] { return pi<Ball>(); });
     }
 }

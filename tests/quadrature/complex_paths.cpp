@@ -220,7 +220,8 @@ TEST_CASE("inner integrals that are not analytic in x, or not proved, have no va
 
 TEST_CASE("an order is real: an inner integral's must not depend on the outer variable, of which complex values are taken")
 {
-    for (const char* formula : {"integral(besselj(20*x,y),y,1,2)", "integral(polylog(1+x,y/2),y,0,1)", "1+re(integral(y*besselk(x,y),y,1,2))"})
+    for (const char* formula :
+         {"integral(besselj(20*x,y),y,1,2)", "integral(polylog(1+x,y/2),y,0,1)", "1+re(integral(y*besselk(x,y),y,1,2))"})
         CHECK_THROWS_AS(along(formula, {"0", "1"}), ExpressionError);
     is_value(along("integral(besselj(1,x*y)*x,y,0,1)", {"0", "1"}), "1-integral(besselj(0,y),y,0,1)");
     // and if one gets there all the same it has no value
@@ -295,7 +296,8 @@ TEST_CASE("the real part of a value mirrors i and the points of an outer variabl
         CHECK((at_z(op).is_finite() && of_g(op).is_finite()));
 }
 
-TEST_CASE("between ends that are not real an inner integral is of analytic functions of its variable: what asks for real numbers is refused")
+TEST_CASE(
+    "between ends that are not real an inner integral is of analytic functions of its variable: what asks for real numbers is refused")
 {
     const std::vector<const char*> of_y{"abs(y+3)",   "conj(y)",   "re(y)",     "im(y)",    "sign(y+5)",
                                         "floor(y+5)", "ceil(y+5)", "max(y,-5)", "min(y,5)", "ei(y+2)"};

@@ -77,7 +77,8 @@ TEST_CASE("wide pieces enclose the map on a grid of their points, and are not mu
     double widest = 0;
     int seen = 0;
     for (int i = 0; i < 250; ++i) {
-        const double x1 = i % 5 ? uniform(0, 1.5) : 0, x2 = x1 + uniform(0, 0.6), y1 = i % 3 ? uniform(0, 1.3) : 0, y2 = std::min(1.45, y1 + uniform(0, 0.5));
+        const double x1 = i % 5 ? uniform(0, 1.5) : 0, x2 = x1 + uniform(0, 0.6), y1 = i % 3 ? uniform(0, 1.3) : 0,
+                     y2 = std::min(1.45, y1 + uniform(0, 0.5));
         const StripPiece piece = StripPiece::at(Side::right, x1, x2, y1, y2);
         const ComplexBall near = piece.distance(Side::right), far = piece.distance(Side::left), log_far = piece.logarithm(Side::left);
         if (!near.is_finite()) continue;
@@ -148,7 +149,11 @@ TEST_CASE("a half-infinite piece encloses powers and logarithms at points howeve
         Ball sinh_x;
         arb_sinh(sinh_x.get(), Ball::exactly(x).get(), 128);
         const Ball rho = pi<Ball>() * sinh_x * cos(Ball::exactly(y));
-        for (const auto& [e, k] : {std::pair(Exponent(1), Exponent(0)), {Exponent(1, 3), Exponent(2)}, {Exponent(2), Exponent(-1, 2)}, {Exponent(1, 50), Exponent(3)}, {Exponent(0), Exponent(-2)}}) {
+        for (const auto& [e, k] : {std::pair(Exponent(1), Exponent(0)),
+                                   {Exponent(1, 3), Exponent(2)},
+                                   {Exponent(2), Exponent(-1, 2)},
+                                   {Exponent(1, 50), Exponent(3)},
+                                   {Exponent(0), Exponent(-2)}}) {
             const ComplexBall exact = exp(ComplexBall(e.ball()) * near_log) * ComplexBall(pow(rho, k.ball()));
             CHECK(piece.vanishing(side, e.ball(), k).overlaps(exact));
         }
@@ -216,11 +221,35 @@ TEST_CASE("a number without powers of distances is the ball it has, to every ope
 
 TEST_CASE("nothing finite comes from nothing: every function of an unknown number is unknown")
 {
-    for (const N& x : {left(StripPiece::everywhere()).map([](const ComplexBall& v) { return v; }), N(ComplexBall(Ball::indeterminate())),
-                       N([] { ComplexBall z; mag_inf(arb_radref(acb_realref(z.get()))); mag_inf(arb_radref(acb_imagref(z.get()))); return z; }())}) {
+    for (const N& x :
+         {left(StripPiece::everywhere()).map([](const ComplexBall& v) { return v; }), N(ComplexBall(Ball::indeterminate())), N([] {
+              ComplexBall z;
+              mag_inf(arb_radref(acb_realref(z.get())));
+              mag_inf(arb_radref(acb_imagref(z.get())));
+              return z;
+          }())}) {
         CHECK_FALSE(x.factor().is_finite());
-        for (const N& y : {exp(x), sin(x), cos(x), sqrt(x), log(x), abs(x), sgn(x), atan(x), asin(x), acos(x), x * 0, x - x, x / x, 1 / x, x + 1, to_power(x, Rational(1, 3)), to_power(x, Rational(-2)),
-                           pow(x, Ball(1) / Ball(3)), gamma_function(x), sin_pi(x), cos_pi(x)})
+        for (const N& y : {exp(x),
+                           sin(x),
+                           cos(x),
+                           sqrt(x),
+                           log(x),
+                           abs(x),
+                           sgn(x),
+                           atan(x),
+                           asin(x),
+                           acos(x),
+                           x * 0,
+                           x - x,
+                           x / x,
+                           1 / x,
+                           x + 1,
+                           to_power(x, Rational(1, 3)),
+                           to_power(x, Rational(-2)),
+                           pow(x, Ball(1) / Ball(3)),
+                           gamma_function(x),
+                           sin_pi(x),
+                           cos_pi(x)})
             CHECK_FALSE(y.value().is_finite());
     }
 }
@@ -275,18 +304,25 @@ TEST_CASE("cached nodes are the map at t = k h")
     }
 }
 
-TEST_CASE("powers at a node, whatever their size, are the exponential of the logarithm, and the table that is given serves what was asked for")
+TEST_CASE(
+    "powers at a node, whatever their size, are the exponential of the logarithm, and the table that is given serves what was asked for")
 {
     for (const long m : {2L, 5L})
-        for (const auto& [count, bits, decay] : {std::tuple{4L, 100L, 1.0}, {12L, 100L, 1.0}, {12L, 900L, 0.25}, {4L, 300L, 0.5}, {12L, 300L, 1.0}}) {
+        for (const auto& [count, bits, decay] :
+             {std::tuple{4L, 100L, 1.0}, {12L, 100L, 1.0}, {12L, 900L, 0.25}, {4L, 300L, 0.5}, {12L, 300L, 1.0}}) {
             const auto table = NodeTable::get(m, count, bits, decay);
             CHECK(table->m() == m);
             CHECK(table->count() >= count);
             const WorkingPrecision precision(bits);
             const Node node(*table, count, Side::left);
-            for (const auto& [p, q] : {std::pair(Exponent(64), Exponent(1, 2)), {Exponent(65), Exponent(0)}, {Exponent(131, 2), Exponent(1, 3)},
-                                       {Exponent(0), Exponent(-201, 4)}, {Exponent(3, 7), Exponent(-70)}, {Exponent(-1, 16), Exponent(3, 32)}}) {
-                const Ball power = node.monomial(p, q), other = exp(p.ball() * node.logarithm(Side::left) + q.ball() * node.logarithm(Side::right));
+            for (const auto& [p, q] : {std::pair(Exponent(64), Exponent(1, 2)),
+                                       {Exponent(65), Exponent(0)},
+                                       {Exponent(131, 2), Exponent(1, 3)},
+                                       {Exponent(0), Exponent(-201, 4)},
+                                       {Exponent(3, 7), Exponent(-70)},
+                                       {Exponent(-1, 16), Exponent(3, 32)}}) {
+                const Ball power = node.monomial(p, q),
+                           other = exp(p.ball() * node.logarithm(Side::left) + q.ball() * node.logarithm(Side::right));
                 CHECK(power.overlaps(other));
                 CHECK(power.relative_bits() > 40);
                 CHECK(node.power(Side::left, p).overlaps(exp(p.ball() * node.logarithm(Side::left))));

@@ -46,19 +46,25 @@ void check_all(double most)
     using std::log;
     using std::sqrt;
     const WorkingPrecision precision(1200);
-    check_estimate<Real>([](const Real&, const Real& l, const Real&) { return power_of(l, -9, 10); }, Interval::finite(0, 1), Ball(10), 20 * most);
+    check_estimate<Real>([](const Real&, const Real& l, const Real&) { return power_of(l, -9, 10); }, Interval::finite(0, 1), Ball(10),
+                         20 * most);
     check_estimate<Real>([](const Real&, const Real&, const Real& r) { return Real(1 / sqrt(r)); }, Interval::finite(0, 1), Ball(2), most);
-    check_estimate<Real>([](const Real&, const Real&, const Real& r) { return Real(sqrt(r)); }, Interval::finite(-1, 3), Ball(16) / 3, most);
-    check_estimate<Real>([](const Real& x, const Real&, const Real&) { return Real(exp(x)); }, Interval::finite(0, 1), exp(Ball(1)) - 1, most);
+    check_estimate<Real>([](const Real&, const Real&, const Real& r) { return Real(sqrt(r)); }, Interval::finite(-1, 3), Ball(16) / 3,
+                         most);
+    check_estimate<Real>([](const Real& x, const Real&, const Real&) { return Real(exp(x)); }, Interval::finite(0, 1), exp(Ball(1)) - 1,
+                         most);
     const long small = 1'000'000'000'000;
     check_estimate<Real>([small](const Real& x, const Real&, const Real&) { return Real(exp(x) / small); }, Interval::finite(0, 1),
                          (exp(Ball(1)) - 1) / Ball(small), most);
     check_estimate<Real>([](const Real&, const Real& l, const Real&) { return Real(log(l)); }, Interval::finite(0, 1), Ball(-1), most);
     check_estimate<Real>([](const Real&, const Real& l, const Real& r) { return power_of(Real(l * r), 1, 4); }, Interval::finite(-1, 1),
                          sqrt(pi<Ball>()) * gamma_function(Ball(Rational(5, 4))) / gamma_function(Ball(Rational(7, 4))), most);
-    check_estimate<Real>([](const Real& x, const Real&, const Real&) { return Real(1 / (1 + x * x)); }, Interval::whole_line(Decay::algebraic), pi<Ball>(), most);
-    check_estimate<Real>([](const Real&, const Real& l, const Real& r) { return Real(r / sqrt(l)); }, Interval::right_half_line(0, Decay::exponential), sqrt(pi<Ball>()), most);
-    check_estimate<Real>([](const Real& x, const Real&, const Real&) { return Real(1 / (x * x)); }, Interval::right_half_line(2, Decay::algebraic), Ball(1) / 2, most);
+    check_estimate<Real>([](const Real& x, const Real&, const Real&) { return Real(1 / (1 + x * x)); },
+                         Interval::whole_line(Decay::algebraic), pi<Ball>(), most);
+    check_estimate<Real>([](const Real&, const Real& l, const Real& r) { return Real(r / sqrt(l)); },
+                         Interval::right_half_line(0, Decay::exponential), sqrt(pi<Ball>()), most);
+    check_estimate<Real>([](const Real& x, const Real&, const Real&) { return Real(1 / (x * x)); },
+                         Interval::right_half_line(2, Decay::algebraic), Ball(1) / 2, most);
 }
 
 } // namespace
@@ -82,12 +88,15 @@ TEST_CASE("what is not finite, or does not settle, is not called converged")
 {
     const auto pole = estimate<double>([](double, double l, double) { return 1 / l; }, Interval::finite(0, 1));
     CHECK((!pole.converged || pole.error > 1e-3 * std::fabs(pole.value)));
-    CHECK_FALSE(estimate<double>([](double, double, double) { return std::numeric_limits<double>::quiet_NaN(); }, Interval::finite(0, 1)).converged);
+    CHECK_FALSE(estimate<double>([](double, double, double) { return std::numeric_limits<double>::quiet_NaN(); }, Interval::finite(0, 1))
+                    .converged);
     Mpfr::default_precision(50);
     const auto nothing = estimate<Mpfr>([](const Mpfr&, const Mpfr&, const Mpfr&) { return Mpfr(0); }, Interval::finite(0, 1));
     CHECK(nothing.converged);
     CHECK(nothing.value == 0);
-    CHECK_FALSE(estimate<Mpfr>([](const Mpfr& x, const Mpfr&, const Mpfr&) { return Mpfr(abs(x - Mpfr(1) / 3)); }, Interval::finite(-1, 1), Mpfr(0), 8).converged);
+    CHECK_FALSE(estimate<Mpfr>([](const Mpfr& x, const Mpfr&, const Mpfr&) { return Mpfr(abs(x - Mpfr(1) / 3)); }, Interval::finite(-1, 1),
+                               Mpfr(0), 8)
+                    .converged);
     // where the differences of levels shrink by a factor alone the last of them is the error, and no power of it (but for two that agree
     // by accident)
     for (const int levels : {6, 8, 10}) {
@@ -101,5 +110,7 @@ TEST_CASE("what is not finite, or does not settle, is not called converged")
     CHECK_FALSE(cut_off.converged);
     CHECK(cut_off.error < Mpfr("1e-64"));
     CHECK(Mpfr(abs(cut_off.value - Mpfr("20e-30"))) < cut_off.error);
-    CHECK_FALSE(estimate<Mpfr>([](const Mpfr&, const Mpfr&, const Mpfr&) { return std::numeric_limits<Mpfr>::quiet_NaN(); }, Interval::finite(0, 1)).converged);
+    CHECK_FALSE(
+        estimate<Mpfr>([](const Mpfr&, const Mpfr&, const Mpfr&) { return std::numeric_limits<Mpfr>::quiet_NaN(); }, Interval::finite(0, 1))
+            .converged);
 }

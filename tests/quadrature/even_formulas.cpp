@@ -37,9 +37,10 @@ ComplexBall square(double re, double im, double half_side)
 TEST_CASE("even and odd formulas are told by their parts, and what is neither is not taken for it")
 {
     const auto of = [](const char* text) { return parity(*parse_expression(text)); };
-    for (const char* even : {"x^2", "sqrt(1-x^2)", "cos(x)", "abs(x)*exp(-x^2)", "x*sin(x)", "tan(x)/x", "x^3/sinh(x)", "3", "besselj(0,x^2)",
-                             "max(x^2,cos(x))", "x^(-4)", "cosh(3*x)^(-1/2)", "sqrt(x^2)", "2^(x^2)", "abs(x)", "sec(x)", "cosh(x)", "sech(x)",
-                             "sinc(x)", "integral(cos(t),t,0,1)"}) {
+    for (const char* even : {"x^2",      "sqrt(1-x^2)",      "cos(x)",    "abs(x)*exp(-x^2)", "x*sin(x)",
+                             "tan(x)/x", "x^3/sinh(x)",      "3",         "besselj(0,x^2)",   "max(x^2,cos(x))",
+                             "x^(-4)",   "cosh(3*x)^(-1/2)", "sqrt(x^2)", "2^(x^2)",          "abs(x)",
+                             "sec(x)",   "cosh(x)",          "sech(x)",   "sinc(x)",          "integral(cos(t),t,0,1)"}) {
         CAPTURE(even);
         CHECK(of(even) == Parity::even);
     }
@@ -47,8 +48,8 @@ TEST_CASE("even and odd formulas are told by their parts, and what is neither is
         CAPTURE(odd);
         CHECK(of(odd) == Parity::odd);
     }
-    for (const char* neither : {"x+1", "exp(x)", "x+x^2", "sqrt(x)", "cos(x+1)", "x^(1/3)", "x^x", "acos(x)", "max(x,x^2)", "(x^2)^x", "log(x)",
-                                "integral(exp(t*x),t,0,1)", "floor(x)", "x^0.5", "x^0.2", "(1+x)^2", "x*exp(x)"}) {
+    for (const char* neither : {"x+1", "exp(x)", "x+x^2", "sqrt(x)", "cos(x+1)", "x^(1/3)", "x^x", "acos(x)", "max(x,x^2)", "(x^2)^x",
+                                "log(x)", "integral(exp(t*x),t,0,1)", "floor(x)", "x^0.5", "x^0.2", "(1+x)^2", "x*exp(x)"}) {
         CAPTURE(neither);
         CHECK(of(neither) == Parity::unknown);
     }

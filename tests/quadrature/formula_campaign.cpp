@@ -196,7 +196,11 @@ Case Draw::of_several_kinds(long family)
     case 0: return {"principal value of a wave", "exp(i*" + A + "*(x-" + C + "))/(x-" + C + ")", "-inf", "inf", "i*pi", C};
     case 1: {
         const auto jump = [](const std::string& pole) { return "log((1-" + pole + ")/" + pole + ")"; };
-        return {"two principal values", "1/((x-" + C + ")*(x-" + D + "))", "0", "1", "(" + jump(D) + "-" + jump(C) + ")/(" + D + "-" + C + ")",
+        return {"two principal values",
+                "1/((x-" + C + ")*(x-" + D + "))",
+                "0",
+                "1",
+                "(" + jump(D) + "-" + jump(C) + ")/(" + D + "-" + C + ")",
                 C + "," + D};
     }
     case 2: {
@@ -256,13 +260,17 @@ Case Draw::even_or_a_power_of_two_factors(long family)
         return "gamma" + text(s) + "*gamma" + text(t) + "/(2*gamma" + text(Rational(s + t)) + ")";
     };
     switch (family) {
-    case 0: return {"quarter of a circle", "sqrt(" + A + "^2-x^2)*cos(" + B + "*x)", "0", A, "pi*" + A + "/(2*" + B + ")*besselj(1," + A + "*" + B + ")"};
+    case 0:
+        return {"quarter of a circle", "sqrt(" + A + "^2-x^2)*cos(" + B + "*x)", "0", A,
+                "pi*" + A + "/(2*" + B + ")*besselj(1," + A + "*" + B + ")"};
     case 1: return {"weight left of 0", "cos(" + B + "*x)/sqrt(" + A + "^2-x^2)", "-" + A, "0", "pi/2*besselj(0," + A + "*" + B + ")"};
     case 2: return {"even poles beside", "1/((x^2+" + D + "^2)*sqrt(1-x^2))", "0", "1", "pi/(2*" + D + "*sqrt(1+" + D + "^2))"};
     case 3: return {"power of a tangent", "tan(x)^" + Q, "0", "pi/2", "pi/(2*cos(pi*" + Q + "/2))"};
     case 4: return {"power of a quotient", "(x/(1-x^2))^" + Q, "0", "1", half_beta(Rational((q + 1) / 2), Rational(1 - q))};
     case 5: return {"power of a product", "(x*(1-x^2))^" + E, "0", "1", half_beta(Rational((e + 1) / 2), Rational(e + 1))};
-    default: return {"even on both sides", "x*sin(" + B + "*x)", "-" + A, A, "2*(sin(" + A + "*" + B + ")-" + A + "*" + B + "*cos(" + A + "*" + B + "))/" + B + "^2"};
+    default:
+        return {"even on both sides", "x*sin(" + B + "*x)", "-" + A, A,
+                "2*(sin(" + A + "*" + B + ")-" + A + "*" + B + "*cos(" + A + "*" + B + "))/" + B + "^2"};
     }
 }
 
@@ -336,7 +344,8 @@ TEST_CASE("random formulas: no enclosure misses the closed form")
         const Integral result = computed(c, options);
         auto& [certified, refused, spent] = families[c.family];
         spent += static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
-        const bool served = result.status == Status::certified || (c.a.radius != 0 && result.digits > 0) || (c.value == "0" && result.value.is_finite());
+        const bool served =
+            result.status == Status::certified || (c.a.radius != 0 && result.digits > 0) || (c.value == "0" && result.value.is_finite());
         (served ? certified : refused) += 1;
         if (!result.value.is_finite()) {
             MESSAGE(c.formula << " from " << c.from << " to " << c.to << ": " << result.reason);

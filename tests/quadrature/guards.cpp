@@ -143,7 +143,8 @@ TEST_CASE("sums may be long where powers may not be deep; steps may be many, but
             return std::string(e.what());
         }
     };
-    for (const auto& [part, rest, what] : {std::tuple{"(", "x", "brackets"}, {"- ", "x", "signs"}, {"x^-", "x", "powers"}, {"(x)^", "x", "powers"}}) {
+    for (const auto& [part, rest, what] :
+         {std::tuple{"(", "x", "brackets"}, {"- ", "x", "signs"}, {"x^-", "x", "powers"}, {"(x)^", "x", "powers"}}) {
         CAPTURE(part);
         CHECK(parses(repeated(part, 257) + rest).find(std::string(what) + " nest deeper than 256") != std::string::npos);
         CHECK(parses(repeated(part, 256) + rest).find("256") == std::string::npos);
@@ -169,8 +170,9 @@ TEST_CASE("break points are inside the range, and of a path neither they nor pri
     inside.digits = 15;
     inside.at = {parse_limit("1/2"), parse_limit("1/3")};
     for (const auto& [from, to, value] : {std::tuple("0", "1", "1-exp(-1)"), {"0", "inf", "1"}, {"-1", "inf", "e"}})
-        CHECK(is(integrate_several({parse_expression("exp(-x)"), parse_expression("exp(-2*x)")}, parse_limit(from), parse_limit(to), inside)[0],
-                 parse_limit(value).ball()));
+        CHECK(is(
+            integrate_several({parse_expression("exp(-x)"), parse_expression("exp(-2*x)")}, parse_limit(from), parse_limit(to), inside)[0],
+            parse_limit(value).ball()));
     const std::vector<Vertex> path{parse_vertex("0"), parse_vertex("1+i")};
     IntegralOptions broken, principal;
     broken.at = {parse_limit("1/2")};

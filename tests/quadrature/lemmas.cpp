@@ -138,7 +138,8 @@ TEST_CASE("truncation bounds grow by the factor of the far end, whatever its exp
         const Ball factor = lemma::far_factor(Ball(beta), A);
         CHECK(factor.overlaps(exp(-abs(Ball(beta)) * log(1 - exp(-A)))));
         CHECK(lemma::truncation(K, alpha, Ball(beta), A, far).overlaps(lemma::truncation(K, alpha, Ball(0), A, far) * factor));
-        CHECK(lemma::logistic_truncation(K, alpha, Ball(beta), A, far).overlaps(lemma::logistic_truncation(K, alpha, Ball(0), A, far) * factor));
+        CHECK(lemma::logistic_truncation(K, alpha, Ball(beta), A, far)
+                  .overlaps(lemma::logistic_truncation(K, alpha, Ball(0), A, far) * factor));
     }
 }
 
@@ -231,7 +232,8 @@ TEST_CASE("erfc, Ai and K on a piece: at the least rho they are as large as is c
         const StripPiece piece = piece_from(1.5);
         const Ball A = piece.depth();
         const Complex squared = grown(piece, ComplexBall(1), 2); // what holds of rho holds of no power of it
-        for (const Op op : {Op::bessel_k_scaled, Op::bessel_i_scaled, Op::bessel_k}) CHECK_FALSE(function_of(op, Ball(0), squared).factor().is_finite());
+        for (const Op op : {Op::bessel_k_scaled, Op::bessel_i_scaled, Op::bessel_k})
+            CHECK_FALSE(function_of(op, Ball(0), squared).factor().is_finite());
         // what is known of J and I of integer order is known of nothing else
         CHECK(function_of(Op::bessel_j, Ball(0), grown(piece, ComplexBall(1))).factor().is_finite());
         CHECK_FALSE(function_of(Op::bessel_j, Ball(1) / 2, grown(piece, ComplexBall(1))).factor().is_finite());
@@ -325,7 +327,8 @@ TEST_CASE("elliptic remainder: K(1 - u) less its logarithm, for u so small that 
     const WorkingPrecision precision(400);
     for (const char* text : {"1e-30", "1e-3", "0.4"}) {
         const Ball u = decimal(text);
-        const Ball rest = special_function(Op::elliptic_k, u) / pi<Ball>() * (log(Ball(16)) - log(u)) - special_function(Op::elliptic_k, Ball(1) - u);
+        const Ball rest =
+            special_function(Op::elliptic_k, u) / pi<Ball>() * (log(Ball(16)) - log(u)) - special_function(Op::elliptic_k, Ball(1) - u);
         CHECK(arb_le(rest.get(), lemma::elliptic_remainder(u, 1).get()));
         if (text[0] == '1') attains(rest, lemma::elliptic_remainder(u, 1), Rational(72, 100));
     }
@@ -396,7 +399,8 @@ TEST_CASE("functions with a logarithm at an end are themselves on both sides of 
                 CHECK(value.relative_bits() > 140);
             }
     }
-    // a point at which the image has wound more than half around the end: the continued function, by its derivative's equation along the way
+    // a point at which the image has wound more than half around the end: the continued function, by its derivative's equation along the
+    // way
     const StripPiece piece = StripPiece::at(Side::right, 1.5, 1.5, 1.2, 1.2);
     const Complex r(&piece, {}, {Exponent(1), {}}, ComplexBall(1));
     const ComplexBall l = piece.logarithm(Side::right), v = piece.distance(Side::right);
@@ -406,7 +410,8 @@ TEST_CASE("functions with a logarithm at an end are themselves on both sides of 
     CHECK(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), expected.get()));
     CHECK_FALSE(acb_overlaps(function_of(Op::bessel_k, Ball(0), r).value().get(), special_function(Op::bessel_k, Ball(0), v).get()));
     CHECK(acb_overlaps(function_of(Op::bessel_k_scaled, Ball(0), r).value().get(), (analytic::exp(v) * expected).get()));
-    const ComplexBall k = special_function(Op::elliptic_k, ComplexBall(1) - v) - turn * special_function(Op::elliptic_k, v) / ComplexBall(pi<Ball>());
+    const ComplexBall k =
+        special_function(Op::elliptic_k, ComplexBall(1) - v) - turn * special_function(Op::elliptic_k, v) / ComplexBall(pi<Ball>());
     CHECK(acb_overlaps(function_of(Op::elliptic_k_of_complement, r).value().get(), k.get()));
     const ComplexBall e = special_function(Op::elliptic_e, ComplexBall(1) - v) -
                           turn * (special_function(Op::elliptic_k, v) - special_function(Op::elliptic_e, v)) / ComplexBall(pi<Ball>());
@@ -434,7 +439,8 @@ TEST_CASE("log(1 + v)/v about v = 0 and as far as it is taken: v < 0 attains mos
     Interval half_line = Interval::right_half_line(0, Decay::exponential);
     half_line.prepare();
     const StripPiece piece = StripPiece::at(Side::right, 0.69, std::numeric_limits<double>::infinity(), 0, 0.9293);
-    const auto at = half_line.at(Complex(&piece, {Exponent(1), {}}, {}, ComplexBall(1)), Complex(&piece, {}, {Exponent(1), {}}, ComplexBall(1)));
+    const auto at =
+        half_line.at(Complex(&piece, {Exponent(1), {}}, {}, ComplexBall(1)), Complex(&piece, {}, {Exponent(1), {}}, ComplexBall(1)));
     const Integrand f(parse_expression("log(1+exp(-x))"), Range{parse_limit("0"), parse_limit("inf"), Map::right_exponential});
     const Complex logarithm = f.at(at.x, at.left, at.right);
     REQUIRE(logarithm.right().power == Exponent(1));

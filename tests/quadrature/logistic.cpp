@@ -255,7 +255,8 @@ TEST_CASE("exp(x) K far out is as large as is claimed, where x grows as a power 
         const StripPiece piece = StripPiece::at(Side::right, x1, endless, 0, 0x1p-12, Transformation::logistic);
         const Complex f = function_of(Op::bessel_k_scaled, order, abscissa(piece));
         const ComplexBall x = at(x1, 0);
-        attains(abs(special_function(Op::bessel_k_scaled, order, x)), radius_of_disc(f) * exp(f.right().power.ball() * -log(1 + abs(x))), share);
+        attains(abs(special_function(Op::bessel_k_scaled, order, x)), radius_of_disc(f) * exp(f.right().power.ball() * -log(1 + abs(x))),
+                share);
     }
     const StripPiece piece = StripPiece::at(Side::right, 2.5, endless, 0, 0x1p-12);
     const Complex rho(&piece, {}, {0, 1}, ComplexBall(1));

@@ -81,7 +81,11 @@ TEST_CASE("(7.13): K_(n+1)/K_n of the library is 2^delta_n/pi times the integral
 
 TEST_CASE("(2.19): the density integrates to the contact area (2.5) and its mean is the load")
 {
-    for (const auto& [load, digits] : {std::pair(Rational(1, 1000), 30L), {Rational(1, 10), 100L}, {Rational(1, 2), 30L}, {Rational(99, 100), 30L}, {Rational(1, 5), 1000L}}) {
+    for (const auto& [load, digits] : {std::pair(Rational(1, 1000), 30L),
+                                       {Rational(1, 10), 100L},
+                                       {Rational(1, 2), 30L},
+                                       {Rational(99, 100), 30L},
+                                       {Rational(1, 5), 1000L}}) {
         const Rational s = load;
         const auto density = [s](auto p, auto to_edge) {
             using T = decltype(p);
@@ -89,21 +93,24 @@ TEST_CASE("(2.19): the density integrates to the contact area (2.5) and its mean
             return westergaard::density_partial(p, load_t, T(sqrt(to_edge * (edge + p))));
         };
         const Interval support = Interval::finite(0, Endpoint([s] { return 2 * sqrt(Ball(s)); }));
-        check_integral([density](auto p, auto, auto r) { return density(p, r); }, support, digits, [s] { return 2 * asin(sqrt(Ball(s))) / pi<Ball>(); });
+        check_integral([density](auto p, auto, auto r) { return density(p, r); }, support, digits,
+                       [s] { return 2 * asin(sqrt(Ball(s))) / pi<Ball>(); });
         check_integral([density](auto p, auto, auto r) { return p * density(p, r); }, support, digits, [s] { return Ball(s); });
     }
 }
 
 TEST_CASE("(6.7) at n = 1 agrees with the recursion")
 {
-    for (const auto& [load, G] : {std::pair(Rational(1, 10), Rational(4)), {Rational(1, 1000), Rational(3)}, {Rational(1, 2), Rational(4)}}) {
+    for (const auto& [load, G] :
+         {std::pair(Rational(1, 10), Rational(4)), {Rational(1, 1000), Rational(3)}, {Rational(1, 2), Rational(4)}}) {
         for (const long digits : {30L, 100L, 1000L}) {
             if (digits == 1000 && load != Rational(1, 10)) continue; // a second each
             Options options;
             options.digits = digits;
             const AreaAtScaleOne f{load, G};
             const Enclosure direct = tanh_sinh(f, f.support(), options);
-            const Enclosure recursive = tanh_sinh(AreaByRecursion{load, G}, Interval::finite(0, Endpoint([] { return pi<Ball>() / 2; })), options);
+            const Enclosure recursive =
+                tanh_sinh(AreaByRecursion{load, G}, Interval::finite(0, Endpoint([] { return pi<Ball>() / 2; })), options);
             INFO(direct.reason << " " << recursive.reason << " " << direct.certificate.to_json());
             CHECK(direct.status == Status::certified);
             CHECK(recursive.status == Status::certified);

@@ -206,7 +206,8 @@ TEST_CASE("a number with logarithms has no value but in sums and products")
     // (2 u log u + 3)(log u - 1/2), u = 1/2 in this frame: log(u)^2 + 5/2 log(u) - 3/2
     const N product = (N(2) * u * l + N(3)) * (l - N(ComplexBall(Ball(1) / Ball(2))));
     CHECK(product.factor_without_logarithm().overlaps(ComplexBall(Ball(-3) / Ball(2))));
-    for (const auto& t : product.logarithms()) CHECK((t.left == 2 ? t.c.overlaps(ComplexBall(1)) : t.c.overlaps(ComplexBall(Ball(5) / Ball(2)))));
+    for (const auto& t : product.logarithms())
+        CHECK((t.left == 2 ? t.c.overlaps(ComplexBall(1)) : t.c.overlaps(ComplexBall(Ball(5) / Ball(2)))));
     for (const N& x :
          {sqrt(l), exp(l), sin(l), log(l), N(N(1) / l), pow(l, Ball(1) / Ball(3)), atan(l), asin(l), abs(l), to_power(l, Exponent(-1))}) {
         CHECK_FALSE(x.factor_without_logarithm().is_finite());

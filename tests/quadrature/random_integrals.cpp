@@ -86,7 +86,8 @@ TEST_CASE("2000 random integrals of eight families contain their closed forms an
         switch (i % 8) {
         case 0: { // Beta on a random interval
             const Rational low = draw.number(), width = draw.distance();
-            e = check_integral([p, q](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q); }, Interval::finite(low, Rational(low + width)), digits,
+            e = check_integral([p, q](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q); },
+                               Interval::finite(low, Rational(low + width)), digits,
                                [&] { return beta(Ball(a), Ball(b)) * pow(Ball(width), Ball(Rational(p + b))); });
             break;
         }
@@ -95,20 +96,26 @@ TEST_CASE("2000 random integrals of eight families contain their closed forms an
             Rational c = draw.exponent();
             // here too
             while (Rational(c - a).get_den() == 1 || Rational(c - b).get_den() == 1) c = draw.exponent();
-            e = check_integral([p, q, c, d](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q) * to_power(1 + l / d, Rational(-c)); }, Interval::finite(0, 1), digits,
-                               [&] { return beta(Ball(a), Ball(b)) * hypergeometric_2f1(Ball(c), Ball(a), Ball(Rational(a + b)), Ball(Rational(-1 / d))); });
+            e = check_integral(
+                [p, q, c, d](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q) * to_power(1 + l / d, Rational(-c)); },
+                Interval::finite(0, 1), digits,
+                [&] {
+                    return beta(Ball(a), Ball(b)) * hypergeometric_2f1(Ball(c), Ball(a), Ball(Rational(a + b)), Ball(Rational(-1 / d)));
+                });
             break;
         }
         case 2: { // a pole outside, on the right
             const Rational d = draw.distance();
             const Rational z = 1 / (1 + d);
-            e = check_integral([p, q, d](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q) * (1 + d) / (r + d); }, Interval::finite(0, 1), digits,
-                               [&] { return beta(Ball(a), Ball(b)) * hypergeometric_2f1(Ball(1), Ball(a), Ball(Rational(a + b)), Ball(z)); });
+            e = check_integral(
+                [p, q, d](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q) * (1 + d) / (r + d); }, Interval::finite(0, 1),
+                digits, [&] { return beta(Ball(a), Ball(b)) * hypergeometric_2f1(Ball(1), Ball(a), Ball(Rational(a + b)), Ball(z)); });
             break;
         }
         case 3: { // entire factor, growing or decaying
             const Rational z = Rational(draw.between(-200, 200), 16);
-            e = check_integral([p, q, z](auto x, auto l, auto r) { return to_power(l, p) * to_power(r, q) * exp(z * x); }, Interval::finite(0, 1), digits,
+            e = check_integral([p, q, z](auto x, auto l, auto r) { return to_power(l, p) * to_power(r, q) * exp(z * x); },
+                               Interval::finite(0, 1), digits,
                                [&] { return beta(Ball(a), Ball(b)) * kummer(Ball(a), Ball(Rational(a + b)), Ball(z)); });
             break;
         }
@@ -125,21 +132,23 @@ TEST_CASE("2000 random integrals of eight families contain their closed forms an
         case 5: { // logarithms
             const long k = draw.between(1, 4);
             if (draw.between(0, 1)) {
-                e = check_integral([p, k](auto, auto l, auto) { return to_power(l, p) * to_power(-log(l), Rational(k)); }, Interval::finite(0, 1), digits,
-                                   [&] { return gamma_function(Ball(k + 1)) / pow(Ball(a), Ball(k + 1)); });
+                e = check_integral([p, k](auto, auto l, auto) { return to_power(l, p) * to_power(-log(l), Rational(k)); },
+                                   Interval::finite(0, 1), digits, [&] { return gamma_function(Ball(k + 1)) / pow(Ball(a), Ball(k + 1)); });
             }
             else {
-                e = check_integral([p, q](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q) * log(l); }, Interval::finite(0, 1), digits,
+                e = check_integral([p, q](auto, auto l, auto r) { return to_power(l, p) * to_power(r, q) * log(l); },
+                                   Interval::finite(0, 1), digits,
                                    [&] { return beta(Ball(a), Ball(b)) * (digamma(Ball(a)) - digamma(Ball(Rational(a + b)))); });
             }
             break;
         }
         case 6: // half-infinite, algebraic decay
-            e = check_integral([p, a, b](auto, auto l, auto) { return to_power(l, p) * to_power(1 + l, Rational(-a - b)); }, Interval::right_half_line(0, Decay::algebraic), digits,
-                               [&] { return beta(Ball(a), Ball(b)); });
+            e = check_integral([p, a, b](auto, auto l, auto) { return to_power(l, p) * to_power(1 + l, Rational(-a - b)); },
+                               Interval::right_half_line(0, Decay::algebraic), digits, [&] { return beta(Ball(a), Ball(b)); });
             break;
         default: // half-infinite, exponential decay
-            e = check_integral([p, b](auto, auto l, auto r) { return to_power(l, p) * to_power(r, b); }, Interval::right_half_line(0, Decay::exponential), digits,
+            e = check_integral([p, b](auto, auto l, auto r) { return to_power(l, p) * to_power(r, b); },
+                               Interval::right_half_line(0, Decay::exponential), digits,
                                [&] { return gamma_function(Ball(a)) / pow(Ball(b), Ball(a)); });
         }
         poorest = std::min(poorest, static_cast<long>(proven_digits(e.value)) - digits);

@@ -46,7 +46,8 @@ std::optional<Ball> arb_integral(const ComplexFunction& f, const Ball& a, const 
     options->eval_limit = 2000000;
     options->depth_limit = 100000;
     ComplexBall value;
-    const int status = acb_calc_integrate(value.get(), call, const_cast<ComplexFunction*>(&f), ComplexBall(a).get(), ComplexBall(b).get(), bits, tolerance, options, bits);
+    const int status = acb_calc_integrate(value.get(), call, const_cast<ComplexFunction*>(&f), ComplexBall(a).get(), ComplexBall(b).get(),
+                                          bits, tolerance, options, bits);
     mag_clear(tolerance);
     if (status != ARB_CALC_SUCCESS || !value.is_finite()) return std::nullopt;
     return value.real();
@@ -68,8 +69,10 @@ GslResult qags(const std::function<double(double)>& f, double a, double b, const
 {
     static const auto quiet = gsl_set_error_handler_off();
     (void)quiet;
-    const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(gsl_integration_workspace_alloc(1000), &gsl_integration_workspace_free);
-    gsl_function g{[](double x, void* p) { return (*static_cast<const std::function<double(double)>*>(p))(x); }, const_cast<std::function<double(double)>*>(&f)};
+    const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(gsl_integration_workspace_alloc(1000),
+                                                                                                      &gsl_integration_workspace_free);
+    gsl_function g{[](double x, void* p) { return (*static_cast<const std::function<double(double)>*>(p))(x); },
+                   const_cast<std::function<double(double)>*>(&f)};
     GslResult r{};
     if (breaks.empty()) r.status = gsl_integration_qags(&g, a, b, 0, 1e-10, 1000, space.get(), &r.value, &r.error);
     else {
@@ -108,18 +111,23 @@ TEST_CASE("Arb's integrator overlaps where the integrand is bounded")
         REQUIRE(exponential);
         CHECK(exponential->overlaps(ours([](auto x, auto, auto) { return exp(x * x); }, Interval::finite(0, 1), digits).value));
 
-        const auto near_pole = arb_integral([](const ComplexBall& z, bool) { return 1 / (z * z + ComplexBall(Rational(1, 10000))); }, Ball(-1), Ball(1), digits);
+        const auto near_pole = arb_integral([](const ComplexBall& z, bool) { return 1 / (z * z + ComplexBall(Rational(1, 10000))); },
+                                            Ball(-1), Ball(1), digits);
         REQUIRE(near_pole);
-        CHECK(near_pole->overlaps(ours([](auto x, auto, auto) { return 1 / (x * x + Rational(1, 10000)); }, Interval::finite(-1, 1), digits).value));
+        CHECK(near_pole->overlaps(
+            ours([](auto x, auto, auto) { return 1 / (x * x + Rational(1, 10000)); }, Interval::finite(-1, 1), digits).value));
 
-        const auto root_end = arb_integral([](const ComplexBall& z, bool analytic) { return root(1 - z, analytic) * cos(z); }, Ball(0), Ball(1), digits);
+        const auto root_end =
+            arb_integral([](const ComplexBall& z, bool analytic) { return root(1 - z, analytic) * cos(z); }, Ball(0), Ball(1), digits);
         REQUIRE(root_end);
         CHECK(root_end->overlaps(ours([](auto x, auto, auto r) { return sqrt(r) * cos(x); }, Interval::finite(0, 1), digits).value));
 
         // (7.13) at n = 0: (1 - x^2)^(1/4)
-        const auto quarter = arb_integral([](const ComplexBall& z, bool analytic) { return root(root(1 - z * z, analytic), analytic); }, Ball(-1), Ball(1), digits);
+        const auto quarter = arb_integral([](const ComplexBall& z, bool analytic) { return root(root(1 - z * z, analytic), analytic); },
+                                          Ball(-1), Ball(1), digits);
         REQUIRE(quarter);
-        CHECK(quarter->overlaps(ours([](auto, auto l, auto r) { return to_power(l * r, Rational(1, 4)); }, Interval::finite(-1, 1), digits).value));
+        CHECK(quarter->overlaps(
+            ours([](auto, auto l, auto r) { return to_power(l * r, Rational(1, 4)); }, Interval::finite(-1, 1), digits).value));
     }
 }
 
@@ -153,12 +161,17 @@ TEST_CASE("Arb's integrator does not give a finite ball where the integrand is u
 
 TEST_CASE("GSL's QAGS and QAGP agree in double")
 {
-    check_gsl(qags([](double x) { return std::pow(x, -0.9); }, 0, 1), ours([](auto, auto l, auto) { return to_power(l, Rational(-9, 10)); }, Interval::finite(0, 1), 30).value);
-    check_gsl(qags([](double x) { return std::log(x) / std::sqrt(x); }, 0, 1), ours([](auto, auto l, auto) { return log(l) / sqrt(l); }, Interval::finite(0, 1), 30).value);
-    check_gsl(qags([](double x) { return 1 / (x * x + 1e-4); }, -1, 1), ours([](auto x, auto, auto) { return 1 / (x * x + Rational(1, 10000)); }, Interval::finite(-1, 1), 30).value);
-    check_gsl(qags([](double x) { return std::sqrt(1 - x) * std::cos(x); }, 0, 1), ours([](auto x, auto, auto r) { return sqrt(r) * cos(x); }, Interval::finite(0, 1), 30).value);
+    check_gsl(qags([](double x) { return std::pow(x, -0.9); }, 0, 1),
+              ours([](auto, auto l, auto) { return to_power(l, Rational(-9, 10)); }, Interval::finite(0, 1), 30).value);
+    check_gsl(qags([](double x) { return std::log(x) / std::sqrt(x); }, 0, 1),
+              ours([](auto, auto l, auto) { return log(l) / sqrt(l); }, Interval::finite(0, 1), 30).value);
+    check_gsl(qags([](double x) { return 1 / (x * x + 1e-4); }, -1, 1),
+              ours([](auto x, auto, auto) { return 1 / (x * x + Rational(1, 10000)); }, Interval::finite(-1, 1), 30).value);
+    check_gsl(qags([](double x) { return std::sqrt(1 - x) * std::cos(x); }, 0, 1),
+              ours([](auto x, auto, auto r) { return sqrt(r) * cos(x); }, Interval::finite(0, 1), 30).value);
     // a break inside: |x - 1/3|^(-1/2), ours in two parts
     const Rational third(1, 3);
-    const Ball parts = ours([](auto, auto, auto r) { return 1 / sqrt(r); }, Interval::finite(-1, third), 30).value + ours([](auto, auto l, auto) { return 1 / sqrt(l); }, Interval::finite(third, 1), 30).value;
+    const Ball parts = ours([](auto, auto, auto r) { return 1 / sqrt(r); }, Interval::finite(-1, third), 30).value +
+                       ours([](auto, auto l, auto) { return 1 / sqrt(l); }, Interval::finite(third, 1), 30).value;
     check_gsl(qags([](double x) { return 1 / std::sqrt(std::fabs(x - 1.0 / 3)); }, -1, 1, {1.0 / 3}), parts);
 }

@@ -160,7 +160,8 @@ TEST_CASE("the majorant of numbers u^p r^q c is at least each of them, and no mo
     const WorkingPrecision precision(strip_bits);
     const StripPiece piece = StripPiece::at(Side::left, 1, 1.25, 0, 0.25);
     using N = EndpointNumber<ComplexBall>;
-    const N a(&piece, {Exponent(-1, 2), 0}, {}, ComplexBall(3)), b(&piece, {Exponent(1), 0}, {Exponent(-1, 3), 0}, ComplexBall(Ball(0), Ball(-2)));
+    const N a(&piece, {Exponent(-1, 2), 0}, {}, ComplexBall(3)),
+        b(&piece, {Exponent(1), 0}, {Exponent(-1, 3), 0}, ComplexBall(Ball(0), Ball(-2)));
     const auto size = [&](const N& g) { return abs(g.value()); };
     for (const auto& all : {std::vector{a, b}, std::vector{b, a}, std::vector{a}}) {
         const N m = quadrature::detail::majorant(all, piece);

@@ -153,7 +153,8 @@ TEST_CASE("what is known with fewer digits than asked for is undecided, with as 
     CHECK(e.digits == 12);
     CHECK(e.value.contains(Rational(1, 2)));
     CHECK(e.reason.find("12 of 30 digits") != std::string::npos);
-    CHECK(by_tanh_sinh("x^(-3/2)", "1").reason == "at the left end the exponent -3/2 is all that is proved, and the integral needs one above -1");
+    CHECK(by_tanh_sinh("x^(-3/2)", "1").reason ==
+          "at the left end the exponent -3/2 is all that is proved, and the integral needs one above -1");
 }
 
 TEST_CASE("where a proof stops is told: in words of the last part that was tried, in numbers of the whole")

@@ -184,7 +184,8 @@ TEST_CASE("what stands where an operator is expected is shown, one sign of it")
         }
         return {};
     };
-    for (const auto& [text, sign] : {std::pair("2x+1", "'x'"), std::pair("x\u00d72", "'\u00d7'"), std::pair("x\u2212\u2212", "'\u2212'"), std::pair("x)", "')'")}) {
+    for (const auto& [text, sign] :
+         {std::pair("2x+1", "'x'"), std::pair("x\u00d72", "'\u00d7'"), std::pair("x\u2212\u2212", "'\u2212'"), std::pair("x)", "')'")}) {
         CAPTURE(text);
         CHECK(message(text).find(std::string("an operator is expected before ") + sign + " ") != std::string::npos);
     }
@@ -323,7 +324,8 @@ TEST_CASE("integrals of what has no branch cut hidden from the proof")
     // at infinity
     CHECK(integral("1/x", "1", "inf").divergent);
     // cancelled in all terms that are known, which are below 1/x: nothing is told of what follows
-    for (const auto& [f, from, to] : {std::tuple("x^40*(sin(1/x)^2+cos(1/x)^2-1)", "1", "inf"), std::tuple("x^(-40)*(sin(x)^2+cos(x)^2-1)", "0", "1")})
+    for (const auto& [f, from, to] :
+         {std::tuple("x^40*(sin(1/x)^2+cos(1/x)^2-1)", "1", "inf"), std::tuple("x^(-40)*(sin(x)^2+cos(x)^2-1)", "0", "1")})
         CHECK_FALSE(integral(f, from, to).divergent);
     CHECK(integral("x^2/(1+x^3)", "-inf", "0").divergent);
     CHECK(integral("1/sqrt(1+x)", "0", "inf").reason.find("at x = inf: the formula behaves there like |x|^(-1/2)") != std::string::npos);
@@ -749,8 +751,9 @@ TEST_CASE("half-lines: waves and exponentials of a power of x, Bessel functions 
 
 TEST_CASE("on an algebraic half-line 1 + distance is a power of the far distance: no proof of a strip is needed")
 {
-    for (const auto& [formula, from, to, value] : {std::array{"x^(9/10)/(1+x)^(41/2)", "0", "inf", "gamma(19/10)*gamma(93/5)/gamma(41/2)"},
-                                                   std::array{"1/(3-x)^(41/2)", "-inf", "2", "2/39"}, std::array{"1/(2*x-4)^(5/2)", "3", "inf", "2/3*2^(-5/2)"}}) {
+    for (const auto& [formula, from, to, value] :
+         {std::array{"x^(9/10)/(1+x)^(41/2)", "0", "inf", "gamma(19/10)*gamma(93/5)/gamma(41/2)"},
+          std::array{"1/(3-x)^(41/2)", "-inf", "2", "2/39"}, std::array{"1/(2*x-4)^(5/2)", "3", "inf", "2/3*2^(-5/2)"}}) {
         CAPTURE(formula);
         IntegralOptions by_strip = with_digits(30);
         by_strip.gauss_legendre = false;
@@ -786,7 +789,11 @@ TEST_CASE("Cauchy's principal value: the poles named are folded, others still di
                  // residues that are no exact number
                  {"cos(x)/(x-1/2)", "0", "1", {"1/2"}, "-2*sin(1/2)*si(1/2)"},
                  {"exp(x)/(x-1)", "0", "3", {"1"}, "e*(ei(2)-ei(-1))"},
-                 {"exp(x)/(x^2-2)", "0", "3", {"sqrt(2)"}, "(exp(sqrt(2))*(ei(3-sqrt(2))-ei(-sqrt(2)))-exp(-sqrt(2))*(ei(3+sqrt(2))-ei(sqrt(2))))/sqrt(8)"},
+                 {"exp(x)/(x^2-2)",
+                  "0",
+                  "3",
+                  {"sqrt(2)"},
+                  "(exp(sqrt(2))*(ei(3-sqrt(2))-ei(-sqrt(2)))-exp(-sqrt(2))*(ei(3+sqrt(2))-ei(sqrt(2))))/sqrt(8)"},
                  {"log(x)/(x-2)", "1", "3", {"2"}, "dilog(1/2)-dilog(-1/2)"},
                  {"exp(x)/((x-1)*(x-2))", "0", "3", {"1", "2"}, "e^2*(ei(1)-ei(-2))-e*(ei(2)-ei(-1))"},
                  {"cos(x)/sin(x-1)", "0", "2", {"1"}, "-2*sin(1)"},
@@ -982,7 +989,9 @@ TEST_CASE("a range is cut at the named point where a proof stops, on every kind 
     CHECK(check("cbrt((x-1/2)^2)", "0", "1", 2).overlaps(from_half(Rational(5, 3))));
     CHECK(check("sqrt((x-1/2)^2)", "0", "1", 2).overlaps(from_half(2)));
     CHECK(check("((x-1/2)^2)^(2/5)", "0", "1", 2).overlaps(from_half(Rational(9, 5))));
-    CHECK(check("sqrt(cosh(x)-1)", "-1", "1", 2).overlaps(2 * sqrt(Ball(2)) * (exp(Ball(Rational(1, 2))) + exp(Ball(Rational(-1, 2))) - 2))); // no root is found of this one beforehand
+    CHECK(check("sqrt(cosh(x)-1)", "-1", "1", 2)
+              .overlaps(2 * sqrt(Ball(2)) *
+                        (exp(Ball(Rational(1, 2))) + exp(Ball(Rational(-1, 2))) - 2))); // no root is found of this one beforehand
     // next to an end with a root of its own, at which there is nothing to cut
     CHECK(check("sqrt(x)*sqrt(cosh(x-1/64)-1)", "0", "1", 2).overlaps(integral("sqrt(2*x)*abs(sinh((x-1/64)/2))", "0", "1", 12).value));
     const Ball off = sqrt(Ball(Rational(1, 3000)));
@@ -993,8 +1002,10 @@ TEST_CASE("a range is cut at the named point where a proof stops, on every kind 
     CHECK(check(tail, "0", "inf", 2).overlaps(integrate(parse_expression(tail), parse_limit("0"), parse_limit("inf"), told).value));
     told.at = {parse_limit("-1/2")};
     const char* mirrored = "1/((1+x^2)*cbrt((x+1/2)^2))";
-    CHECK(check(mirrored, "-inf", "0", 2).overlaps(integrate(parse_expression(mirrored), parse_limit("-inf"), parse_limit("0"), told).value));
-    CHECK(check(mirrored, "-inf", "inf", 2).overlaps(integrate(parse_expression(mirrored), parse_limit("-inf"), parse_limit("inf"), told).value));
+    CHECK(
+        check(mirrored, "-inf", "0", 2).overlaps(integrate(parse_expression(mirrored), parse_limit("-inf"), parse_limit("0"), told).value));
+    CHECK(check(mirrored, "-inf", "inf", 2)
+              .overlaps(integrate(parse_expression(mirrored), parse_limit("-inf"), parse_limit("inf"), told).value));
 }
 
 TEST_CASE("points where the range is cut lie inside of it, and count once")
@@ -1078,9 +1089,10 @@ TEST_CASE("a Bessel function of half odd order is taken with its power at 0")
 
 TEST_CASE("formulas as they stand enclose what compiled ones do, at any precision, or say nothing")
 {
-    for (const char* formula : {"sqrt(1-x^2)", "x^(-3/2)+x^(2/3)*(1+x)^(-1/3)", "exp(x)*cos(3*x)-tan(x)/x^5", "log(x/2)^2-(-x)^3", "asin(x)+acos(x/2)*atan(7*x)",
-                                "sinh(x)+cosh(x)^-2-tanh(x)", "asinh(x)*acosh(1+x)+atanh(x/3)", "expm1(-x)+log1p(x^2)", "sqrt(sqrt(x))-pi*e^x/3+2^(1/2)",
-                                "(x+1)^0+x", "2^x+(1/3)^(x^2)", "2^(3^(5^x))+7^(2^x)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x"}) {
+    for (const char* formula :
+         {"sqrt(1-x^2)", "x^(-3/2)+x^(2/3)*(1+x)^(-1/3)", "exp(x)*cos(3*x)-tan(x)/x^5", "log(x/2)^2-(-x)^3", "asin(x)+acos(x/2)*atan(7*x)",
+          "sinh(x)+cosh(x)^-2-tanh(x)", "asinh(x)*acosh(1+x)+atanh(x/3)", "expm1(-x)+log1p(x^2)", "sqrt(sqrt(x))-pi*e^x/3+2^(1/2)",
+          "(x+1)^0+x", "2^x+(1/3)^(x^2)", "2^(3^(5^x))+7^(2^x)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x"}) {
         CAPTURE(std::string(formula));
         const auto straight = RealFormula::of(parse_expression(formula));
         REQUIRE(straight);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// The bounds over discs that the levels of a distribution rest on (recursion/from_the_edge/boxes.cpp, binary64), held against the functions themselves at points of
-/// those discs, in balls of 128 bits and written as forward.hpp has them. Nothing is shared but the formula.
+/// The bounds over discs that the levels of a distribution rest on (recursion/from_the_edge/boxes.cpp, binary64), held against the
+/// functions themselves at points of those discs, in balls of 128 bits and written as forward.hpp has them. Nothing is shared but the
+/// formula.
 #include "touchstone/recursion/first_steps/area_by_slope.hpp"
 #include "touchstone/recursion/from_the_edge/far_end.hpp"
 #include "touchstone/recursion/from_the_edge/levels.hpp"
@@ -44,7 +45,10 @@ struct Points {
     double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); }
     double scale(double a, double b) { return std::exp(between(std::log(a), std::log(b))); }
     /// A point of the disc, most often of its rim.
-    std::complex<double> of(const Disc& z) { return z.centre() + std::polar(z.radius() * std::min(1.0, between(0, 3)) * (1 - 1e-12), between(-3.15, 3.15)); }
+    std::complex<double> of(const Disc& z)
+    {
+        return z.centre() + std::polar(z.radius() * std::min(1.0, between(0, 3)) * (1 - 1e-12), between(-3.15, 3.15));
+    }
 };
 
 } // namespace
@@ -61,7 +65,8 @@ TEST_CASE("the kernel is nowhere larger than its bound over discs")
         for (int i = 0; i < 3000; ++i) {
             const double size = points.scale(1e-6, 300), reach = points.scale(1e-6, 0.3);
             const std::complex<double> at = std::polar(size, points.between(-1.6, 1.6));
-            const Disc d = disc(at.real(), at.imag(), reach * size), s = disc_over(points.between(0, 0.5), points.between(0.5, 0.52)), c = 1 - s;
+            const Disc d = disc(at.real(), at.imag(), reach * size), s = disc_over(points.between(0, 0.5), points.between(0.5, 0.52)),
+                       c = 1 - s;
             const Disc e = disc(Ball::exactly(points.between(0, 1)));
             const double bound = levels.kernel_bound(e, d, s, c);
             if (!std::isfinite(bound)) continue;
@@ -96,7 +101,8 @@ TEST_CASE("the first level is nowhere larger than its bound over discs")
                 ++finite;
                 for (int k = 0; k < 4; ++k) {
                     const C z = ball(points.of(d)), x = C(Ball(load)), half = exp(-z); // load = 1: R = 2 e^-d, and not the other root
-                    const C R = load == 1 ? 2 * half : sqrt((1 - x) * (1 - x) + 4 * x * half * half), P = 1 + x + R, M = 1 - x + R, E = mean(2 * z);
+                    const C R = load == 1 ? 2 * half : sqrt((1 - x) * (1 - x) + 4 * x * half * half), P = 1 + x + R, M = 1 - x + R,
+                            E = mean(2 * z);
                     // arcsin(w)/(2d)^(1/2), w^2 = 4 d x E/P, as a power series' sum: Arb's arcsine
                     C w = sqrt(2 * x / P * (1 - exp(-2 * z))), angle;
                     acb_asin(angle.get(), w.get(), bits);
@@ -159,14 +165,16 @@ struct Direct {
     Z first(Z d) const
     {
         if (full && law == Law::density) return std::sqrt(1.0 + std::exp(-d)) / std::sqrt(mean_of(2.0 * d)) / 2.0;
-        const Z R = full ? 2.0 * std::exp(-d) : std::sqrt((1 - load) * (1 - load) + 4 * load * std::exp(-2.0 * d)), P = 1 + load + R, M = 1 - load + R, E = mean_of(2.0 * d);
+        const Z R = full ? 2.0 * std::exp(-d) : std::sqrt((1 - load) * (1 - load) + 4 * load * std::exp(-2.0 * d)), P = 1 + load + R,
+                M = 1 - load + R, E = mean_of(2.0 * d);
         if (law == Law::density) return std::exp(-1.5 * d) * std::sqrt(P) / std::sqrt(M) / std::sqrt(E) / R;
         const Z z = std::sqrt(4 * load * d * E / P);
         return std::exp(-0.5 * d) * (std::abs(z) < 1e-8 ? 1.0 : std::asin(z) / z) * std::sqrt(2 * load) * std::sqrt(E) / std::sqrt(P);
     }
     Z kernel(double e, Z d, double s) const
     {
-        const Z x = e * std::exp(-2.0 * d * s), R = std::sqrt((1.0 - x) * (1.0 - x) + 4 * e * std::exp(-2.0 * d)), P = 1.0 + x + R, M = 1.0 - x + R;
+        const Z x = e * std::exp(-2.0 * d * s), R = std::sqrt((1.0 - x) * (1.0 - x) + 4 * e * std::exp(-2.0 * d)), P = 1.0 + x + R,
+                M = 1.0 - x + R;
         const Z E = std::sqrt(mean_of(2.0 * d * (1 - s)));
         return (law == Law::density ? std::sqrt(P) / std::sqrt(M) : std::sqrt(P) * std::sqrt(M)) / E / R;
     }
@@ -177,7 +185,8 @@ struct Direct {
         Z sum = 0;
         double weight = 0;
         for (int i = 0; i < points; ++i) {
-            const double theta = std::numbers::pi / 2 * (i + 0.5) / points, s = std::sin(theta) * std::sin(theta), w = std::pow(std::sin(theta), m);
+            const double theta = std::numbers::pi / 2 * (i + 0.5) / points, s = std::sin(theta) * std::sin(theta),
+                         w = std::pow(std::sin(theta), m);
             weight += w;
             sum += w * kernel(edge(k - 1), d, s) * level(k - 1, 2.0 * d * s, points / 2);
         }
@@ -252,11 +261,13 @@ TEST_CASE("the disc about a box holds it, and its rim the box's farthest corner"
 {
     Points points;
     for (int i = 0; i < 200; ++i) {
-        const double inner = points.scale(1e-3, 10), outer = inner * points.between(1, 1.5), from = points.between(0, 2.5), to = from + points.between(0, 0.6);
+        const double inner = points.scale(1e-3, 10), outer = inner * points.between(1, 1.5), from = points.between(0, 2.5),
+                     to = from + points.between(0, 0.6);
         const Disc about = disc_about(inner, outer, from, to);
         double farthest = 0;
         for (const double r : {inner, (inner + outer) / 2, outer})
-            for (const double angle : {from, (from + to) / 2, to}) farthest = std::max(farthest, std::abs(std::polar(r, angle) - about.centre()));
+            for (const double angle : {from, (from + to) / 2, to})
+                farthest = std::max(farthest, std::abs(std::polar(r, angle) - about.centre()));
         CHECK(farthest <= about.radius());
         CHECK(farthest >= about.radius() * (1 - 1e-6) - 1e-15 * outer);
     }
@@ -323,7 +334,8 @@ TEST_CASE("what a box reaches at 2 d s: the shells from the nearest to the farth
     const double end = shells.radius(last);
     CHECK(levels.reached(boxes, last, m, 0.4, 0.499) < 50);
     CHECK(levels.reached(boxes, last, m, 0.9, 1) == doctest::Approx(3 * std::sqrt(2 * end)).scale(0).epsilon(1e-12));
-    CHECK(levels.reached(boxes, last - 3, m, 0.9, 1) == doctest::Approx(3 * std::sqrt(2 * shells.radius(last - 3))).scale(0).epsilon(1e-12));
+    CHECK(levels.reached(boxes, last - 3, m, 0.9, 1) ==
+          doctest::Approx(3 * std::sqrt(2 * shells.radius(last - 3))).scale(0).epsilon(1e-12));
 }
 
 TEST_CASE("squares of sine and cosine over a sector")
@@ -331,7 +343,8 @@ TEST_CASE("squares of sine and cosine over a sector")
     for (int i = 0; i < 32; ++i) {
         const double a = std::numbers::pi / 64 * i, b = std::numbers::pi / 64 * (i + 1);
         const auto [s0, s1, c0, c1] = sector(a, b);
-        for (const auto& [least, most, low, high] : {std::array{s0, s1, std::sin(a), std::sin(b)}, std::array{c0, c1, std::cos(b), std::cos(a)}}) {
+        for (const auto& [least, most, low, high] :
+             {std::array{s0, s1, std::sin(a), std::sin(b)}, std::array{c0, c1, std::cos(b), std::cos(a)}}) {
             CHECK(least <= low * low);
             CHECK(least >= low * low * (1 - 1e-8));
             CHECK(most >= std::min(1.0, high * high));
@@ -347,7 +360,8 @@ TEST_CASE("1/E of a D in the right half plane, nearly attained by small and larg
         const double size = points.scale(1e-6, 100), angle = points.between(-1.56, 1.56);
         CHECK(1 / std::abs(mean_of(std::polar(size, angle))) <= inverse_mean(size, std::cos(angle)) * (1 + 1e-9));
     }
-    for (const double size : {1e-3, 0.01, 30., 100.}) CHECK(1 / std::abs(mean_of(size)) >= inverse_mean(size, 1) * (size < 1 ? 0.99 : 0.96));
+    for (const double size : {1e-3, 0.01, 30., 100.})
+        CHECK(1 / std::abs(mean_of(size)) >= inverse_mean(size, 1) * (size < 1 ? 0.99 : 0.96));
 }
 
 TEST_CASE("how far R^2 is from (1 - x)^2 far out, attained by x = e")
@@ -378,22 +392,26 @@ TEST_CASE("beyond the last shell the first two levels stay below the bounds of t
             for (long k = 1; k <= 2; ++k) {
                 const Boxes& boxes = levels.levels[static_cast<std::size_t>(k)]->boxes;
                 for (int m = 0; m < n_directions; ++m) {
-                    const double far = boxes.far[static_cast<std::size_t>(m)], least = std::cos(directions[static_cast<std::size_t>(m) + 1]);
+                    const double far = boxes.far[static_cast<std::size_t>(m)],
+                                 least = std::cos(directions[static_cast<std::size_t>(m) + 1]);
                     CAPTURE(m);
                     CAPTURE(k);
                     if (k == 1) CHECK(std::isfinite(far) == (least > 0.001));
                     else if (least < 0.001) CHECK(std::isinf(far));
-                    if (!std::isfinite(far) || directions[static_cast<std::size_t>(m)] < 0.99) continue; // nearer to the axis all underflows
+                    if (!std::isfinite(far) || directions[static_cast<std::size_t>(m)] < 0.99)
+                        continue; // nearer to the axis all underflows
                     double tightest = 0;
                     for (const double beyond : {1.0, 1.02, 1.5, 3.0})
                         for (const double f : {0.0, 0.5, 1.0}) {
-                            const Z d = std::polar(end * beyond, directions[static_cast<std::size_t>(m)] * (1 - f) + directions[static_cast<std::size_t>(m) + 1] * f);
+                            const Z d = std::polar(end * beyond, directions[static_cast<std::size_t>(m)] * (1 - f) +
+                                                                     directions[static_cast<std::size_t>(m) + 1] * f);
                             const double u = std::abs(direct.level(k, d, 4000)), bound = far * std::sqrt(std::abs(d));
                             if (u < 1e-280) continue; // the decay underflows
                             CHECK(u <= bound * (1 + 1e-6));
                             tightest = std::max(tightest, u / bound);
                         }
-                    if (law == Law::density && k == 1 && tightest > 0 && directions[static_cast<std::size_t>(m)] < 1.35) CHECK(tightest > (load == 1 ? 0.7 : 0.35));
+                    if (law == Law::density && k == 1 && tightest > 0 && directions[static_cast<std::size_t>(m)] < 1.35)
+                        CHECK(tightest > (load == 1 ? 0.7 : 0.35));
                 }
             }
             if (load > Rational(1, 100)) continue; // boxes of a direction end before the last shell
@@ -413,7 +431,8 @@ TEST_CASE("beyond the last shell the first two levels stay below the bounds of t
                 const Z d = std::polar(end * (1 - 1e-9), angle);
                 double sum = 0, weight = 0, power = law == Law::density ? 0 : 2;
                 for (int i = 0; i < 20000; ++i) {
-                    const double theta = std::numbers::pi / 2 * (i + 0.5) / 20000, s = std::pow(std::sin(theta), 2), w = std::pow(std::sin(theta), power);
+                    const double theta = std::numbers::pi / 2 * (i + 0.5) / 20000, s = std::pow(std::sin(theta), 2),
+                                 w = std::pow(std::sin(theta), power);
                     weight += w;
                     if (2 * std::abs(d) * s > end) sum += w * std::abs(direct.kernel(e, d, s)) * std::sqrt(2 * std::abs(d) * s);
                 }
@@ -438,7 +457,8 @@ TEST_CASE("beyond the last shell R is 1 - load but for less than its last bits, 
             const Direct direct{law, 3, about(load), false};
             const double end = levels.shells.radius(levels.shells.count());
             for (int m = 0; directions[static_cast<std::size_t>(m) + 1] < 1.569; ++m) {
-                const double far = levels.levels[1]->boxes.far[static_cast<std::size_t>(m)], angle = directions[static_cast<std::size_t>(m) + 1];
+                const double far = levels.levels[1]->boxes.far[static_cast<std::size_t>(m)],
+                             angle = directions[static_cast<std::size_t>(m) + 1];
                 CAPTURE(rest);
                 CHECK(root_departure(about(load), end * std::cos(angle)) < 1e-16 * rest);
                 CHECK(std::abs(direct.first(std::polar(end, angle))) <= far * std::sqrt(end) * (1 + 1e-6));
@@ -459,7 +479,8 @@ TEST_CASE("over a narrow disc a bound of the kernel, of its share and of the fir
             const Direct of{law, 3, about(Ball(load)), load == 1};
             for (int i = 0; i < 400; ++i) {
                 const Z at = std::polar(points.scale(1e-4, 40), points.between(0, 1.4));
-                const double s = points.between(0, 1), e = points.between(0.01, 0.99), D = 2 * std::abs(at) * (1 - s), least = D > 0.81 || D < 2e-3 ? 0.995 : 0.4;
+                const double s = points.between(0, 1), e = points.between(0.01, 0.99), D = 2 * std::abs(at) * (1 - s),
+                             least = D > 0.81 || D < 2e-3 ? 0.995 : 0.4;
                 const Disc d(at, 1e-12 * std::abs(at)), edge(e), sine2(s), cosine2(1 - s);
                 const double value = std::abs(direct.kernel(e, at, s)), bound = levels.kernel_bound(edge, d, sine2, cosine2);
                 CAPTURE(at.real());
@@ -475,13 +496,18 @@ TEST_CASE("over a narrow disc a bound of the kernel, of its share and of the fir
                 CHECK(asked < 1.01e-3 * std::sqrt(std::abs(mean_of(2.0 * at * (1 - s)))) * value);
                 CHECK(asked > 0.99e-3 * std::sqrt(std::abs(mean_of(2.0 * at * (1 - s)))) * value);
                 const Z x = e * std::exp(-2.0 * at * s), P = 1.0 + x + std::sqrt((1.0 - x) * (1.0 - x) + 4 * e * std::exp(-2.0 * at));
-                const double z = std::sqrt(std::abs(2.0 * x * (1.0 - std::exp(-2.0 * at * (1 - s))) / P)), share = levels.kernel_bound(edge, d, sine2, cosine2, infinity, Kind::share);
+                const double z = std::sqrt(std::abs(2.0 * x * (1.0 - std::exp(-2.0 * at * (1 - s))) / P)),
+                             share = levels.kernel_bound(edge, d, sine2, cosine2, infinity, Kind::share);
                 if (z > 1.001) CHECK(std::isinf(share));
                 if (std::isfinite(share)) CHECK(share == doctest::Approx(std::numbers::pi / 2 * z).scale(0).epsilon(1e-6));
-                const double first = levels.first_bound(d), u = std::abs(of.first(at)), D1 = 2 * std::abs(at), at_least = D1 > 0.81 || D1 < 2e-3 ? 0.995 : 0.4;
-                if (std::isfinite(first) && law == Law::exceedance && D1 > 0.81 && !(of.full && at.real() > 0.5)) { // |arcsin z| <= (pi/2)|z|
-                    const Z R = of.full ? 2.0 * std::exp(-at) : std::sqrt((1 - of.load) * (1 - of.load) + 4 * of.load * std::exp(-2.0 * at));
-                    const double of_z = std::abs(std::exp(-of.beta() * at)) * std::sqrt(2 * of.load * std::abs(mean_of(2.0 * at) / (1 + of.load + R)));
+                const double first = levels.first_bound(d), u = std::abs(of.first(at)), D1 = 2 * std::abs(at),
+                             at_least = D1 > 0.81 || D1 < 2e-3 ? 0.995 : 0.4;
+                if (std::isfinite(first) && law == Law::exceedance && D1 > 0.81 &&
+                    !(of.full && at.real() > 0.5)) { // |arcsin z| <= (pi/2)|z|
+                    const Z R =
+                        of.full ? 2.0 * std::exp(-at) : std::sqrt((1 - of.load) * (1 - of.load) + 4 * of.load * std::exp(-2.0 * at));
+                    const double of_z =
+                        std::abs(std::exp(-of.beta() * at)) * std::sqrt(2 * of.load * std::abs(mean_of(2.0 * at) / (1 + of.load + R)));
                     CHECK(first == doctest::Approx(std::numbers::pi / 2 * of_z).scale(0).epsilon(1e-6));
                 }
                 if (std::isfinite(first)) {
@@ -565,7 +591,8 @@ TEST_CASE("bounds of discs: moduli, cuts, ranges of directions, and what is no n
     CHECK(polar(2, 0, 1).from == 0);
     Points points;
     for (int i = 0; i < 2000; ++i) {
-        const Disc z(std::polar(points.scale(1e-5, 1e5), points.between(-3.2, 3.2)), 0), with_radius(z.centre(), points.between(0, 1.2) * std::abs(z.centre()));
+        const Disc z(std::polar(points.scale(1e-5, 1e5), points.between(-3.2, 3.2)), 0),
+            with_radius(z.centre(), points.between(0, 1.2) * std::abs(z.centre()));
         const PolarRange range = polar(with_radius);
         const Z at = points.of(with_radius);
         CHECK(range.inner <= std::abs(at) * (1 + 1e-15));
@@ -596,7 +623,8 @@ TEST_CASE("shares of sectors, bounds far out, boxes met by a range")
             double exact = 0; // Simpson's rule, of many points
             const double a = std::numbers::pi / 2 * i / Levels::sectors, h = std::numbers::pi / 2 / Levels::sectors / 64;
             for (int j = 0; j < 64; ++j)
-                for (const auto& [at, weight] : {std::pair(0.0, 1.0), {0.5, 4.0}, {1.0, 1.0}}) exact += weight * std::pow(std::sin(a + (j + at) * h), static_cast<double>(m)) * h / 6;
+                for (const auto& [at, weight] : {std::pair(0.0, 1.0), {0.5, 4.0}, {1.0, 1.0}})
+                    exact += weight * std::pow(std::sin(a + (j + at) * h), static_cast<double>(m)) * h / 6;
             exact /= about(Levels::wallis(m));
             sum += exact;
             CAPTURE(m);
@@ -614,7 +642,10 @@ TEST_CASE("shares of sectors, bounds far out, boxes met by a range")
             const double eta = 1e-3, bound = levels.far_kernel(e, eta);
             double most = 0;
             for (int i = 0; i < 4000; ++i) {
-                const Z x = std::polar(e * std::min(1.0, points.between(0, 3)), i % 4 == 0 ? 0 : i % 4 == 1 ? std::numbers::pi : points.between(-3.2, 3.2)), w4 = std::polar(eta * (1 - e) * (1 - e), points.between(-3.2, 3.2));
+                const Z x = std::polar(e * std::min(1.0, points.between(0, 3)), i % 4 == 0   ? 0
+                                                                                : i % 4 == 1 ? std::numbers::pi
+                                                                                             : points.between(-3.2, 3.2)),
+                        w4 = std::polar(eta * (1 - e) * (1 - e), points.between(-3.2, 3.2));
                 const Z R = std::sqrt((1.0 - x) * (1.0 - x) + w4), P = 1.0 + x + R, M = 1.0 - x + R;
                 most = std::max(most, std::sqrt(std::abs(law == Law::density ? P / M : P * M)) / std::abs(R));
             }
@@ -626,7 +657,8 @@ TEST_CASE("shares of sectors, bounds far out, boxes met by a range")
         Boxes boxes;
         boxes.bound.assign(static_cast<std::size_t>(levels.shells.count() + 1) * n_directions, 1);
         boxes.at(7, 3) = 5;
-        const double inner = levels.shells.radius(6), outer = levels.shells.radius(7), from = directions[3], to = directions[4], middle = (from + to) / 2;
+        const double inner = levels.shells.radius(6), outer = levels.shells.radius(7), from = directions[3], to = directions[4],
+                     middle = (from + to) / 2;
         CHECK(levels.lookup(boxes, {inner * 1.001, outer * 0.999, middle, middle}) == 5);
         CHECK(levels.lookup(boxes, {inner * 0.5, inner * 0.999, middle, middle}) == 1);
         CHECK(levels.lookup(boxes, {outer * 1.001, outer * 1.5, middle, middle}) == 1);
@@ -656,7 +688,8 @@ TEST_CASE("Chebyshev's polynomials at their points, by value and as powers")
         const auto N = static_cast<std::size_t>(n);
         for (std::size_t j = 0; j < N; ++j) {
             const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(n);
-            for (std::size_t i = 0; i < N; ++i) CHECK(table[i * N + j] == doctest::Approx(std::cos(static_cast<double>(i) * angle)).epsilon(1e-9));
+            for (std::size_t i = 0; i < N; ++i)
+                CHECK(table[i * N + j] == doctest::Approx(std::cos(static_cast<double>(i) * angle)).epsilon(1e-9));
         }
         // the values of x^k for k < n are those of the polynomial that is 1 at k alone
         for (std::size_t k = 0; k < N; ++k)
@@ -682,7 +715,8 @@ TEST_CASE("a panel's errors of interpolation are the sums of what Chebyshev's se
         for (const long k : {2L, 3L})
             for (const auto& panel : levels.levels[static_cast<std::size_t>(k)]->panels) {
                 const auto N = static_cast<double>(panel->points);
-                double values = 0, slopes = 0, proved = 0; // |c_k| <= 2 U rho^-k, twice for the interpolant; T_k' <= k^2, and N^2 where it is folded
+                double values = 0, slopes = 0,
+                       proved = 0; // |c_k| <= 2 U rho^-k, twice for the interpolant; T_k' <= k^2, and N^2 where it is folded
                 for (double j = N; j < N + 2000; ++j) {
                     const double c = 2 * panel->bound * std::pow(panel->rho, -j);
                     values += 2 * c;
@@ -714,19 +748,23 @@ TEST_CASE("a bound on an ellipse is that of the boxes that it runs through, of n
         for (const bool logarithmic : {false, true})
             for (const bool whole : {false, true}) {
                 const double a = points.scale(1e-2, 5), b = a * points.between(1.2, 3), rho = points.between(1.6, 5);
-                const double lo = logarithmic ? std::log(a) : a, hi = logarithmic ? std::log(b) : b, middle = (lo + hi) / 2, half = (hi - lo) / 2;
+                const double lo = logarithmic ? std::log(a) : a, hi = logarithmic ? std::log(b) : b, middle = (lo + hi) / 2,
+                             half = (hi - lo) / 2;
                 const double bound = levels.ellipse_bound(to, a, b, logarithmic, rho, whole);
                 double least = 0, most = 0;
                 bool far = false;
                 for (int i = 0; i <= 2000; ++i) {
                     const Z w = std::polar(rho, std::numbers::pi * i / 2000), z = middle + half * (w + 1.0 / w) / 2.0;
                     const Z d = logarithmic ? std::exp(z) : z;
-                    const double back = whole ? std::abs(std::exp(logarithmic ? (d + 2.0 * z) / 2.0 : d / 2.0)) : 1; // times d where the variable is log d
-                    const double here = std::abs(d), angle = std::fabs(std::arg(d)), near = 0.1 * half * (rho + 1 / rho) / 2, off = logarithmic ? near : std::min(3.0, near / here);
+                    const double back =
+                        whole ? std::abs(std::exp(logarithmic ? (d + 2.0 * z) / 2.0 : d / 2.0)) : 1; // times d where the variable is log d
+                    const double here = std::abs(d), angle = std::fabs(std::arg(d)), near = 0.1 * half * (rho + 1 / rho) / 2,
+                                 off = logarithmic ? near : std::min(3.0, near / here);
                     far = far || (logarithmic && std::fabs(z.imag()) + near > 3) || near > 0.9 * here;
                     least = std::max(least, back * levels.lookup(boxes, {here * (1 - 1e-9), here * (1 + 1e-9), angle, angle}));
                     const double wide = back * std::exp(whole ? near * (logarithmic ? 1.2 * here + 1 : 0.5) : 0);
-                    most = std::max(most, wide * levels.lookup(boxes, {here * std::exp(-1.2 * off), here * std::exp(1.2 * off), std::max(0.0, angle - 1.2 * off), angle + 1.2 * off}));
+                    most = std::max(most, wide * levels.lookup(boxes, {here * std::exp(-1.2 * off), here * std::exp(1.2 * off),
+                                                                       std::max(0.0, angle - 1.2 * off), angle + 1.2 * off}));
                 }
                 if (far) continue;
                 CAPTURE(a);
@@ -745,7 +783,8 @@ TEST_CASE("what a level holds far from the edge is what both of its parts come t
     const WorkingPrecision precision(bits);
     for (const double e : {0.1, 0.5, 0.9})
         for (const double load : {0.01, 0.3, 0.9}) {
-            const double k2 = 4 / std::numbers::pi * std::pow(1 - e, -1.5), d = 4, a = std::min(std::pow(2 * std::sqrt(load), -1.5), std::pow(1 - load, -1.5));
+            const double k2 = 4 / std::numbers::pi * std::pow(1 - e, -1.5), d = 4,
+                         a = std::min(std::pow(2 * std::sqrt(load), -1.5), std::pow(1 - load, -1.5));
             CAPTURE(e);
             CAPTURE(load);
             const auto is = [&](double found, double parts) {
@@ -753,7 +792,8 @@ TEST_CASE("what a level holds far from the edge is what both of its parts come t
                 CHECK(found * std::exp(-2.5 * d) <= 1.01 * parts);
             };
             is(next_tail(1, Ball::exactly(e), 0, load), 8 * a / std::numbers::pi * k2 * std::exp(-3 * d) * 2.02 * (d + 1.2));
-            for (const double tail : {1e-3, 1., 1e6, 1e9}) is(next_tail(2, Ball::exactly(e), tail, load), 1.01 * k2 * std::exp(6 - 3 * d) + 4.1 * tail * k2 * std::exp(-3 * d - 4));
+            for (const double tail : {1e-3, 1., 1e6, 1e9})
+                is(next_tail(2, Ball::exactly(e), tail, load), 1.01 * k2 * std::exp(6 - 3 * d) + 4.1 * tail * k2 * std::exp(-3 * d - 4));
         }
 }
 
@@ -846,7 +886,9 @@ TEST_CASE("what the laws are proved for: G above 2, loads above 0 and up to 1, e
             CAPTURE(about(Ball(G)));
             CAPTURE(about(Ball(load)));
             const Arguments at{[&load = load] { return Ball(load); }, [&G = G] { return Ball(G); }};
-            CHECK_THROWS_WITH_AS(transfer::density(law, 2, [] { return Ball(1) / 10; }, at, Accuracy{10}), "needs G > 2 and 0 < load <= 1", BeyondReach);
+            CHECK_THROWS_WITH_AS(transfer::density(
+                                     law, 2, [] { return Ball(1) / 10; }, at, Accuracy{10}),
+                                 "needs G > 2 and 0 < load <= 1", BeyondReach);
         }
 }
 
@@ -895,10 +937,12 @@ TEST_CASE("a piece of a row that is negligible counts for its length over the no
         double end = sine / (1 + std::sqrt(1 - sine * sine));
         const auto most = [&] { return levels.integrand_bound(from, Kind::step, disc_over(low, high), disc(end / 2, 0, end / 2)); };
         while (std::isinf(most())) end /= 2;
-        const double reach = 2 * high * 4 * end * end; // of delta in the piece at 0; the others, and discs about them, keep away from a tenth of it
+        const double reach =
+            2 * high * 4 * end * end; // of delta in the piece at 0; the others, and discs about them, keep away from a tenth of it
         for (int shell = 0; shell <= levels.shells.count(); ++shell)
             for (int m = 0; m < n_directions; ++m)
-                if (double& b = from.boxes.at(shell, m); std::isfinite(b)) b = levels.shells.radius(shell) < 0.1 * reach ? 1 : smallest_bound;
+                if (double& b = from.boxes.at(shell, m); std::isfinite(b))
+                    b = levels.shells.radius(shell) < 0.1 * reach ? 1 : smallest_bound;
         const double counts = end / about(Levels::wallis(levels.power(4))) * most();
         const RowRule rule = levels.make_rule(from, Kind::step, low, high, 0, 1e300);
         CHECK(rule.nodes.empty());
@@ -917,7 +961,8 @@ TEST_CASE("over a level: the load and the contact area, and what interpolation, 
         CHECK(force.contains(load));
         CHECK(force.relative_bits() > 20);
         Level& level = *levels.levels[2];
-        for (const auto& panel : level.panels) std::fill(panel->errors.begin(), panel->errors.end(), panel->interpolation = panel->worst = 0);
+        for (const auto& panel : level.panels)
+            std::fill(panel->errors.begin(), panel->errors.end(), panel->interpolation = panel->worst = 0);
         for (const long twice : {0L, 3L})
             for (const bool of_nodes : {false, true}) {
                 double expected = 0;
@@ -928,7 +973,8 @@ TEST_CASE("over a level: the load and the contact area, and what interpolation, 
                         const double d = panel->a + (panel->b - panel->a) * i / 1000;
                         largest = std::max(largest, std::pow(d, static_cast<double>(twice) / 2) * std::exp(-d / 2));
                     }
-                    expected += largest * (panel->b - panel->a) * (of_nodes ? 2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1 : 1);
+                    expected += largest * (panel->b - panel->a) *
+                                (of_nodes ? 2 / std::numbers::pi * std::log(static_cast<double>(panel->points)) + 1 : 1);
                 }
                 const double found = levels.over_level(level, twice, Ball(1) / 2).first.radius_bound();
                 for (const auto& panel : level.panels) panel->interpolation = panel->worst = 0;
@@ -970,7 +1016,8 @@ TEST_CASE("what the polynomials' own roundings do to a row: a share of their val
         }
         for (const double d : {0.01, 0.7, 5.}) {
             const RowRule rule = levels.make_rule(from, Kind::step, d * 0.99, d * 1.01, 0, 1e-6);
-            const Levels::Row values = levels.row(from, Kind::step, Ball::exactly(d), rule), slopes = levels.row(from, Kind::slope, Ball::exactly(d), rule);
+            const Levels::Row values = levels.row(from, Kind::step, Ball::exactly(d), rule),
+                              slopes = levels.row(from, Kind::slope, Ball::exactly(d), rule);
             CAPTURE(d);
             CHECK(values.carried >= (at_panel_end + slack * fewest) * values.interpolation * (1 - 1e-7));
             CHECK(values.carried <= (at_panel_end + slack * most) * values.interpolation * (1 + 1e-7));
@@ -988,7 +1035,8 @@ TEST_CASE("what the form for small pressures leaves out is what the header prove
         const Level& level = *levels.whole[n];
         const double e = about(level.edge), c = found.cut, w = n == 2 ? (c + 1 + 1.2) / 5.2 : 1;
         REQUIRE(c > 4);
-        const double left_out = 0.1 / (std::pow(3., static_cast<double>(n)) * e) * std::pow(1 - e * std::exp(-c), -1.5) * 3.5 * level.tail * w * std::exp(2 - 1.5 * c);
+        const double left_out = 0.1 / (std::pow(3., static_cast<double>(n)) * e) * std::pow(1 - e * std::exp(-c), -1.5) * 3.5 * level.tail *
+                                w * std::exp(2 - 1.5 * c);
         CAPTURE(n);
         CAPTURE(c);
         CHECK(found.row.rule_error >= left_out);
@@ -1435,7 +1483,8 @@ TEST_CASE("both laws give one density and one exceedance, near the edge, far fro
                 if (n == 1 && distance > 50) continue; // of which the exceedances' law has no form
                 if (std::isinf(distance)) distance = (cut_for_small(20, n, G, load) + 1.02) / 2; // where that of small p begins
                 CHECK(exceedances.is_small(n, Ball::exactly(distance)) == (distance > 3));
-                const Ball d = Ball::exactly(distance), p = exceedances.highest(*exceedances.levels[static_cast<std::size_t>(n) + 1]) * exp(-d);
+                const Ball d = Ball::exactly(distance),
+                           p = exceedances.highest(*exceedances.levels[static_cast<std::size_t>(n) + 1]) * exp(-d);
                 const Ball q = densities.density(n, p, d).value, by_slope = exceedances.density(n, p, d).value;
                 const Ball share = exceedances.exceedance(n, d).value, by_integral = densities.exceedance(n, d).value;
                 CAPTURE(n);

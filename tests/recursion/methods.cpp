@@ -26,7 +26,12 @@ Rational beside(const Rational& a, int side, unsigned long digits) { return a + 
 
 Problem problem(Asked asked, long n, const Rational& load, const Rational& G, const Rational& p)
 {
-    return {asked, n, load, {[G] { return Ball(G); }, G}, [G](const Rational& r) { return G < r ? -1 : G > r ? 1 : 0; }, {[p] { return Ball(p); }, p}};
+    return {asked,
+            n,
+            load,
+            {[G] { return Ball(G); }, G},
+            [G](const Rational& r) { return G < r ? -1 : G > r ? 1 : 0; },
+            {[p] { return Ball(p); }, p}};
 }
 
 const std::vector<Asked> laws{Asked::area, Asked::exceedance, Asked::density};
@@ -65,7 +70,8 @@ void over_the_domain(Visit visit)
                     }
                     if (n > 21 && n != 10'000) continue; // as 21
                     const Rational unit = n > 100 ? Rational(1) : power(G, n);
-                    for (const Rational& p : {Rational(unit / 1025), Rational(unit / 7), unit, Rational(3 * unit)}) visit(problem(asked, n, load, G, p));
+                    for (const Rational& p : {Rational(unit / 1025), Rational(unit / 7), unit, Rational(3 * unit)})
+                        visit(problem(asked, n, load, G, p));
                 }
 }
 
@@ -131,7 +137,8 @@ TEST_CASE("scale 1 is one integral at every load and G; partial contact has two 
             REQUIRE(c.method);
             CHECK(c.method->name == "scale-one-by-ratio");
         }
-        if (p.asked == Asked::area && p.load >= power(Rational(10), -100) && p.load <= 1 && p.compare_G(Rational(21, 10)) > 0 && p.compare_G(1000) < 0) {
+        if (p.asked == Asked::area && p.load >= power(Rational(10), -100) && p.load <= 1 && p.compare_G(Rational(21, 10)) > 0 &&
+            p.compare_G(1000) < 0) {
             REQUIRE(c.method);
             CHECK(c.method->enclose_again);
         }
@@ -194,7 +201,9 @@ TEST_CASE("light loads are a matter of seconds up to scale 12: the power series,
 TEST_CASE("the power series says where it would take too many terms, and at which G it is not used")
 {
     const Method series = power_series();
-    const auto refused = [&](long n, const char* load, const Rational& G) { return series.refusal(problem(Asked::area, n, exactly(load), G, 0)); };
+    const auto refused = [&](long n, const char* load, const Rational& G) {
+        return series.refusal(problem(Asked::area, n, exactly(load), G, 0));
+    };
     CHECK(refused(14, "1e-300", exactly("2.1")).empty());
     CHECK(refused(18, "1e-300", exactly("2.1")).find("too many terms") != std::string::npos);
     CHECK(refused(21, "1e-300", exactly("2.1")).find("too many terms") != std::string::npos);
@@ -206,7 +215,8 @@ TEST_CASE("the power series says where it would take too many terms, and at whic
 
 TEST_CASE("a light load's area agrees with its witness")
 {
-    const auto e = evaluate(*find_quantity("contact.area"), Inputs({{"n", 5}, {"load", power(Rational(10), -300)}, {"G", 3}}), {.digits = 30});
+    const auto e =
+        evaluate(*find_quantity("contact.area"), Inputs({{"n", 5}, {"load", power(Rational(10), -300)}, {"G", 3}}), {.digits = 30});
     CHECK(e.status == Status::certified);
     REQUIRE(e.second_look);
     CHECK(e.second_look->agrees);
@@ -220,7 +230,8 @@ TEST_CASE("what is written about it is printed from it")
         CHECK(table.find("`" + m.name + "`") != std::string::npos);
         CHECK(table.find(m.reach) != std::string::npos);
     }
-    CHECK_MESSAGE(file("docs/certified.md").find(table) != std::string::npos, "docs/certified.md is not up to date; its table is to be\n" << table);
+    CHECK_MESSAGE(file("docs/certified.md").find(table) != std::string::npos, "docs/certified.md is not up to date; its table is to be\n"
+                                                                                  << table);
     CHECK(find_quantity("contact.area")->domain.find(reach_in_words(Asked::area)) != std::string::npos);
     CHECK(find_quantity("contact.density")->domain.find(reach_in_words(Asked::density)) != std::string::npos);
 }
@@ -237,7 +248,8 @@ TEST_CASE("densities at loads that double-double arithmetic does not tell from 1
 
 constexpr double worth_a_message = 20; ///< seconds of CPU of one value: so that a campaign of hours says where it is
 
-TEST_CASE("campaign: what the table claims is certified when it is asked for" * doctest::skip(std::getenv("TOUCHSTONE_CAMPAIGN") == nullptr))
+TEST_CASE("campaign: what the table claims is certified when it is asked for" *
+          doctest::skip(std::getenv("TOUCHSTONE_CAMPAIGN") == nullptr))
 {
     const char* set = std::getenv("TOUCHSTONE_CAMPAIGN");
     const std::string text = set ? set : "1:10";
@@ -347,10 +359,12 @@ TEST_CASE("campaign: all proofs of an area overlap, and its witness" * doctest::
     Opinions opinions;
     for (long g = 0; g < surfaces; ++g) {
         // half of them where full contact never ends, the rest up to 10^3
-        const Rational G = rational(random() % 2 ? 1 + std::exp(between(std::log(0.02), 0)) : 2 + std::exp(between(std::log(1e-3), std::log(1e3))));
+        const Rational G =
+            rational(random() % 2 ? 1 + std::exp(between(std::log(0.02), 0)) : 2 + std::exp(between(std::log(1e-3), std::log(1e3))));
         std::vector<Problem> all;
         for (long i = 0; i < of_a_surface; ++i)
-            all.push_back(problem(Asked::area, 1 + static_cast<long>(random() % 20), rational(std::exp(between(std::log(1e-5), std::log(10.0)))), G, 0));
+            all.push_back(problem(Asked::area, 1 + static_cast<long>(random() % 20),
+                                  rational(std::exp(between(std::log(1e-5), std::log(10.0)))), G, 0));
         for (const Problem& p : all) {
             CAPTURE(G.get_str());
             CAPTURE(p.load.get_str());
@@ -358,6 +372,7 @@ TEST_CASE("campaign: all proofs of an area overlap, and its witness" * doctest::
             opinions.hold(p, {8});
         }
         MESSAGE("G=" << G.get_str() << ": " << opinions.points << " areas, " << opinions.pairs << " pairs of proofs, " << opinions.witnesses
-                     << " witnesses (" << opinions.beyond_own_error << " further off than their own error, all within 64 of it), " << opinions.refusals << " beyond reach");
+                     << " witnesses (" << opinions.beyond_own_error << " further off than their own error, all within 64 of it), "
+                     << opinions.refusals << " beyond reach");
     }
 }

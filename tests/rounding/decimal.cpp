@@ -34,7 +34,8 @@ TEST_CASE("digits are given only when the whole ball rounds to them")
     CHECK(round_to_digits(Ball(0), 5)->text() == "0");
     CHECK_FALSE(round_to_digits(Ball::indeterminate(), 5));
     // a midpoint of one bit with a tiny radius
-    CHECK(round_to_digits(around(Rational(1, 2), power(Rational(2), -199)), 50)->text() == "0.50000000000000000000000000000000000000000000000000");
+    CHECK(round_to_digits(around(Rational(1, 2), power(Rational(2), -199)), 50)->text() ==
+          "0.50000000000000000000000000000000000000000000000000");
     // a ball around a power of ten is not astride anything
     CHECK(round_to_digits(around(Rational(1), tiny), 10)->text() == "1.000000000");
 }
@@ -62,7 +63,8 @@ TEST_CASE("binary64 numbers in hexadecimal, and what is none")
 
 TEST_CASE("text form: plain near one, scientific far from it, and it reads back")
 {
-    for (const Rational& r : {Rational(1), Rational(-12345), Rational(1, 3), Rational(1, 20000), Rational(1, 3000000), power(Rational(7), 99), power(Rational(7), -99)}) {
+    for (const Rational& r : {Rational(1), Rational(-12345), Rational(1, 3), Rational(1, 20000), Rational(1, 3000000),
+                              power(Rational(7), 99), power(Rational(7), -99)}) {
         const Decimal d = round_to_digits(r, 12);
         CHECK(*parse_rational(d.text()) == d.value());
         CHECK(abs(d.value() - r) <= *parse_rational(d.half_unit()));

@@ -92,7 +92,9 @@ TEST_CASE("across a seam the hull covers both branches, and neither leaves its d
     CHECK(y.contains(Rational(9, 4)));
     CHECK(y.radius_bound() < 0.3);
     // sqrt(1 - s) exists below 1 only: handing it the whole ball would give nothing
-    CHECK(across_seam(x, Ball(1), [](const Ball& s) { return sqrt_positive_part(1 - s); }, [](const Ball&) { return Ball(0); }).is_finite());
+    CHECK(across_seam(
+              x, Ball(1), [](const Ball& s) { return sqrt_positive_part(1 - s); }, [](const Ball&) { return Ball(0); })
+              .is_finite());
 }
 
 TEST_CASE("clipping returns the bound itself when the ball is beyond it")

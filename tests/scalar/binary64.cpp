@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What formulas of the paper are made of, as double forms, against balls: all around the circle, next to where differences vanish, and where squares underflow.
+/// What formulas of the paper are made of, as double forms, against balls: all around the circle, next to where differences vanish, and
+/// where squares underflow.
 #include "touchstone/scalar/ball.hpp"
 #include "touchstone/scalar/rational.hpp"
 #include "touchstone/scalar/scalar.hpp"
@@ -22,7 +23,8 @@ namespace {
 bool is(double x, const Ball& y, double ulps = 4)
 {
     const double middle = arf_get_d(arb_midref(y.get()), ARF_RND_NEAR);
-    return y.is_finite() && std::fabs(x - middle) <= ulps * std::numeric_limits<double>::epsilon() * std::fabs(middle) + std::numeric_limits<double>::denorm_min();
+    return y.is_finite() && std::fabs(x - middle) <= ulps * std::numeric_limits<double>::epsilon() * std::fabs(middle) +
+                                                         std::numeric_limits<double>::denorm_min();
 }
 
 /// The root of D, a difference from a: as accurate as D to within an ulp of a.
@@ -126,11 +128,14 @@ TEST_CASE("the terms of sin^2 beyond y^2 are those of (1 - cos 2y)/2, exactly ro
         CHECK(std::fabs(sine_terms[static_cast<std::size_t>(k) - 2] / term.get_d() - 1) < 1e-15);
         term *= Rational(-4, (2 * k + 1) * (2 * k + 2));
     }
-    for (const double y : {0.01, 0.3, 0.785}) CHECK(y * y - y * y * y * y * sum_of_powers(sine_terms, y * y) == doctest::Approx(std::sin(y) * std::sin(y)).scale(0).epsilon(1e-15));
+    for (const double y : {0.01, 0.3, 0.785})
+        CHECK(y * y - y * y * y * y * sum_of_powers(sine_terms, y * y) ==
+              doctest::Approx(std::sin(y) * std::sin(y)).scale(0).epsilon(1e-15));
 }
 
 TEST_CASE("a second look goes half as far, ten digits at least, and never farther than the first")
 {
-    for (const auto& [digits, looked_at] : {std::pair{1L, 1L}, {9L, 9L}, {10L, 10L}, {15L, 10L}, {20L, 10L}, {21L, 11L}, {30L, 15L}, {1000L, 500L}})
+    for (const auto& [digits, looked_at] :
+         {std::pair{1L, 1L}, {9L, 9L}, {10L, 10L}, {15L, 10L}, {20L, 10L}, {21L, 11L}, {30L, 15L}, {1000L, 500L}})
         CHECK(looked_at_again({digits}).digits == looked_at);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Four lanes and one number give the same bits in a build without optimisation (tests/CMakeLists.txt compiles this file with -O0): what takes Lanes
-// by value and is not inlined there would look for them elsewhere than a clone for newer machines puts them.
+// Four lanes and one number give the same bits in a build without optimisation (tests/CMakeLists.txt compiles this file with -O0): what
+// takes Lanes by value and is not inlined there would look for them elsewhere than a clone for newer machines puts them.
 #include "touchstone/scalar/double_double.hpp"
 
 #include <cstdio>

@@ -27,8 +27,8 @@ TEST_CASE("exact numbers are read exactly")
 
 TEST_CASE("what is not a number is refused")
 {
-    for (const char* text : {"", " ", "1 ", " 1", "abc", "1e", "1e+", "--1", "1..2", "1/0", "1/-3", "0x", "0x1e5p", "inf", "nan", "1e10000001",
-                             "1/2/3", "1,5", "0x1.8e3p1.5", ".", "1x5"})
+    for (const char* text : {"",   " ",      "1 ",  " 1",  "abc",        "1e",    "1e+", "--1",         "1..2", "1/0", "1/-3",
+                             "0x", "0x1e5p", "inf", "nan", "1e10000001", "1/2/3", "1,5", "0x1.8e3p1.5", ".",    "1x5"})
         CHECK_FALSE_MESSAGE(parse_rational(text).has_value(), "'" << text << "'");
 }
 

@@ -54,7 +54,8 @@ TEST_CASE("half an ulp times the condition number")
     for (const double load : {0.3, 1.5, 1.999}) {
         const double value = value_at(*find_quantity("hertz.half_width"), {{"load", exact_rational(load)}}).get_d();
         const double half_ulp = (std::nextafter(load, 2) - load) / 2;
-        CHECK(forced("hertz.half_width", {load}).ulps == doctest::Approx(value / 2 * half_ulp / load / ulp_at(exact_rational(value)).get_d()).scale(0).epsilon(1e-6));
+        CHECK(forced("hertz.half_width", {load}).ulps ==
+              doctest::Approx(value / 2 * half_ulp / load / ulp_at(exact_rational(value)).get_d()).scale(0).epsilon(1e-6));
     }
     CHECK(forced("archard.K", {7}).ulps == 0);
     CHECK(!forced("westergaard.pressure", {0.1, 0.5}).estimated);
@@ -74,7 +75,10 @@ TEST_CASE("areas in partial contact: as certified values at the ends say")
 
 TEST_CASE("distributions: the estimate is within the factor that the judge allows it")
 {
-    for (const std::vector<double>& row : {std::vector<double>{1, 0.5, 0.01, std::sqrt(10.0)}, {1, 1.2, 0.1, std::sqrt(10.0)}, {1, 1.999, 0.1, std::sqrt(10.0)}, {1, 0.3, 0.5, 2.5}})
+    for (const std::vector<double>& row : {std::vector<double>{1, 0.5, 0.01, std::sqrt(10.0)},
+                                           {1, 1.2, 0.1, std::sqrt(10.0)},
+                                           {1, 1.999, 0.1, std::sqrt(10.0)},
+                                           {1, 0.3, 0.5, 2.5}})
         for (const char* name : {"contact.exceedance", "contact.density"}) {
             CAPTURE(name);
             CAPTURE(row[1]);

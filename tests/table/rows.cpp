@@ -61,14 +61,17 @@ TEST_CASE("rows are read with their columns by name, in whatever dress they come
     const auto in_another_dress = [](const std::string& text, const std::string& from, const std::string& to) {
         std::string dressed;
         std::size_t begin = 0;
-        for (std::size_t at = 0; (at = text.find(from, begin)) != std::string::npos; begin = at + from.size()) dressed += text.substr(begin, at - begin) + to;
+        for (std::size_t at = 0; (at = text.find(from, begin)) != std::string::npos; begin = at + from.size())
+            dressed += text.substr(begin, at - begin) + to;
         return dressed + text.substr(begin);
     };
-    for (const std::string& text : {plain, in_another_dress(plain, "\n", "\r\n"), in_another_dress(plain, "\n", "\r"), "\xEF\xBB\xBF" + plain,
-                                    in_another_dress(plain, " 1", ",1"), in_another_dress(plain, " 1", " , 1"), in_another_dress(plain, " 1", "\t 1"),
-                                    plain.substr(0, plain.size() - 1), "# a banner\n" + plain, plain + "\n\n# the end\n", plain.substr(2), "\xEF\xBB\xBF" + plain.substr(2),
-                                    std::string("\"x\",\"load\"\r\n0.1,1/3\n0x1.8p-3,1e-300"), std::string("% x load\n0.1 1/3\r\n\r\n0x1.8p-3 1e-300\r"),
-                                    in_another_dress(plain, "# x load\n", "# x load\n# in lambda, in p*\n")}) {
+    for (const std::string& text :
+         {plain, in_another_dress(plain, "\n", "\r\n"), in_another_dress(plain, "\n", "\r"), "\xEF\xBB\xBF" + plain,
+          in_another_dress(plain, " 1", ",1"), in_another_dress(plain, " 1", " , 1"), in_another_dress(plain, " 1", "\t 1"),
+          plain.substr(0, plain.size() - 1), "# a banner\n" + plain, plain + "\n\n# the end\n", plain.substr(2),
+          "\xEF\xBB\xBF" + plain.substr(2), std::string("\"x\",\"load\"\r\n0.1,1/3\n0x1.8p-3,1e-300"),
+          std::string("% x load\n0.1 1/3\r\n\r\n0x1.8p-3 1e-300\r"),
+          in_another_dress(plain, "# x load\n", "# x load\n# in lambda, in p*\n")}) {
         CAPTURE(text);
         const auto rows = all_of(text);
         REQUIRE(rows.size() == 2);
@@ -95,7 +98,8 @@ TEST_CASE("what is wrong with a file is said in one line, with its place")
     CHECK(refusal(head + "0.1 0.2 0.3\n") == "grid.txt:2: row 1: 3 columns where 2 are named (x load)");
     CHECK(refusal(head + "0.1,\n") == "grid.txt:2: row 1: column 'load' is empty");
     CHECK(refusal(head + "0.1,,0.2\n") == "grid.txt:2: row 1: 3 columns where 2 are named (x load)");
-    CHECK(refusal(head + "\n\n# here\n0.1 nan\n") == "grid.txt:5: row 1: load = 'nan' is not a number such as 12, 0.1, 1e-300, 1/3 or 0x1.8p-3");
+    CHECK(refusal(head + "\n\n# here\n0.1 nan\n") ==
+          "grid.txt:5: row 1: load = 'nan' is not a number such as 12, 0.1, 1e-300, 1/3 or 0x1.8p-3");
     CHECK(refusal(head + "0.1 inf\n").find("load = 'inf'") != std::string::npos);
     CHECK(refusal(head + "0.1 1;2\n").find("load = '1;2'") != std::string::npos);
     CHECK(refusal(head + std::string("0.1 \0\x1b\n", 7)).find("load = '\\x00\\x1b'") != std::string::npos);

@@ -44,7 +44,8 @@ TEST_CASE("the manifest lists every table with its hash, and every bound is fini
             const Rational value = *parse_rational(row.value);
             if (error == 0) continue; // exact
             Decimal d = round_to_digits(value, t.digits);
-            if (estimated && d.digits.back() == '0' && error != *parse_rational(d.half_unit())) d = round_to_digits(value, t.digits - 1); // next to a tie
+            if (estimated && d.digits.back() == '0' && error != *parse_rational(d.half_unit()))
+                d = round_to_digits(value, t.digits - 1); // next to a tie
             CHECK(d.value() == value); // no more digits than claimed
             CHECK(error == *parse_rational(d.half_unit()));
         }

@@ -53,7 +53,8 @@ TEST_CASE("very near G = 2")
 {
     const WorkingPrecision precision(128);
     for (const char* load : {"1", "0.3"}) {
-        const Ball a = area(Scheme::force_weighted, 20, at(load, "2.0001"), wanted()), b = area(Scheme::area, 20, at(load, "2.0001"), wanted());
+        const Ball a = area(Scheme::force_weighted, 20, at(load, "2.0001"), wanted()),
+                   b = area(Scheme::area, 20, at(load, "2.0001"), wanted());
         CHECK(a.overlaps(b));
         CHECK(a.relative_bits() > 44);
         CHECK(b.relative_bits() > 44);
@@ -90,7 +91,9 @@ TEST_CASE("next to load = 1 what the last 1e-20 of the load is worth is seen")
 {
     // the slope next to 1 is finite from scale 1 on, but for a logarithm
     const WorkingPrecision more(bits_for_digits(40) + 48);
-    const Ball at_one = area(Scheme::area, 3, at("1", "3"), wanted()), below = area(Scheme::area, 3, {[] { return Ball(Rational(1 - power(Rational(10), -20))); }, [] { return Ball(3); }}, wanted());
+    const Ball at_one = area(Scheme::area, 3, at("1", "3"), wanted()),
+               below =
+                   area(Scheme::area, 3, {[] { return Ball(Rational(1 - power(Rational(10), -20))); }, [] { return Ball(3); }}, wanted());
     CHECK(certainly(less(below, at_one)));
     CHECK(certainly(less(at_one - below, Ball(exactly("1e-18")))));
 }
@@ -101,7 +104,8 @@ TEST_CASE("light loads down to 1e-300: the power series")
     for (const char* load : {"1e-88", "1e-150"})
         for (const long n : {1L, 4L, 9L}) {
             CAPTURE(load); CAPTURE(n);
-            const Ball own = area(Scheme::force_weighted, n, at(load, "3"), wanted()), series = area_series(n, Ball(exactly(load)), Ball(3));
+            const Ball own = area(Scheme::force_weighted, n, at(load, "3"), wanted()),
+                       series = area_series(n, Ball(exactly(load)), Ball(3));
             CHECK(own.overlaps(series));
             CHECK(own.relative_bits() > 44);
             CHECK(series.relative_bits() > 44); // what is cut off is relative to the area, however light the load
@@ -443,7 +447,8 @@ TEST_CASE("areas increase with the load, decrease with the scale, and force is c
         below_all = a5;
     }
     // A_n G^n/load tends to one constant for all loads
-    const Ball heavy = area(Scheme::force_weighted, 100, at("1", "2.25"), wanted()), light = area(Scheme::force_weighted, 100, at("0.001", "2.25"), wanted());
+    const Ball heavy = area(Scheme::force_weighted, 100, at("1", "2.25"), wanted()),
+               light = area(Scheme::force_weighted, 100, at("0.001", "2.25"), wanted());
     const Ball ratio = heavy / light / 1000;
     CHECK(certainly(less(abs(ratio - 1), Ball(exactly("1e-20")))));
 }
@@ -455,7 +460,8 @@ TEST_CASE("light loads: Archard's law (7.18), with the ratio enclosed")
         Ball last_gap(1);
         for (const char* G : {"1e2", "1e4", "1e6"}) { // the whole chain is Hertzian only as G grows as well
             const Ball load = Ball(exactly("1e-12")), g(exactly(G));
-            const Ball ratio = area(Scheme::force_weighted, n, at("1e-12", G), wanted()) / archard::area(n, load, g, archard::K_gamma_product(n));
+            const Ball ratio =
+                area(Scheme::force_weighted, n, at("1e-12", G), wanted()) / archard::area(n, load, g, archard::K_gamma_product(n));
             const Ball gap = abs(ratio - 1);
             CHECK(certainly(less(gap, last_gap)));
             last_gap = gap;
@@ -472,8 +478,9 @@ TEST_CASE("the first scale is (6.6), exact where it is rational")
 
 TEST_CASE("out of reach is said, not guessed")
 {
-    const std::pair<const char*, const char*> reasons[] = {{"2", "the limit is not reached at that scale, as far as its rate is proven; no estimate"},
-                                                           {"1.0000001", "the constant of the limit is certified for G = gamma^(D-1) >= 1.02 only; no estimate"}};
+    const std::pair<const char*, const char*> reasons[] = {
+        {"2", "the limit is not reached at that scale, as far as its rate is proven; no estimate"},
+        {"1.0000001", "the constant of the limit is certified for G = gamma^(D-1) >= 1.02 only; no estimate"}};
     for (const auto& [G, reason] : reasons) {
         const auto e = eval("contact.area", {{"n", 150}, {"load", exactly("0.5")}, {"G", exactly(G)}}, 10);
         CHECK(e.status == Status::undecided);

@@ -67,7 +67,8 @@ bool holds(const Disc& of, const Disc& inside, const Image& image)
         const Ball angle = 2 * pi<Ball>() * k / 16;
         // from the direction of the centre, where 1/z and z^(1/2) go farthest
         const ComplexBall towards = ball(of.centre()) / ComplexBall(abs(ball(of.centre())));
-        const ComplexBall z = ball(of.centre()) + ComplexBall(Ball::exactly(of.radius()) * (1 - Ball::exactly(0x1p-100))) * towards * ComplexBall(cos(angle), sin(angle));
+        const ComplexBall z = ball(of.centre()) + ComplexBall(Ball::exactly(of.radius()) * (1 - Ball::exactly(0x1p-100))) * towards *
+                                                      ComplexBall(cos(angle), sin(angle));
         yes = yes && !certainly(less(Ball::exactly(inside.radius()), abs(image(z) - ball(inside.centre()))));
     }
     return yes;
@@ -94,7 +95,8 @@ TEST_CASE("discs: reciprocals and roots of discs that nearly reach 0")
         if (std::isfinite(one_over.radius())) CHECK(holds(b, one_over, [](const ComplexBall& z) { return ComplexBall(1) / z; }));
         if (std::isfinite(root.radius())) CHECK(holds(b, root, [](const ComplexBall& z) { return sqrt(z); }));
         const double q = b.radius() / std::abs(c); // towards 0 a root of the disc is as far away as this
-        if (std::isfinite(root.radius())) CHECK(root.radius() <= 1.01 * std::sqrt(std::abs(c)) * (1 - std::sqrt(std::max(0.0, 1 - q))) + 1e-6 * std::sqrt(std::abs(c)));
+        if (std::isfinite(root.radius()))
+            CHECK(root.radius() <= 1.01 * std::sqrt(std::abs(c)) * (1 - std::sqrt(std::max(0.0, 1 - q))) + 1e-6 * std::sqrt(std::abs(c)));
     }
     CHECK(finite > 1000);
 }
@@ -109,7 +111,8 @@ TEST_CASE("discs: real numbers so small that their squares are subnormal")
             const auto on_rim = [&](const Disc& of, const auto& image) {
                 const WorkingPrecision precision(1200);
                 for (const int sign : {-1, 0, 1}) {
-                    const ComplexBall at(Ball::exactly(c) + sign * Ball::exactly(radius)), centre(Ball::exactly(of.centre().real()), Ball::exactly(of.centre().imag()));
+                    const ComplexBall at(Ball::exactly(c) + sign * Ball::exactly(radius)),
+                        centre(Ball::exactly(of.centre().real()), Ball::exactly(of.centre().imag()));
                     CHECK_FALSE(certainly(less(Ball::exactly(of.radius()), abs(image(at) - centre))));
                 }
             };
@@ -131,12 +134,15 @@ TEST_CASE("discs: sums, differences and products hold those of their points")
     for (int i = 0; i < 500; ++i) {
         const Disc a(any(5), std::exp(20 * unit(random) - 15)), b(any(5), std::exp(20 * unit(random) - 15));
         // b's point where it is farthest along a's direction, so that the product's rim is met
-        const ComplexBall other = ball(b.centre()) * ComplexBall(1 + Ball::exactly(b.radius()) / abs(ball(b.centre())) * (1 - Ball::exactly(0x1p-100)));
+        const ComplexBall other =
+            ball(b.centre()) * ComplexBall(1 + Ball::exactly(b.radius()) / abs(ball(b.centre())) * (1 - Ball::exactly(0x1p-100)));
         CAPTURE(i);
         CHECK(holds(a, a + b, [&](const ComplexBall& z) { return z + other; }));
         CHECK(holds(a, a - b, [&](const ComplexBall& z) { return z - other; }));
         CHECK(holds(a, a * b, [&](const ComplexBall& z) { return z * other; }));
-        CHECK((a * b).radius() <= 1.001 * (std::abs(a.centre()) * b.radius() + std::abs(b.centre()) * a.radius() + a.radius() * b.radius()) + 1e-12 * std::abs((a * b).centre()));
+        CHECK((a * b).radius() <=
+              1.001 * (std::abs(a.centre()) * b.radius() + std::abs(b.centre()) * a.radius() + a.radius() * b.radius()) +
+                  1e-12 * std::abs((a * b).centre()));
     }
 }
 

@@ -57,7 +57,8 @@ void compare_laws(std::initializer_list<long> scales, std::initializer_list<cons
             for (const char* share : shares) {
                 CAPTURE(G); CAPTURE(load); CAPTURE(n); CAPTURE(share);
                 const auto p_at = share_of_highest(n, share, load, G);
-                const Ball q = density(Law::density, n, p_at, at(load, G), wanted()), Q = exceedance(Law::exceedance, n, p_at, at(load, G), wanted());
+                const Ball q = density(Law::density, n, p_at, at(load, G), wanted()),
+                           Q = exceedance(Law::exceedance, n, p_at, at(load, G), wanted());
                 CHECK(q.overlaps(density(Law::exceedance, n, p_at, at(load, G), wanted())));
                 CHECK(Q.overlaps(exceedance(Law::density, n, p_at, at(load, G), wanted())));
                 CHECK(q.relative_bits() > 60);
@@ -189,11 +190,13 @@ TEST_CASE("through the catalogue: ends of the support, and what is out of reach"
     CHECK(eval("contact.density", {{"n", 1}, {"p", 0}, {"load", load}, {"G", G}}, 30).status == Status::exact);
     CHECK(eval("contact.density", {{"n", 1}, {"p", exactly("3.5")}, {"load", load}, {"G", G}}, 30).status == Status::certified);
     CHECK(eval("contact.density", {{"n", 2}, {"p", 1}, {"load", load}, {"G", G}}, 15).status == Status::certified);
-    const auto tiny = eval("contact.density", {{"n", 1}, {"p", exactly("1e-300")}, {"load", exactly("0.1")}, {"G", G}}, 30); // gp, as above: one wave
+    const auto tiny =
+        eval("contact.density", {{"n", 1}, {"p", exactly("1e-300")}, {"load", exactly("0.1")}, {"G", G}}, 30); // gp, as above: one wave
     CHECK(tiny.value == "1.23308843096240858505896966105e-302");
     CHECK(tiny.status == Status::certified);
     CHECK(tiny.routes == std::vector<std::string>{"scale-one-by-ratio", "scale-one-by-angle"});
-    CHECK(eval("contact.density", {{"n", 1}, {"p", exactly("1e-150")}, {"load", 1}, {"G", G}}, 10).status == Status::certified); // q_1 ~ p log p
+    CHECK(eval("contact.density", {{"n", 1}, {"p", exactly("1e-150")}, {"load", 1}, {"G", G}}, 10).status ==
+          Status::certified); // q_1 ~ p log p
     CHECK(eval("contact.density", {{"n", 21}, {"p", 1}, {"load", load}, {"G", G}}, 15).status == Status::undecided);
     // exactly at the edge: load = 1, G = 8, p_1^max = 8^2/8 and p_2^max = 8^3 (2/8) sqrt(1/8), irrational
     CHECK(eval("contact.exceedance", {{"n", 1}, {"p", 8}, {"load", 1}, {"G", 8}}, 15).status == Status::exact);
@@ -206,9 +209,11 @@ TEST_CASE("through the catalogue: ends of the support, and what is out of reach"
     CHECK(certainly(less(abs(Ball(*parse_rational(s.value)) - expected), Ball(exactly("1e-28")))));
 }
 
-TEST_CASE("many digits far below the edge, where arcsin z branches at the zeros of E(D) inside ellipses: all laws hold the integral of scale 1")
+TEST_CASE(
+    "many digits far below the edge, where arcsin z branches at the zeros of E(D) inside ellipses: all laws hold the integral of scale 1")
 {
-    const ScaleOne one{share_of_highest(1, "1e-19", "1", "2.5"), exactly("1"), [] { return Ball(exactly("2.5")); }, std::nullopt, exactly("2.5")};
+    const ScaleOne one{share_of_highest(1, "1e-19", "1", "2.5"), exactly("1"), [] { return Ball(exactly("2.5")); }, std::nullopt,
+                       exactly("2.5")};
     const WorkingPrecision precision(bits_for_digits(150) + 48);
     const Ball known = [&] {
         const WorkingPrecision twice(2 * WorkingPrecision::bits());
@@ -221,13 +226,16 @@ TEST_CASE("many digits far below the edge, where arcsin z branches at the zeros 
         CHECK(Q.relative_bits() > bits_for_digits(150));
     }
     // 270 digits are within reach, and what is not says so
-    CHECK(eval("contact.exceedance", {{"n", 1}, {"G", exactly("5/2")}, {"load", 1}, {"p", exactly("1e-17")}}, 150).status == Status::certified);
+    CHECK(eval("contact.exceedance", {{"n", 1}, {"G", exactly("5/2")}, {"load", 1}, {"p", exactly("1e-17")}}, 150).status ==
+          Status::certified);
 }
 
 TEST_CASE("neighbouring pressures share levels: kept ones serve whatever needs no more accuracy")
 {
     const WorkingPrecision precision(bits_for_digits(16) + 48);
-    const auto value = [](const char* share, long n, Accuracy a) { return density(Law::exceedance, n, share_of_highest(n, share, "0.7", "3.5"), at("0.7", "3.5"), a); };
+    const auto value = [](const char* share, long n, Accuracy a) {
+        return density(Law::exceedance, n, share_of_highest(n, share, "0.7", "3.5"), at("0.7", "3.5"), a);
+    };
     const long before = levels_made();
     const Ball first = value("1e-11", 1, {16}); // d = 25: the slope of an exceedance loses 2 d nats
     CHECK(levels_made() == before + 1);

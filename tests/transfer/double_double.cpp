@@ -127,7 +127,8 @@ TEST_CASE("sums of products, moments and the kernel of a wave, within their coun
     constexpr std::size_t nodes = 132; // more than one block
     Wide local(nodes), weight(nodes), moments(count);
     std::uniform_real_distribution<double> in(-1, 1);
-    for (std::size_t i = 0; i < nodes; ++i) local.set(i, Real(in(next.random)) + 1e-18), weight.set(i, Real(1) / static_cast<double>(i + 1));
+    for (std::size_t i = 0; i < nodes; ++i)
+        local.set(i, Real(in(next.random)) + 1e-18), weight.set(i, Real(1) / static_cast<double>(i + 1));
     chebyshev_moments(local, weight, count, moments);
     for (const std::size_t k : {0, 1, 2, 17, 39}) {
         Ball sum(0);
@@ -178,12 +179,15 @@ TEST_CASE("one wave: its ends, 1 -+ c, and the nodes and weights in each variabl
     const WorkingPrecision precision(400);
     const Real G = Real(3) / 2;
     Wide nodes(4), weights(4), local(4), weight(4);
-    for (std::size_t i = 0; i < 4; ++i) nodes.set(i, Real(static_cast<double>(i)) / 2 - 0.8), weights.set(i, Real(1) / static_cast<double>(i + 3));
+    for (std::size_t i = 0; i < 4; ++i)
+        nodes.set(i, Real(static_cast<double>(i)) / 2 - 0.8), weights.set(i, Real(1) / static_cast<double>(i + 3));
     for (const Real& ratio : {Real(1) / 3, Real(9) / 10, Real(5) / 4}) {
         const bool is_full = ratio >= 1;
         const WaveKernel<Real> k(ratio, G, is_full);
         const Ball x = ball(k.x), g = ball(k.G);
-        const auto z_at = [&](const Ball& c) { return (is_full ? (x + c) * (x + c) : (1 + c) * (2 * x - 1 + c)) / (g * g); }; // (T) of proven_levels.hpp
+        const auto z_at = [&](const Ball& c) {
+            return (is_full ? (x + c) * (x + c) : (1 + c) * (2 * x - 1 + c)) / (g * g);
+        }; // (T) of proven_levels.hpp
         CHECK(within(k.end, z_at(Ball(1)), -98, Ball(1)));
         CHECK(within(k.begin, is_full ? z_at(Ball(-1)) : -(1 - x) * (1 - x) / (g * g), -98, Ball(1)));
         for (const double share : {0.01, 0.4, 0.97}) {
@@ -193,7 +197,8 @@ TEST_CASE("one wave: its ends, 1 -+ c, and the nodes and weights in each variabl
         }
         for (const Substitution variable : {Substitution::sine, Substitution::cosine, Substitution::square}) {
             const bool square = variable == Substitution::square;
-            const Real mid = square ? (positive_part(k.begin) + k.end) * 0.5 : Real(0.4), half = square ? k.end * 0.1 : Real(0.2), centre = 0.3, unit = 0.7;
+            const Real mid = square ? (positive_part(k.begin) + k.end) * 0.5 : Real(0.4), half = square ? k.end * 0.1 : Real(0.2),
+                       centre = 0.3, unit = 0.7;
             wave_nodes(k, variable, mid, half, nodes, weights, centre, unit, local, weight);
             for (std::size_t i = 0; i < 4; ++i) {
                 const Ball t = ball(mid) + ball(half) * ball(nodes[i]);

@@ -82,7 +82,8 @@ public:
         Forward& levels = row == Row::density_step || row == Row::density_share ? density_ : exceedance_;
         const WorkingPrecision precision(2 * levels.bits() + 200);
         const Ball d = log(problem_.highest() / p);
-        return row == Row::density_step || row == Row::exceedance_slope ? levels.density(problem_.n, p, d) : levels.exceedance(problem_.n, d);
+        return row == Row::density_step || row == Row::exceedance_slope ? levels.density(problem_.n, p, d)
+                                                                        : levels.exceedance(problem_.n, d);
     }
 
 private:
@@ -105,7 +106,8 @@ public:
         if (levels_) return levels_->value(row, p);
         const WorkingPrecision precision(static_cast<slong>((2 * problem_.accuracy + head_start) / std::log(2.0)) + 200);
         const ScaleOne at{[&] { return p; }, problem_.load, [&] { return Ball(problem_.G); }, std::nullopt, problem_.G};
-        return row == Row::density_step || row == Row::exceedance_slope ? scale_one_density(Variable::angle, at) : scale_one_exceedance(Variable::angle, at);
+        return row == Row::density_step || row == Row::exceedance_slope ? scale_one_density(Variable::angle, at)
+                                                                        : scale_one_exceedance(Variable::angle, at);
     }
 
 private:
@@ -142,7 +144,8 @@ TEST_CASE("no row of the forward levels is off by more than it claims")
     std::array<double, rows.size()> worst{};
     for (unsigned long i = 0; i < count; ++i) {
         const Problem problem = draw.problem();
-        const std::string what = fmt::format("problem {}: n={} G={} load={} accuracy={:.0f}", i, problem.n, problem.G.get_str(), problem.load.get_str(), problem.accuracy);
+        const std::string what = fmt::format("problem {}: n={} G={} load={} accuracy={:.0f}", i, problem.n, problem.G.get_str(),
+                                             problem.load.get_str(), problem.accuracy);
         INFO(what);
         Levels levels(problem, problem.accuracy);
         Reference reference(problem);
@@ -174,7 +177,8 @@ TEST_CASE("no row of the forward levels is off by more than it claims")
         }
     }
     for (std::size_t r = 0; r < rows.size(); ++r) {
-        MESSAGE(std::string(names[r]) << ": " << compared[r] << " compared, " << refused[r] << " refused; largest error " << worst[r] << " of what is claimed");
+        MESSAGE(std::string(names[r]) << ": " << compared[r] << " compared, " << refused[r] << " refused; largest error " << worst[r]
+                                      << " of what is claimed");
         CHECK(2 * compared[r] > pressures * count);
     }
 }

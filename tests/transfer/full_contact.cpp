@@ -96,7 +96,8 @@ TEST_CASE("one wave keeps force and length: T[id] = id/G, T[1] = 1 in full conta
         const GradedGrid<Real> backwards({}, exceedance_points(ball("0.3"), G, {reach, 4, 1e-18}), reach);
         const auto backwards_one = backwards.sample(one);
         // at ratios of all sizes, and where an end of the wave is a singular point or an end of an interval to all digits
-        std::vector<Real> ratios{1e-12L, 1e-3L, 0.3L, 0.999L, 1, 1 + 1e-15L, 1 + 1e-9L, 2.5L, g.high + 1, g.high - 1, g.high * (g.high + 1) + 1};
+        std::vector<Real> ratios{
+            1e-12L, 1e-3L, 0.3L, 0.999L, 1, 1 + 1e-15L, 1 + 1e-9L, 2.5L, g.high + 1, g.high - 1, g.high * (g.high + 1) + 1};
         for (const Real x : ratios) {
             CAPTURE(text); CAPTURE(static_cast<double>(x));
             const auto w = wave_from(Pair<Real>{x, 0}, g);
@@ -122,12 +123,21 @@ TEST_CASE("both grids, at hard places: G near and at 2, loads near 1, singular p
     struct Case {
         const char *G, *load;
     };
-    for (const auto& [G, load] : {Case{"2", "1"}, {"2", "0.1"}, {"2", "5"}, {"1.999999999999", "0.7"}, {"2.000000000001", "3"}, {"1.5", "0.999999999"},
-                                  {"1.5", "1.000000001"}, {"1.5", "0.5"} /* (load + 1)/G = 1 */, {"1.5", "2.5"} /* (load - 1)/G = 1 */, {"4", "10"},
+    for (const auto& [G, load] : {Case{"2", "1"},
+                                  {"2", "0.1"},
+                                  {"2", "5"},
+                                  {"1.999999999999", "0.7"},
+                                  {"2.000000000001", "3"},
+                                  {"1.5", "0.999999999"},
+                                  {"1.5", "1.000000001"},
+                                  {"1.5", "0.5"} /* (load + 1)/G = 1 */,
+                                  {"1.5", "2.5"} /* (load - 1)/G = 1 */,
+                                  {"4", "10"},
                                   {"16", "100"}})
         for (const long n : {1L, 2L}) {
             CAPTURE(G); CAPTURE(load); CAPTURE(n);
-            CHECK(apart(estimated_area(Grid::blind, n, ball(load), ball(G)).value, estimated_area(Grid::tracked, n, ball(load), ball(G)).value) < 3e-18);
+            CHECK(apart(estimated_area(Grid::blind, n, ball(load), ball(G)).value,
+                        estimated_area(Grid::tracked, n, ball(load), ball(G)).value) < 3e-18);
         }
     // and continuous there
     for (const long n : {1L, 2L})
@@ -188,7 +198,8 @@ TEST_CASE("A_n = 1 exactly as long as min p_n > 0, and the first scale that lose
     }
     CHECK(eval("contact.density", {{"n", 2}, {"p", exactly("0.25")}, {"load", 5}, {"G", exactly("1.5")}}, 15).value == "0");
     CHECK(eval("contact.exceedance", {{"n", 2}, {"p", exactly("0.25")}, {"load", 5}, {"G", exactly("1.5")}}, 15).value == "1");
-    for (const auto& [p, load] : {std::pair{"4", "3"}, {"2", "3"}, {"2", "1"}, {"0", "1"}, {"1", "0.25"}}) { // infinite at the ends of one wave
+    for (const auto& [p, load] :
+         {std::pair{"4", "3"}, {"2", "3"}, {"2", "1"}, {"0", "1"}, {"1", "0.25"}}) { // infinite at the ends of one wave
         CAPTURE(p);
         const auto e = eval("contact.density", {{"n", 0}, {"p", exactly(p)}, {"load", exactly(load)}, {"G", exactly("1.5")}}, 15);
         CHECK(e.status == Status::undecided);
@@ -213,7 +224,8 @@ TEST_CASE("what is estimated says so, and no digit is given that the two do not 
     const Ball third = exact_ball(Real(1) / 3);
     const auto seen = [&](const Witness& one, const Witness& other) {
         q.plan = [=](const Inputs&, Accuracy) {
-            return Plan{.witnesses = {{"one", [=](Accuracy) { return one; }}, {"other", [=](Accuracy) { return other; }}}, .refusal = "no proof"};
+            return Plan{.witnesses = {{"one", [=](Accuracy) { return one; }}, {"other", [=](Accuracy) { return other; }}},
+                        .refusal = "no proof"};
         };
         return evaluate(q, in, {.digits = 15});
     };
@@ -288,7 +300,8 @@ TEST_CASE("distributions at the seams: G = 2, load = 1, an end of the support th
     CHECK(apart(estimated_exceedance(Grid::tracked, 2, ball("0.9"), Ball(1), Ball(2)).value, ball("0.2356090717562473")) < 1e-15);
     // p -> 0 through 1/sqrt(1 - x): no nan, the area
     for (const Grid grid : {Grid::blind, Grid::tracked})
-        CHECK(apart(estimated_exceedance(grid, 2, ball("1e-300"), Ball(1), Ball(2)).value, estimated_area(grid, 2, Ball(1), Ball(2)).value) < 1e-17);
+        CHECK(apart(estimated_exceedance(grid, 2, ball("1e-300"), Ball(1), Ball(2)).value,
+                    estimated_area(grid, 2, Ball(1), Ball(2)).value) < 1e-17);
 }
 
 TEST_CASE("slow: a seam that no point of the blind grid sees: E_1 ends at 1 + 6e-7" * doctest::skip())
@@ -319,8 +332,12 @@ TEST_CASE("exceedance and density: certified at n = 1 in partial contact, both g
         const Ball G = ball("3.16"), load = ball("0.3"), P = ball(p);
         CAPTURE(p);
         for (const Grid grid : {Grid::blind, Grid::tracked}) {
-            CHECK(apart(estimated_exceedance(grid, 1, P, load, G).value, exceedance(Law::density, 1, [&] { return P; }, {[&] { return load; }, [&] { return G; }}, wanted())) < 1e-17);
-            CHECK(apart(estimated_density(grid, 1, P, load, G).value, density(Law::density, 1, [&] { return P; }, {[&] { return load; }, [&] { return G; }}, wanted())) < 3e-16);
+            CHECK(apart(estimated_exceedance(grid, 1, P, load, G).value,
+                        exceedance(
+                            Law::density, 1, [&] { return P; }, {[&] { return load; }, [&] { return G; }}, wanted())) < 1e-17);
+            CHECK(apart(estimated_density(grid, 1, P, load, G).value,
+                        density(
+                            Law::density, 1, [&] { return P; }, {[&] { return load; }, [&] { return G; }}, wanted())) < 3e-16);
         }
     }
     // G = 1.5, load = 3: q_1 has logarithms at p = 3 +- 1 +- 1.5 and square roots at its ends 0.5, 5.5
@@ -370,7 +387,8 @@ TEST_CASE("singular points: exact images, merged where they are the same")
     // G = 2: 1 -> 3 and 1 (twice the same) -> 7, 5 -> 15, 13, 11, 9; beyond the reach, kept as neighbours, 13 and 15
     CHECK(positions(area_points(Ball(2), {Ball(12), 4, 1e-18})) == std::vector<double>{1, 3, 5, 7, 9, 11, 13, 15});
     // G = 1.5: 1 -> 2.5, 0.5625 -> 4.75, 2.75, 1.84375, 0.177978515625
-    CHECK(positions(area_points(ball("1.5"), {Ball(12), 3, 1e-18})) == std::vector<double>{0.177978515625, 0.5625, 1, 1.84375, 2.5, 2.75, 4.75});
+    CHECK(positions(area_points(ball("1.5"), {Ball(12), 3, 1e-18})) ==
+          std::vector<double>{0.177978515625, 0.5625, 1, 1.84375, 2.5, 2.75, 4.75});
     // load = 3, G = 1.5: 8/3 and 4/3 = 2/G, then (8/3 +- 1)/G, (4/3 +- 1)/G; 1 is marked
     const auto exceedances = positions(exceedance_points(Ball(3), ball("1.5"), {Ball(12), 2, 1e-18}));
     REQUIRE(exceedances.size() == 7);

@@ -45,7 +45,8 @@ TEST_CASE("scale 2: both grids against one more integral over scale 1, cut at al
     const auto at = [](const Rational& p, const Rational& load, const Rational& G) -> ScaleOne {
         return {[p] { return Ball(p); }, load, [G] { return Ball(G); }, p, G};
     };
-    for (const auto& [load, G, p] : {std::tuple{"3", "1.5", "2.2"}, {"1", "2", "0.9"}, {"0.5", "1.2", "1.1"}, {"1.000001", "1.9999999", "3"}}) {
+    for (const auto& [load, G, p] :
+         {std::tuple{"3", "1.5", "2.2"}, {"1", "2", "0.9"}, {"0.5", "1.2", "1.1"}, {"1.000001", "1.9999999", "3"}}) {
         CAPTURE(load); CAPTURE(G); CAPTURE(p);
         const WorkingPrecision precision(80);
         const Rational g = exactly(G);
@@ -80,7 +81,8 @@ TEST_CASE("scale 2: both grids against one more integral over scale 1, cut at al
     }
 }
 
-TEST_CASE("distributions everywhere: no nan, no refusal, each grid off by no more than it says, at seams, singular points, ends, and p -> 0")
+TEST_CASE(
+    "distributions everywhere: no nan, no refusal, each grid off by no more than it says, at seams, singular points, ends, and p -> 0")
 {
     const WorkingPrecision precision(256);
     const char* loads[] = {"0.001", "0.1", "0.999999", "1", "1.000001", "1.5", "2", "10", "100"};
@@ -92,18 +94,22 @@ TEST_CASE("distributions everywhere: no nan, no refusal, each grid off by no mor
                 arb_pow_ui(unit.get(), G.get(), static_cast<ulong>(n + 1), 256);
                 const Ball top = unit * peaks::iterate(n, load, G);
                 std::vector<Ball> pressures{Ball(exactly("1e-300")), Ball(exactly("1e-9"))};
-                for (const char* share : {"0.001", "0.05", "0.2", "0.45", "0.7", "0.9", "0.999", "0.999999"}) pressures.push_back(Ball(exactly(share)) * top);
+                for (const char* share : {"0.001", "0.05", "0.2", "0.45", "0.7", "0.9", "0.999", "0.999999"})
+                    pressures.push_back(Ball(exactly(share)) * top);
                 const auto points = exceedance_points(load, G, {Ball((load + 1) / G + 2), static_cast<int>(std::min(n + 1, 3L)), 1e-18});
                 for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 8)
                     for (const char* off : {"0", "1e-3", "-1e-3", "1e-9", "-1e-9", "1e-30"})
-                        if (const Ball p = unit * points[i].position * (1 + Ball(exactly(off))); certainly(less(p, top))) pressures.push_back(p);
+                        if (const Ball p = unit * points[i].position * (1 + Ball(exactly(off))); certainly(less(p, top)))
+                            pressures.push_back(p);
                 for (const Ball& p : pressures)
                     for (const bool density : {false, true}) {
                         CAPTURE(G_text); CAPTURE(load_text); CAPTURE(n); CAPTURE(number(p)); CAPTURE(density);
                         Witness e[2];
                         for (const Grid grid : {Grid::blind, Grid::tracked})
-                            e[grid == Grid::tracked] = density ? estimated_density(grid, n, p, load, G) : estimated_exceedance(grid, n, p, load, G);
-                        const double off = number(abs(e[0].value - e[1].value)), claimed = number(e[0].error + e[1].error), size = std::fabs(number(e[0].value));
+                            e[grid == Grid::tracked] =
+                                density ? estimated_density(grid, n, p, load, G) : estimated_exceedance(grid, n, p, load, G);
+                        const double off = number(abs(e[0].value - e[1].value)), claimed = number(e[0].error + e[1].error),
+                                     size = std::fabs(number(e[0].value));
                         if (!density) CHECK(off < 64 * claimed + 1e-17 * size + 1e-19);
                         // 0.3 of what is not resolved at all, within 1e-16 of a singular point or 1e-12 of the value next to the upper end
                         else CHECK(off < 64 * claimed + 1e-12 * size + 1e-10);

@@ -76,7 +76,8 @@ TEST_CASE("nested by hand, n = 1 and 2")
 TEST_CASE("slow: nested, n = 2, where a ratio of 1 is crossed" * doctest::skip())
 {
     const WorkingPrecision precision(bits);
-    CHECK(near(area_at_heavy_load(Scheme::force_weighted, 2, at("10", "3.2"), wanted()), Ball(exactly("0.8447896421110701457823348")), "2e-19"));
+    CHECK(near(area_at_heavy_load(Scheme::force_weighted, 2, at("10", "3.2"), wanted()), Ball(exactly("0.8447896421110701457823348")),
+               "2e-19"));
 }
 
 TEST_CASE("load -> 1 from above meets the partial-contact route, no faster than Lemma 4 allows")
@@ -108,7 +109,9 @@ TEST_CASE("areas increase with the load")
 
 TEST_CASE("full contact everywhere is exact, to the last load that keeps it; then it is certified")
 {
-    const auto eval = [](const char* name, std::map<std::string, Rational> in) { return evaluate(*find_quantity(name), Inputs(std::move(in)), {.digits = 17}); };
+    const auto eval = [](const char* name, std::map<std::string, Rational> in) {
+        return evaluate(*find_quantity(name), Inputs(std::move(in)), {.digits = 17});
+    };
     for (const char* G : {"4", "1.5"}) { // 1 + G + G^2
         const Rational g = exactly(G), load = 1 + g + g * g;
         CHECK(eval("contact.area", {{"n", 2}, {"load", load}, {"G", g}}).status == Status::exact);
@@ -124,7 +127,8 @@ TEST_CASE("full contact everywhere is exact, to the last load that keeps it; the
 TEST_CASE("(1.5, 16) and (1.25, 256) give the same area, digit for digit")
 {
     const auto eval = [](const char* D, long gamma) {
-        return evaluate(*find_quantity("contact.area"), Inputs({{"n", 3}, {"load", 10}, {"D", exactly(D)}, {"gamma", gamma}}), {.digits = 17});
+        return evaluate(*find_quantity("contact.area"), Inputs({{"n", 3}, {"load", 10}, {"D", exactly(D)}, {"gamma", gamma}}),
+                        {.digits = 17});
     };
     const auto a = eval("1.5", 16), b = eval("1.25", 256);
     CHECK(a.status == Status::certified);
@@ -272,7 +276,9 @@ TEST_CASE("a wave is cut at the singular points inside it, and goes on beyond an
     const auto at = [](const char* x) { return Bracket{below(Ball(exactly(x))), above(Ball(exactly(x)))}; };
     const std::vector<Bracket> S{at("0"), at("0.5"), at("1"), at("2"), at("3"), at("7")};
     const auto cuts = [&](const char* lo, const char* hi) { return cuts_between(Ball(exactly(lo)), Ball(exactly(hi)), S); };
-    const auto is_at = [](const Bracket& b, const char* x) { return !is_below(Ball(exactly(x)), b.lo) && !is_below(b.hi, Ball(exactly(x))); };
+    const auto is_at = [](const Bracket& b, const char* x) {
+        return !is_below(Ball(exactly(x)), b.lo) && !is_below(b.hi, Ball(exactly(x)));
+    };
     const Cuts open = cuts("1.5", "3.5");
     REQUIRE(open.at.size() == 4);
     CHECK(is_at(open.at[0], "1.5"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// T V at a point beside the same integral in balls: V with jumps of 1 at edges, on panels as narrow as can be, at ratios next to 1, to 0 and to
-/// where an end of the kernel meets an edge. No rounding may exceed what is claimed for it.
+/// T V at a point beside the same integral in balls: V with jumps of 1 at edges, on panels as narrow as can be, at ratios next to 1, to 0
+/// and to where an end of the kernel meets an edge. No rounding may exceed what is claimed for it.
 #include "touchstone/catalogue/quantity.hpp"
 #include "touchstone/transfer/layer.hpp"
 #include "touchstone/transfer/proven_levels.hpp"
@@ -17,7 +17,8 @@ using namespace touchstone::transfer::levels;
 
 namespace {
 
-/// T V_m(x) = (1/pi) int V_m dtheta, panel by panel: T_k of the local coordinate is a polynomial in c = cos theta, and int c^j dtheta is known.
+/// T V_m(x) = (1/pi) int V_m dtheta, panel by panel: T_k of the local coordinate is a polynomial in c = cos theta, and int c^j dtheta is
+/// known.
 class InBalls {
 public:
     InBalls(const Layer& layer, const Ball& G) : layer_(layer), G_(G)
@@ -46,7 +47,8 @@ private:
         const Panel& p = layer_.panels[j];
         const int terms = used(j);
         // powers of c cancel to numbers below 1: (4 z/half)^terms
-        const double x_ = arf_get_d(arb_midref(x.get()), ARF_RND_NEAR), size = 4 * (std::pow((1 + std::max(1.0, x_)) / double(layer_.G), 2) + double(p.centre)) / double(p.half);
+        const double x_ = arf_get_d(arb_midref(x.get()), ARF_RND_NEAR),
+                     size = 4 * (std::pow((1 + std::max(1.0, x_)) / double(layer_.G), 2) + double(p.centre)) / double(p.half);
         const WorkingPrecision precision(400 + static_cast<slong>(terms * std::log2(4 + size)));
         const bool full = !certainly(less(x, Ball(1)));
         const Ball low = cosine(x, to_exact(p.z0), full), high = cosine(x, to_exact(p.z1), full);
@@ -186,16 +188,21 @@ double attack(Draw& draw, int rounds, double tolerance, double narrow, Series se
     Worst worst;
     for (int round = 0; round < rounds; ++round) {
         const Real G = draw.real(1.1, 6);
-        const Real x = round % 3 == 0 ? draw.real(1.0001, 6) : round % 3 == 1 ? draw.real(0.01, 0.9999) : Real(1) + Real(draw.between(-1, 1) * 1e-13);
+        const Real x = round % 3 == 0   ? draw.real(1.0001, 6)
+                       : round % 3 == 1 ? draw.real(0.01, 0.9999)
+                                        : Real(1) + Real(draw.between(-1, 1) * 1e-13);
         const Kernel k(x, G, x >= 1);
         // an edge of the mesh at an end of the kernel, next to it, at c = 0, or anywhere
         const Real middle = k.full ? (x * x) / (G * G) : k.end * 0.25;
-        const Real hard[] = {k.end, k.full && k.begin > Real(1e-8) ? k.begin : middle, k.end * Real{1, std::ldexp(draw.between(-1, 1), -100)}, middle, k.end * draw.real(0.2, 0.95)};
-        Layer layer(orders, gauss, kernel_points, exact, G, tolerance, mesh_towards(hard[(round / 3) % 5], narrow, 1e-9, 3 * double(k.end)), 4);
+        const Real hard[] = {k.end, k.full && k.begin > Real(1e-8) ? k.begin : middle,
+                             k.end * Real{1, std::ldexp(draw.between(-1, 1), -100)}, middle, k.end * draw.real(0.2, 0.95)};
+        Layer layer(orders, gauss, kernel_points, exact, G, tolerance, mesh_towards(hard[(round / 3) % 5], narrow, 1e-9, 3 * double(k.end)),
+                    4);
         for (int m = 0; m < 4; ++m) {
             Wide all(layer.panels.size() * terms);
             for (std::size_t j = 0; j < layer.panels.size(); ++j) {
-                const bool inside = std::abs(static_cast<int>(j) - layer.find(k.end)) > 4 && (!k.full || std::abs(static_cast<int>(j) - layer.find(k.begin)) > 4);
+                const bool inside = std::abs(static_cast<int>(j) - layer.find(k.end)) > 4 &&
+                                    (!k.full || std::abs(static_cast<int>(j) - layer.find(k.begin)) > 4);
                 for (std::size_t i = 0; i < terms; ++i) all.set(j * terms + i, series(draw, static_cast<int>(i), m, orders.terms, inside));
             }
             layer.set(m, all);
@@ -249,8 +256,12 @@ TEST_CASE("T V of a whole run beside the same in balls")
     const Layer& layer = run.layer();
     for (int i = 0; i < 6; ++i) {
         // anywhere, and where an end of the kernel meets an edge of the mesh
-        const Real edge = sqrt(layer.panels[static_cast<std::size_t>(draw.between(0.5, 0.95) * static_cast<double>(layer.panels.size()))].z0);
-        worst.compare(layer, Ball::exactly(1.5), i % 2 ? draw.real(0.001, 2) : edge * G > Real(2) ? edge * G - 1 : edge * edge * G * G * 0.25);
+        const Real edge =
+            sqrt(layer.panels[static_cast<std::size_t>(draw.between(0.5, 0.95) * static_cast<double>(layer.panels.size()))].z0);
+        worst.compare(layer, Ball::exactly(1.5),
+                      i % 2                ? draw.real(0.001, 2)
+                      : edge * G > Real(2) ? edge * G - 1
+                                           : edge * edge * G * G * 0.25);
     }
     MESSAGE(worst.compared << " compared, largest error: " << worst.ratio << " of what is claimed");
 }
@@ -260,7 +271,8 @@ TEST_CASE("panels too narrow for their points to be told apart are refused")
     const Orders orders(1e-9);
     const Gauss gauss(orders.gauss), exact(orders.terms);
     const ChebyshevPoints kernel_points(orders.kernel);
-    CHECK_THROWS_AS(Layer(orders, gauss, kernel_points, exact, Real(2), 1e-9, {panel(Real(1), Real(1) + Real(narrowest), true)}, 4), BeyondReach);
+    CHECK_THROWS_AS(Layer(orders, gauss, kernel_points, exact, Real(2), 1e-9, {panel(Real(1), Real(1) + Real(narrowest), true)}, 4),
+                    BeyondReach);
 }
 
 // ---- what is charged, piece by piece
@@ -540,7 +552,8 @@ TEST_CASE(
                         CHECK(disc.largest >= known);
                         if (square) { // nor less than its factors are where each is largest
                             const double one_minus_x = 1 - double(k.x), z = double(mid), d = disc.radius, G2 = double(k.G2);
-                            const double least = std::sqrt(one_minus_x * one_minus_x + G2 * (z - d)), most = std::sqrt(one_minus_x * one_minus_x + G2 * (z + d));
+                            const double least = std::sqrt(one_minus_x * one_minus_x + G2 * (z - d)),
+                                         most = std::sqrt(one_minus_x * one_minus_x + G2 * (z + d));
                             const double far = (1 + double(k.x) + most) / ((4 * double(k.x) - G2 * (z + d)) * (one_minus_x + least));
                             CHECK(disc.largest >= G2 / 2 / least * std::sqrt(far));
                         }

@@ -242,7 +242,8 @@ TEST_CASE("where both apply, partial contact's own proof gives the same areas")
         for (const char* text : {"1/1000", "1/10", "1"})
             for (const long n : {1L, 2L, 7L, 20L}) {
                 const Ball load(*parse_rational(text)), proven = levels.share(n, load);
-                const Ball known = transfer::area(transfer::Scheme::area, n, {[&] { return load; }, [&] { return G_of(D, gamma); }}, wanted());
+                const Ball known =
+                    transfer::area(transfer::Scheme::area, n, {[&] { return load; }, [&] { return G_of(D, gamma); }}, wanted());
                 INFO(gamma, " load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
                 CHECK(proven.contains(known));
                 CHECK(proven.radius_bound() < 1e-7);
@@ -332,8 +333,10 @@ TEST_CASE("above a pressure: against the forward chain in partial contact, and s
                 INFO("P ", P, " G ", G, " load ", load, " n ", n, ": ", share.to_string());
                 Ball known(0);
                 try {
-                    known = partial ? transfer::exceedance(transfer::Law::density, n, p_at, {[&] { return Ball(*parse_rational(load)); }, [&] { return ratio; }}, wanted())
-                                    : transfer::scale_one_exceedance(transfer::Variable::angle, {p_at, *parse_rational(load), [&] { return ratio; }, {}, {}});
+                    known = partial ? transfer::exceedance(transfer::Law::density, n, p_at,
+                                                           {[&] { return Ball(*parse_rational(load)); }, [&] { return ratio; }}, wanted())
+                                    : transfer::scale_one_exceedance(transfer::Variable::angle,
+                                                                     {p_at, *parse_rational(load), [&] { return ratio; }, {}, {}});
                 }
                 catch (const BeyondReach&) { // above the support
                     CHECK(share.contains(Ball(0)));
@@ -360,7 +363,8 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
     for (const bool area : {true, false}) {
         const Ball G = Ball(area ? 5 : 3) / 2;
         const auto levels = [&](const ProvenLevels::Spoiled& spoiled) {
-            return area ? ProvenLevels(G, 3, 1e-5, ProvenLevels::usual_levels, spoiled) : ProvenLevels(G, Ball(1) / 2, 3, 1e-5, ProvenLevels::usual_levels, spoiled);
+            return area ? ProvenLevels(G, 3, 1e-5, ProvenLevels::usual_levels, spoiled)
+                        : ProvenLevels(G, Ball(1) / 2, 3, 1e-5, ProvenLevels::usual_levels, spoiled);
         };
         const ProvenLevels good = levels({});
         for (const int level : {0, 2}) { // everywhere
@@ -370,7 +374,9 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
                 compare(good, bad, Ball(*parse_rational(load)), {level + 1L, level + 2L, level + 5L});
             CHECK(compare(good, bad, Ball(1) / 10, {level + 1L}) > 1e-3);
         }
-        if (area) CHECK(compare(good, levels([](int m, double, double) { return m == 0 ? 1. : 0; }), Ball(1) / 1'000'000, {2}) > 3e-6); // T1 is far above the load
+        if (area)
+            CHECK(compare(good, levels([](int m, double, double) { return m == 0 ? 1. : 0; }), Ball(1) / 1'000'000, {2}) >
+                  3e-6); // T1 is far above the load
         // where only the highest ratios come
         const double top = area ? 4 / 2.5 : 4 / 1.5;
         CHECK(compare(good, levels([=](int m, double, double y1) { return m == 0 && y1 > 0.9 * top ? 1e-2 : 0; }), Ball(3), {1}) > 1e-3);
@@ -412,11 +418,13 @@ TEST_CASE("V may be anything: where only the ratios after one wave, or two, come
         }
 }
 
-TEST_CASE("above a pressure: the error follows the tolerance where fine panels of one level meet an end of the wave far from any singular point")
+TEST_CASE(
+    "above a pressure: the error follows the tolerance where fine panels of one level meet an end of the wave far from any singular point")
 {
     const WorkingPrecision precision(256);
     const Ball G = Ball::exactly(0x1.1573cfa27b4edp+0), P = Ball::exactly(0x1.1089e8d714p+1) / (G * G);
-    const Ball coarse = ProvenLevels(G, P, 1 + 0x1p-40, 1e-8, 2).share(2, Ball(1)), fine = ProvenLevels(G, P, 1 + 0x1p-40, 1e-11, 2).share(2, Ball(1));
+    const Ball coarse = ProvenLevels(G, P, 1 + 0x1p-40, 1e-8, 2).share(2, Ball(1)),
+               fine = ProvenLevels(G, P, 1 + 0x1p-40, 1e-11, 2).share(2, Ball(1));
     INFO(coarse.to_string(), " ", fine.to_string());
     CHECK(coarse.overlaps(fine));
     CHECK(coarse.radius_bound() < 1e-8);
@@ -492,7 +500,9 @@ TEST_CASE("slow: densities: a load whose wave ends on a logarithm" * doctest::sk
 {
     // G = 3/2, P = 6/5: D_1 has one at x = 1 + G P^2/4 = 1.54 = (1.31 + 1)/G, whose binary64 lies above it
     const WorkingPrecision precision(256);
-    const auto share = [](double tolerance) { return ProvenLevels::densities(Ball(3) / 2, Ball(6) / 5, 1.31, tolerance, 1).share(1, Ball(*parse_rational("1.31"))); };
+    const auto share = [](double tolerance) {
+        return ProvenLevels::densities(Ball(3) / 2, Ball(6) / 5, 1.31, tolerance, 1).share(1, Ball(*parse_rational("1.31")));
+    };
     const Ball coarse = share(1e-5), fine = share(1e-6);
     INFO(coarse.to_string(), " ", fine.to_string());
     CHECK(coarse.overlaps(fine));

@@ -22,7 +22,8 @@ TEST_CASE("to fifteen digits: against partial contact's proof, and under load 10
     for (const auto& [text, n] : {std::pair{"1/10", 1L}, {"1/10", 20L}, {"1", 3L}, {"10", 1L}, {"10", 2L}, {"10", 20L}}) {
         const Ball load(*parse_rational(text)), proven = levels.share(n, load);
         const transfer::Arguments at{[&] { return load; }, [&] { return G; }};
-        const Ball known = n > 0 && text == std::string("10") ? transfer::area_at_heavy_load(transfer::Scheme::area, n, at, wanted()) : transfer::area(transfer::Scheme::area, n, at, wanted());
+        const Ball known = n > 0 && text == std::string("10") ? transfer::area_at_heavy_load(transfer::Scheme::area, n, at, wanted())
+                                                              : transfer::area(transfer::Scheme::area, n, at, wanted());
         INFO("load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
         CHECK(proven.overlaps(known));
         CHECK(proven.radius_bound() < 1e-14);
@@ -40,7 +41,10 @@ TEST_CASE("densities: partial contact's proof, to scale 3")
             Ball unit(1);
             for (long k = 0; k < n; ++k) unit *= G;
             const Ball share = levels.share(n - 1, load);
-            const Ball known = transfer::density(transfer::Law::density, n, [&] { return P * unit; }, {[&] { return load; }, [&] { return G; }}, wanted()) * unit;
+            const Ball known =
+                transfer::density(
+                    transfer::Law::density, n, [&] { return P * unit; }, {[&] { return load; }, [&] { return G; }}, wanted()) *
+                unit;
             INFO("n ", n, ": ", share.to_string(), " ", known.to_string());
             CHECK(share.overlaps(known));
             CHECK(share.radius_bound() < 1e-6);
@@ -75,7 +79,8 @@ TEST_CASE("to twenty digits: a share above a pressure")
             for (long k = 0; k < n; ++k) p *= G_at();
             return p;
         };
-        const Ball proven = levels.share(n, Ball(1)), known = transfer::exceedance(transfer::Law::density, n, p_at, {[] { return Ball(1); }, G_at}, wanted());
+        const Ball proven = levels.share(n, Ball(1)),
+                   known = transfer::exceedance(transfer::Law::density, n, p_at, {[] { return Ball(1); }, G_at}, wanted());
         INFO("n ", n, ": ", proven.to_string(), " ", known.to_string());
         CHECK(proven.overlaps(known));
         CHECK(proven.radius_bound() < 1e-20);

@@ -200,7 +200,8 @@ TEST_CASE("three waves: what is claimed coarsely holds what is claimed finely, f
 TEST_CASE("three waves: the finest tolerance that is offered ends, where a wave's end and a logarithm meet (G = 2, load 1)")
 {
     const WorkingPrecision precision(256);
-    const Ball own = density_after_three_waves(Ball(2), Ball(9) / 40, Ball(1), 1e-24).value, coarse = density_after_three_waves(Ball(2), Ball(9) / 40, Ball(1), 1e-10).value;
+    const Ball own = density_after_three_waves(Ball(2), Ball(9) / 40, Ball(1), 1e-24).value,
+               coarse = density_after_three_waves(Ball(2), Ball(9) / 40, Ball(1), 1e-10).value;
     INFO(own.to_string(), " ", coarse.to_string());
     CHECK(own.overlaps(coarse));
     CHECK(own.radius_bound() < 1e-23);

@@ -24,7 +24,8 @@ namespace {
 /// The certified density at scale 1, in p*_1, of the pressure P p*_1.
 Ball by_scale_one(const Rational& G, const Rational& P, const TwoWaves::Real& x)
 {
-    const ScaleOne q{[&] { return Ball(Rational(P * G)); }, Rational(x.high) + Rational(x.low), [&] { return Ball(G); }, Rational(P * G), G};
+    const ScaleOne q{[&] { return Ball(Rational(P * G)); }, Rational(x.high) + Rational(x.low), [&] { return Ball(G); }, Rational(P * G),
+                     G};
     return transfer::scale_one_density(Variable::angle, q) * Ball(G);
 }
 
@@ -86,7 +87,8 @@ TEST_CASE("a disc holds no singular point, and its bound holds")
         const TwoWaves::Real half(r / 3);
         return waves.on_disc(at - half, at + half, at, r);
     };
-    for (const Rational& singular : {Rational(5, 4) /* (x + 1)/G = P + 1 */, Rational(35, 32) /* (x-1)/G = P^2/4 */, Rational(9, 16) /* = 1 */}) {
+    for (const Rational& singular :
+         {Rational(5, 4) /* (x + 1)/G = P + 1 */, Rational(35, 32) /* (x-1)/G = P^2/4 */, Rational(9, 16) /* = 1 */}) {
         CHECK(std::isinf(bound(singular, 1e-6)));
         CHECK(std::isinf(bound(singular + Rational(1, 1000), 1.1e-3)));
         CHECK(bound(singular + Rational(1, 1000), 1e-4) < 1000);
@@ -96,7 +98,8 @@ TEST_CASE("a disc holds no singular point, and its bound holds")
         while (std::isinf(bound(*parse_rational(x), r))) r /= 2;
         INFO("x ", x, " r ", r);
         REQUIRE(r > 1e-3);
-        for (const double t : {-0.99, 0.5, 0.99}) CHECK(waves.value(to_real(Ball(*parse_rational(x)) + Ball::exactly(t * r))).first.high <= bound(*parse_rational(x), r));
+        for (const double t : {-0.99, 0.5, 0.99})
+            CHECK(waves.value(to_real(Ball(*parse_rational(x)) + Ball::exactly(t * r))).first.high <= bound(*parse_rational(x), r));
     }
 }
 
@@ -181,7 +184,8 @@ TEST_CASE("the rectangles of a cover hold the upper half of the ellipse, and non
                     const std::complex<double> z(share * wide * std::cos(phi), share * high * std::sin(phi));
                     CHECK(std::any_of(cover.middles.begin(), cover.middles.end(), [&](const auto& m) {
                         const auto off = z - m;
-                        return std::fabs(off.real()) <= cover.half_width * (1 + 1e-9) && std::fabs(off.imag()) <= cover.half_height * (1 + 1e-9);
+                        return std::fabs(off.real()) <= cover.half_width * (1 + 1e-9) &&
+                               std::fabs(off.imag()) <= cover.half_height * (1 + 1e-9);
                     }));
                 }
             for (const auto& m : cover.middles) { // its corner next to 0 is inside

@@ -5,8 +5,8 @@
 /// With s = -log x, the slope g = dh/ds of a function of the load ratio becomes (D g)(s) = E[psi g(s')] by one wave, where with u = tanh
 /// tau
 ///
-///     s' = s/2 + log(G/2) + log cosh tau - log(1 - v)/2,   v = exp(-s) u^2,   psi = ds'/ds = (1 - 2v)/(2(1 - v)),   E[f] = (4/pi) int_0^oo
-///     sech^3(tau) f dtau.
+///     s' = s/2 + log(G/2) + log cosh tau - log(1 - v)/2,   v = exp(-s) u^2,   psi = ds'/ds = (1 - 2v)/(2(1 - v)),
+///     E[f] = (4/pi) int_0^oo sech^3(tau) f dtau.
 ///
 /// D has the eigenvalues of h -> E[h(y)] but for 1, whose function is constant.
 #pragma once

@@ -44,8 +44,8 @@ bool to_fixed_point(Integer& result, const Ball& x, slong F)
 
 /// zeta(2), ..., zeta(last), the k-th to about 2^-(bits - k step): the even ones are Bernoulli numbers times powers of pi,
 /// the odd ones by Ramanujan's formula (Berndt, Rocky Mountain J. Math. 7, 1977, theorem 2.2): for s = 2n + 1 > 1 and alpha beta = pi^2,
-///     alpha^-n (zeta(s)/2 + S(alpha)) - (-beta)^-n (zeta(s)/2 + S(beta)) = -2^(2n) sum_{j=0}^{n+1} (-1)^j b_j b_{n+1-j} alpha^(n+1-j)
-///     beta^j,
+///     alpha^-n (zeta(s)/2 + S(alpha)) - (-beta)^-n (zeta(s)/2 + S(beta))
+///         = -2^(2n) sum_{j=0}^{n+1} (-1)^j b_j b_{n+1-j} alpha^(n+1-j) beta^j,
 /// S(alpha) = sum_k k^-s/(e^(2 alpha k) - 1), b_j = B_2j/(2j)! = -(-1)^j 2 zeta(2j)/(2 pi)^(2j), zeta(0) = -1/2.
 /// At alpha = pi with odd n, and for even n from its derivative there, with h = n + 1, x_k = 1/(e^(2 pi k) - 1), X_s = sum x_k k^-s
 /// and Y_s = sum x_k (1 + x_k) k^-s:

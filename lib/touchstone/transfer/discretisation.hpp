@@ -19,9 +19,8 @@
 ///  3. the point where the interpolant is evaluated, off by dtau: sum_q W_iq dtau c_m/((rho + 1/rho)/2 - 1), Cauchy's bound of F';
 ///  4. the weights, off by dW: (number of nodes) dW c_m;
 ///  5. rounding. A moment of order k only ever meets a coefficient of the interpolant of F, at most 2 c_m (1 + 2/(rho^2 - 1)) rho^-k,
-///  aliases and
-///     all: so it is summed in units u rho^k (moments.hpp), and is off by (nodes) 4 u rho^k p^2. And coefficients as computed are off:
-///     row_budget.hpp.
+///     aliases and all: so it is summed in units u rho^k (moments.hpp), and is off by (nodes) 4 u rho^k p^2. And coefficients as computed
+///     are off: row_budget.hpp.
 /// All five are computed for every row and added up in balls.
 ///
 /// **Errors over n steps.** With B = M C, M as computed: e_{m+1} = B e_m + a_{m+1} with |a_m| <= alpha, one vector for all m (c_m increases

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bench_peer_integrals TOOL NAME DIGITS: one integral by one tool; peers.py runs it.
 // TOOL: boost (tanh_sinh, exp_sinh, sinh_sinh on MPFR, or on double at 15 digits), gsl (QAGS, QAGIU, QAGI), arb (acb_calc_integrate).
-//       ours: the formula of the environment's TOUCHSTONE_FORMULA from TOUCHSTONE_FROM to TOUCHSTONE_TO by `integrate`; (6.7) from the header.
-// Prints "times" (first call, then the means of up to five batches, fewer where they would take over 2 s; milliseconds of the processor), then "value" or "refused".
-// The functions of the peers are written by formulas.py at build time.
+//       ours: the formula of the environment's TOUCHSTONE_FORMULA from TOUCHSTONE_FROM to TOUCHSTONE_TO by `integrate`; (6.7) from the
+//       header.
+// Prints "times" (first call, then the means of up to five batches, fewer where they would take over 2 s; milliseconds of the processor),
+// then "value" or "refused". The functions of the peers are written by formulas.py at build time.
 #include "touchstone/paper/westergaard.hpp"
 #include "touchstone/quadrature/half_powers.hpp"
 #include "touchstone/quadrature/integrate.hpp"
@@ -150,7 +151,8 @@ struct Complex {
     acb_ptr get() { return z; }
     acb_srcptr get() const { return z; }
 };
-/// Whether the integrator asks the function to be analytic on the box: what has a branch cut then answers NaN on it, as acb_calc's manual says.
+/// Whether the integrator asks the function to be analytic on the box: what has a branch cut then answers NaN on it, as acb_calc's manual
+/// says.
 thread_local bool analytic = false;
 Complex not_a_number()
 {
@@ -205,7 +207,8 @@ Complex log1p(const Complex& z) { return log(1 + z); }
 Complex off_cut(const Complex& w, const Complex& z, bool imaginary_axis)
 { // the cuts of asin leave -1 and 1 along the real axis, those of atan -i and i along the imaginary one
     if (!analytic) return w;
-    const arb_srcptr across = imaginary_axis ? acb_realref(z.get()) : acb_imagref(z.get()), along = imaginary_axis ? acb_imagref(z.get()) : acb_realref(z.get());
+    const arb_srcptr across = imaginary_axis ? acb_realref(z.get()) : acb_imagref(z.get()),
+                     along = imaginary_axis ? acb_imagref(z.get()) : acb_realref(z.get());
     touchstone::Ball size;
     arb_abs(size.get(), along);
     return arb_contains_zero(across) && !arb_lt(size.get(), touchstone::Ball(1).get()) ? not_a_number() : w;
@@ -321,7 +324,8 @@ struct ByGsl {
     void piece() { add(&F::template of<double>, end_of<A, double>(), end_of<B, double>()); }
     void add(Function<double> function, End<double> a, End<double> b)
     {
-        static const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> space(gsl_integration_workspace_alloc(5000), gsl_integration_workspace_free);
+        static const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> space(
+            gsl_integration_workspace_alloc(5000), gsl_integration_workspace_free);
         gsl_function f{[](double x, void* g) { return (*static_cast<Function<double>*>(g))(x); }, &function};
         double value = 0, error = 0;
         const int status = a != nullptr && b != nullptr ? gsl_integration_qags(&f, a(), b(), 0, 1e-13, 5000, space.get(), &value, &error)
@@ -365,7 +369,8 @@ struct ByArb {
         touchstone::Ball real;
         acb_get_real(real.get(), total.z);
         if (!acb_is_finite(total.z)) throw Refused("NaN: wants a bounded integrand");
-        if (static_cast<double>(real.relative_bits()) < 3.3219 * static_cast<double>(digits - 3)) throw Refused("ball too wide: " + real.to_string(12));
+        if (static_cast<double>(real.relative_bits()) < 3.3219 * static_cast<double>(digits - 3))
+            throw Refused("ball too wide: " + real.to_string(12));
         return real.to_string(digits + 5);
     }
 };
@@ -376,7 +381,8 @@ std::string by_integrate(long digits)
     using namespace touchstone::quadrature;
     IntegralOptions options;
     options.digits = digits;
-    const Integral i = integrate(parse_expression(std::getenv("TOUCHSTONE_FORMULA")), parse_limit(std::getenv("TOUCHSTONE_FROM")), parse_limit(std::getenv("TOUCHSTONE_TO")), options);
+    const Integral i = integrate(parse_expression(std::getenv("TOUCHSTONE_FORMULA")), parse_limit(std::getenv("TOUCHSTONE_FROM")),
+                                 parse_limit(std::getenv("TOUCHSTONE_TO")), options);
     if (i.status != touchstone::quadrature::Status::certified) throw Refused(i.reason);
     return i.value.to_string(digits + 5);
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What peers.py times inside a process: constants, points, double forms.
-//   bench_peer_values product DIGITS     K_inf by Arb as its user would write it: the plain product of Gamma ratios (7.13), and what is left out bounded
+//   bench_peer_values product DIGITS     K_inf by Arb as its user would write it: the plain product of Gamma ratios (7.13), and what is
+//                                        left out bounded
 //   bench_peer_values gamma DIGITS       milliseconds of one arb_gamma of a full-length argument
 //   bench_peer_values multiply BITS      nanoseconds of one arb_addmul
-//   bench_peer_values nested N DIGITS    A_N, load 1/10, G = sqrt 10, by N nested integrals: Boost's tanh_sinh on MPFR, at 15 digits GSL's QAGS in doubles
-//   bench_peer_values points QUANTITY    a file of "p load" in hexfloats from standard input: `evaluate` at each; seconds, then the nearest binary64 numbers
-//   bench_peer_values doubles            nanoseconds a value of our double forms, of the printed ones and of GSL's, and the largest error of each
+//   bench_peer_values nested N DIGITS    A_N, load 1/10, G = sqrt 10, by N nested integrals: Boost's tanh_sinh on MPFR, at 15 digits GSL's
+//                                        QAGS in doubles
+//   bench_peer_values points QUANTITY    a file of "p load" in hexfloats from standard input: `evaluate` at each; seconds, then the nearest
+//                                        binary64 numbers
+//   bench_peer_values doubles            nanoseconds a value of our double forms, of the printed ones and of GSL's, and the largest error
+//                                        of each
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/paper/archard.hpp"
 #include "touchstone/paper/as_printed.hpp"
@@ -44,7 +48,8 @@ double seconds()
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// delta_i -> 1: the factors past i = N multiply by exp(-t), 0 <= t <= 2^-(N+1), as log step = -x + ... is an alternating sum of x = 2^-(i+2).
+/// delta_i -> 1: the factors past i = N multiply by exp(-t), 0 <= t <= 2^-(N+1), as log step = -x + ... is an alternating sum of x =
+/// 2^-(i+2).
 void product(long digits)
 {
     const slong bits = bits_for_digits(digits) + 64;
@@ -136,7 +141,8 @@ void nested(int n, long digits)
         std::vector<gsl_integration_workspace*> space; // a level each
         for (int i = 0; i <= n; ++i) space.push_back(gsl_integration_workspace_alloc(200));
         const auto integrate = [&](int level, const std::function<double(const double&)>& g, double end) {
-            gsl_function f{[](double t, void* h) { return (*static_cast<const std::function<double(const double&)>*>(h))(t); }, const_cast<std::function<double(const double&)>*>(&g)};
+            gsl_function f{[](double t, void* h) { return (*static_cast<const std::function<double(const double&)>*>(h))(t); },
+                           const_cast<std::function<double(const double&)>*>(&g)};
             double value = 0, error = 0;
             gsl_integration_qags(&f, 0, end, 0, 1e-13, 200, space[static_cast<std::size_t>(level)], &value, &error);
             return value;
@@ -148,7 +154,9 @@ void nested(int n, long digits)
     Mpfr::default_precision(static_cast<unsigned>(digits) + 3);
     const Mpfr eps(pow(Mpfr(10), -static_cast<int>(digits) - 3)), tolerance(sqrt(eps));
     boost::math::quadrature::tanh_sinh<Mpfr> rule(20, Mpfr(eps * eps));
-    const auto integrate = [&](int, const std::function<Mpfr(const Mpfr&)>& g, const Mpfr& end) { return Mpfr(rule.integrate(g, Mpfr(0), end, tolerance)); };
+    const auto integrate = [&](int, const std::function<Mpfr(const Mpfr&)>& g, const Mpfr& end) {
+        return Mpfr(rule.integrate(g, Mpfr(0), end, tolerance));
+    };
     std::puts(nested_area<Mpfr>(n, Mpfr(Mpfr(1) / 10), integrate).str(digits).c_str());
 }
 
@@ -177,7 +185,9 @@ void points(const std::string& name)
     const double start = seconds();
     for (const auto& row : all) {
         const auto quick = q.nearest(row.data());
-        nearest.push_back(quick ? *quick : evaluate(q, Inputs({{"p", exact_rational(row[0])}, {"load", exact_rational(row[1])}}), {.digits = 17}).binary64.value_or(NAN));
+        nearest.push_back(quick ? *quick
+                                : evaluate(q, Inputs({{"p", exact_rational(row[0])}, {"load", exact_rational(row[1])}}), {.digits = 17})
+                                      .binary64.value_or(NAN));
     }
     std::printf("%.6f\n", seconds() - start);
     text.resize(32 * nearest.size());
@@ -246,7 +256,9 @@ double largest_error(const Form& form, const std::vector<double>& x, const std::
     for (std::size_t i = 0; i < x.size(); i += 71) {
         const Mpfr a(x[i]), s(load[i]), exact = form.exact(a, s);
         const double nearest = static_cast<double>(exact), unit = std::nextafter(std::fabs(nearest), INFINITY) - std::fabs(nearest);
-        const auto moved = [&](const Mpfr& b, const Mpfr& t) { return static_cast<double>(Mpfr(abs(form.exact(b, t) - exact) / Mpfr(unit))); };
+        const auto moved = [&](const Mpfr& b, const Mpfr& t) {
+            return static_cast<double>(Mpfr(abs(form.exact(b, t) - exact) / Mpfr(unit)));
+        };
         const Mpfr half_x = Mpfr(std::nextafter(x[i], INFINITY) - x[i]) / 2, half_s = Mpfr(std::nextafter(load[i], INFINITY) - load[i]) / 2;
         const double forced = std::max(moved(a + half_x, s), moved(a - half_x, s)) + std::max(moved(a, s + half_s), moved(a, s - half_s));
         if (!std::isfinite(out[i])) return INFINITY;
@@ -269,20 +281,29 @@ void doubles()
         delta.push_back(0.5 + 0.5 * share);
     }
     const std::vector<Form> forms{
-        {"westergaard::half_width", "2.5", over([](double, double s) { return westergaard::half_width(s); }), over([](double, double s) { return as_printed::half_width(s); }),
-         over([](double, double s) { return GSL_REAL(gsl_complex_arcsin_real(std::sqrt(s))) / M_PI; }), [](const Mpfr&, const Mpfr& s) { return westergaard::half_width(s); }},
+        {"westergaard::half_width", "2.5", over([](double, double s) { return westergaard::half_width(s); }),
+         over([](double, double s) { return as_printed::half_width(s); }),
+         over([](double, double s) { return GSL_REAL(gsl_complex_arcsin_real(std::sqrt(s))) / M_PI; }),
+         [](const Mpfr&, const Mpfr& s) { return westergaard::half_width(s); }},
         {"westergaard::pressure_partial", "2.4", over([](double y, double s) { return westergaard::pressure_partial(y, s); }),
-         over([](double y, double s) { return as_printed::pressure_partial(y, s); }), over(gsl_pressure), [](const Mpfr& y, const Mpfr& s) { return westergaard::pressure_partial(y, s); }},
+         over([](double y, double s) { return as_printed::pressure_partial(y, s); }), over(gsl_pressure),
+         [](const Mpfr& y, const Mpfr& s) { return westergaard::pressure_partial(y, s); }},
         {"westergaard::exceedance_partial", "2.17", over([](double y, double s) { return westergaard::exceedance_partial(y, s); }),
-         over([](double y, double s) { return as_printed::exceedance_partial(y, s); }), over(gsl_exceedance), [](const Mpfr& y, const Mpfr& s) { return westergaard::exceedance_partial(y, s); }},
+         over([](double y, double s) { return as_printed::exceedance_partial(y, s); }), over(gsl_exceedance),
+         [](const Mpfr& y, const Mpfr& s) { return westergaard::exceedance_partial(y, s); }},
         {"westergaard::density_partial", "2.19", over([](double y, double s) { return westergaard::density_partial(y, s); }),
-         over([](double y, double s) { return as_printed::density_partial(y, s); }), over(gsl_density), [](const Mpfr& y, const Mpfr& s) { return westergaard::density_partial(y, s); }},
-        {"hertz::pressure", "2.6", over([](double y, double s) { return hertz::pressure(y, s); }), over([](double y, double s) { return as_printed::hertz_pressure(y, s); }), nullptr,
+         over([](double y, double s) { return as_printed::density_partial(y, s); }), over(gsl_density),
+         [](const Mpfr& y, const Mpfr& s) { return westergaard::density_partial(y, s); }},
+        {"hertz::pressure", "2.6", over([](double y, double s) { return hertz::pressure(y, s); }),
+         over([](double y, double s) { return as_printed::hertz_pressure(y, s); }), nullptr,
          [](const Mpfr& y, const Mpfr& s) { return hertz::pressure(y, s); }},
-        {"archard::step", "7.13", over([](double d, double) { return archard::step(d); }), over([](double d, double) { return step_as_printed(d); }), over([](double d, double) { return gsl_step(d); }),
+        {"archard::step", "7.13", over([](double d, double) { return archard::step(d); }),
+         over([](double d, double) { return step_as_printed(d); }), over([](double d, double) { return gsl_step(d); }),
          [](const Mpfr& d, const Mpfr&) { return archard::step(d); }}};
     for (const Form& form : forms) {
-        const std::vector<double>& at = std::strstr(form.name, "pressure") != nullptr ? x : std::strstr(form.name, "step") != nullptr ? delta : p;
+        const std::vector<double>& at = std::strstr(form.name, "pressure") != nullptr ? x
+                                        : std::strstr(form.name, "step") != nullptr   ? delta
+                                                                                      : p;
         const auto row = [&](const char* tool, const auto& f) {
             if (!f) return;
             const std::vector<double> times = timed(f, at, load, out);
@@ -308,7 +329,8 @@ int main(int count, char** words)
     else if (what == "points" && count == 3) points(argument);
     else if (what == "doubles" && count == 2) doubles();
     else {
-        std::fputs("usage: bench_peer_values product DIGITS | gamma DIGITS | multiply BITS | nested N DIGITS | points QUANTITY | doubles\n", stderr);
+        std::fputs("usage: bench_peer_values product DIGITS | gamma DIGITS | multiply BITS | nested N DIGITS | points QUANTITY | doubles\n",
+                   stderr);
         return 64;
     }
     return 0;

@@ -14,6 +14,6 @@ struct Finder {
     std::vector<unsigned char> reached = {};
 };
 
-/// Every claim of the ledger with its controls and every lemma of our own (ledger.cpp). Linked where our proofs are changed; where the library is,
-/// tests alone judge.
+/// Every claim of the ledger with its controls and every lemma of our own (ledger.cpp). Linked where our proofs are changed; where the
+/// library is, tests alone judge.
 __attribute__((weak)) std::vector<Finder> finders_of_the_ledger();

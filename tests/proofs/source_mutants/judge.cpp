@@ -55,7 +55,10 @@ bool test_finds(std::string name)
 }
 
 /// The claims are handed over one by one below: those who take them all again would find the same, later.
-bool looks_at_everything(const std::string& test) { return test.starts_with("every entry has its recorded verdict") || test.starts_with("every lemma and every constant holds"); }
+bool looks_at_everything(const std::string& test)
+{
+    return test.starts_with("every entry has its recorded verdict") || test.starts_with("every lemma and every constant holds");
+}
 
 /// What is skipped by default takes minutes: asked only beside the ledger, whose record it computes.
 std::vector<Finder> all_finders()
@@ -173,7 +176,8 @@ void report(int id, int status, const std::string& who)
     else std::cout << id << " found " << who << ", which crashes" << std::endl;
 }
 
-/// What ran before main, or when the claims were put together, cannot be switched on afterwards: a fresh process, which looks at everything.
+/// What ran before main, or when the claims were put together, cannot be switched on afterwards: a fresh process, which looks at
+/// everything.
 int look_from_the_start(int id, double usual_seconds, const char* program)
 {
     return in_child(usual_seconds, [&] {
@@ -216,7 +220,8 @@ int main(int argc, char** argv)
     for (const Finder& f : finders) all += f.seconds;
     const std::vector<std::size_t> order = cheapest_first(finders);
     std::cerr << "# " << finders.size() << " finders, " << all << " s; the dearest";
-    for (std::size_t i = order.size(); i > 0 && finders[order[i - 1]].seconds > all / dear_share; --i) std::cerr << ", " << finders[order[i - 1]].name << " " << finders[order[i - 1]].seconds;
+    for (std::size_t i = order.size(); i > 0 && finders[order[i - 1]].seconds > all / dear_share; --i)
+        std::cerr << ", " << finders[order[i - 1]].name << " " << finders[order[i - 1]].seconds;
     std::cerr << "\n";
     for (int id = 0; std::cin >> id;) {
         const auto at = static_cast<std::size_t>(id);

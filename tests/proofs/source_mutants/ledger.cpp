@@ -33,7 +33,8 @@ bool own_claim_finds(const OwnClaim& c)
 /// Numbers in the words of a correction are put together when the claims are: a look at the record alone finds them.
 bool consequence_differs(const Claim& c)
 {
-    return c.correction && !c.correction->consequence.empty() && recorded_text().find("  consequence: " + c.correction->consequence + "\n") == std::string_view::npos;
+    return c.correction && !c.correction->consequence.empty() &&
+           recorded_text().find("  consequence: " + c.correction->consequence + "\n") == std::string_view::npos;
 }
 
 } // namespace

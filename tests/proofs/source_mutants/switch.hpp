@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Many changes of a source in one compilation, one of them switched on at run time: what mutate_sources.py and mutate_library.py write into a copy
-/// of a source.
+/// Many changes of a source in one compilation, one of them switched on at run time: what mutate_sources.py and mutate_library.py write
+/// into a copy of a source.
 ///
 ///     a + b  ->  a + mutant::Sign{17} * b          times -1 if change 17 is on, or 0 - b where b has no sign to change
 ///     a * b  ->  a * (mutant::Inverse{18} ->* b)   divided by b if change 18 is on; ->* binds tighter than *

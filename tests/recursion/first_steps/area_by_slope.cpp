@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// A_1 and A_2 as integrals over the slope of A_1: against the other integral of A_1, what adds up to 1, the operator discretised, proven levels.
+/// A_1 and A_2 as integrals over the slope of A_1: against the other integral of A_1, what adds up to 1, the operator discretised, proven
+/// levels.
 #include "touchstone/catalogue/evaluate.hpp"
 #include "touchstone/recursion/first_steps/area_by_slope.hpp"
 #include "touchstone/recursion/first_steps/area_slope.hpp"
@@ -43,8 +44,10 @@ Ball slope(const Rational& y, const Rational& G, bool analytic = false)
 {
     const AreaSlope s{Ball(G)};
     const Rational crossing = G * G / 4, turn = G - 1;
-    if (y < 1) return s.at(AreaSlope::Partial{Ball(y), Ball(Rational(1 - y)), Ball(Rational(abs(y - crossing))), y < crossing}, analytic).real();
-    return s.at(AreaSlope::Full{Ball(Rational(y - 1)), Ball(Rational(abs(y - turn))), Ball(Rational(G + 1 - y)), y < turn}, analytic).real();
+    if (y < 1)
+        return s.at(AreaSlope::Partial{Ball(y), Ball(Rational(1 - y)), Ball(Rational(abs(y - crossing))), y < crossing}, analytic).real();
+    return s.at(AreaSlope::Full{Ball(Rational(y - 1)), Ball(Rational(abs(y - turn))), Ball(Rational(G + 1 - y)), y < turn}, analytic)
+        .real();
 }
 
 } // namespace
@@ -53,7 +56,16 @@ TEST_CASE("the slope of A_1 is its derivative")
 {
     const WorkingPrecision precision(192);
     const Rational h(1, 1'000'000'000'000L);
-    for (const auto& [y, G] : {std::pair{"0.3", "1.5"}, {"0.7", "1.5"}, {"1.2", "1.5"}, {"0.9", "2"}, {"1.5", "2"}, {"0.001", "3"}, {"0.99", "3"}, {"1.5", "3"}, {"3.9", "3"}, {"0.5", "50"}}) {
+    for (const auto& [y, G] : {std::pair{"0.3", "1.5"},
+                               {"0.7", "1.5"},
+                               {"1.2", "1.5"},
+                               {"0.9", "2"},
+                               {"1.5", "2"},
+                               {"0.001", "3"},
+                               {"0.99", "3"},
+                               {"1.5", "3"},
+                               {"3.9", "3"},
+                               {"0.5", "50"}}) {
         CAPTURE(y); CAPTURE(G);
         const Rational at = exactly(y), g = exactly(G);
         const Ball derivative = (at_scale_one(at + h, g) - at_scale_one(at - h, g)) / Ball(Rational(2 * h));
@@ -78,13 +90,15 @@ TEST_CASE("its bounds hold, also next to where it is infinite")
         for (const Rational& y : ys) {
             if (y <= 0 || y >= 1) continue;
             CAPTURE(Ball(y).to_string());
-            for (const Rational& power : {Rational(3, 8), Rational(1, 3)}) { // the second is not claimed, and holds as well: the slope goes with y^(-1/4)
+            for (const Rational& power :
+                 {Rational(3, 8), Rational(1, 3)}) { // the second is not claimed, and holds as well: the slope goes with y^(-1/4)
                 const Ball vanishing = pow(Ball(y), Ball(power)) * sqrt(sqrt(Ball(Rational(1 - y)) * Ball(Rational(abs(y - crossing)))));
                 CHECK(certainly(less(slope(y, G) * vanishing, s.partial_bound())));
             }
         }
         for (const char* d : {"1e-30", "1e-9", "0.4", "0.9"})
-            for (const Rational& y : {Rational(1 + exactly(d)), Rational(G - 1 + exactly(d)), Rational(G - 1 - exactly(d)), Rational(G + 1 - exactly(d))}) {
+            for (const Rational& y :
+                 {Rational(1 + exactly(d)), Rational(G - 1 + exactly(d)), Rational(G - 1 - exactly(d)), Rational(G + 1 - exactly(d))}) {
                 if (y <= 1) continue;
                 CAPTURE(Ball(y).to_string());
                 CHECK(certainly(less(slope(y, G) * sqrt(sqrt(Ball(Rational(y - 1)) * Ball(Rational(abs(y - G + 1))))), s.full_bound())));
@@ -95,7 +109,17 @@ TEST_CASE("its bounds hold, also next to where it is infinite")
 TEST_CASE("the bound on neighbourhoods is at least the slope and no more than three times it away from where it is infinite")
 {
     const WorkingPrecision precision(bits);
-    for (const auto& [y, G] : {std::pair{"0.3", "1.5"}, {"0.7", "1.5"}, {"1.2", "1.5"}, {"1.8", "1.5"}, {"0.4", "3"}, {"0.9", "3"}, {"1.4", "3"}, {"3", "3"}, {"0.5", "50"}, {"20", "50"}, {"50", "50"}}) {
+    for (const auto& [y, G] : {std::pair{"0.3", "1.5"},
+                               {"0.7", "1.5"},
+                               {"1.2", "1.5"},
+                               {"1.8", "1.5"},
+                               {"0.4", "3"},
+                               {"0.9", "3"},
+                               {"1.4", "3"},
+                               {"3", "3"},
+                               {"0.5", "50"},
+                               {"20", "50"},
+                               {"50", "50"}}) {
         CAPTURE(y); CAPTURE(G);
         const Ball value = slope(exactly(y), exactly(G)), bound = slope(exactly(y), exactly(G), true);
         CHECK(arb_contains(bound.get(), value.get()));
@@ -188,7 +212,8 @@ TEST_CASE("A_2 is for small loads what Archard's recursion gives")
 {
     const WorkingPrecision precision(bits);
     for (const char* G : {"1.5", "2"}) {
-        const auto archard = evaluate(*find_quantity("archard.area"), Inputs({{"n", 2}, {"load", exactly("1e-300")}, {"G", exactly(G)}}), {.digits = 20});
+        const auto archard =
+            evaluate(*find_quantity("archard.area"), Inputs({{"n", 2}, {"load", exactly("1e-300")}, {"G", exactly(G)}}), {.digits = 20});
         CHECK(certainly(less(abs(by_slope(2, exactly("1e-300"), exactly(G)) / archard.ball - 1), Ball(exactly("1e-15")))));
     }
 }
@@ -319,7 +344,8 @@ TEST_CASE("the trapezoidal rule between logarithms sees a pole in any column of 
     using namespace first_steps;
     const WorkingPrecision precision(bits);
     const Piece piece(End::rational(0), End::rational(1), Extent::whole);
-    for (const double along : {-13.95, -13.885, -3., 0.125, 5.06, 13.79, 13.95}) // 1/((x - a)^2 + b^2), u = along + height i where that is infinite
+    for (const double along :
+         {-13.95, -13.885, -3., 0.125, 5.06, 13.79, 13.95}) // 1/((x - a)^2 + b^2), u = along + height i where that is infinite
         for (const double height : {0.43, 0.46875}) { // the second, as 0.125 and -3, on the edges of what covers the strip
             Ball share = exp(-Ball::exactly(along)), sine, cosine;
             arb_sin_cos(sine.get(), cosine.get(), Ball::exactly(height).get(), bits);
@@ -328,10 +354,12 @@ TEST_CASE("the trapezoidal rule between logarithms sees a pole in any column of 
                 // the nearer end's share is known to more of its bits
                 const bool left = along < 0;
                 const Ball from = left ? a : share * (share + cosine) / size;
-                const ComplexBall to = left ? y.left : y.right, d = (to - ComplexBall(from)) * (to - ComplexBall(from)) + ComplexBall(b * b);
+                const ComplexBall to = left ? y.left : y.right,
+                                  d = (to - ComplexBall(from)) * (to - ComplexBall(from)) + ComplexBall(b * b);
                 return acb_contains_zero(d.get()) != 0 ? ComplexBall::indeterminate() : ComplexBall(1) / d;
             };
-            const Ball found = piece.between_logarithms(f, [](bool, const Ball& t) { return Ball(1'000'000'000'000'000L) * t; }, 1.25, goal);
+            const Ball found = piece.between_logarithms(
+                f, [](bool, const Ball& t) { return Ball(1'000'000'000'000'000L) * t; }, 1.25, goal);
             Ball before, after;
             const Ball left = a / b, right = share * (share + cosine) / size / b;
             arb_atan(before.get(), left.get(), bits);
@@ -361,7 +389,8 @@ TEST_CASE("what an integrand is bounded over holds the strip: corners of boxes, 
             const ComplexBall u(Ball::exactly(0.125 * column), Ball::exactly(height / 8 * row)), share = 1 / (1 + exp(-u));
             CAPTURE(column);
             CAPTURE(row);
-            CHECK(std::any_of(bounded_over.begin(), bounded_over.end(), [&](const ComplexBall& z) { return acb_contains(z.get(), share.get()) != 0; }));
+            CHECK(std::any_of(bounded_over.begin(), bounded_over.end(),
+                              [&](const ComplexBall& z) { return acb_contains(z.get(), share.get()) != 0; }));
         }
 }
 
@@ -379,7 +408,8 @@ TEST_CASE("A_2 through the catalogue")
 TEST_CASE("two singular points that coincide for a root G are known to be one: gamma = 2, D = 3/2, load = 1/8")
 {
     const auto area = [](long n, const char* load) {
-        const auto e = evaluate(*find_quantity("contact.area"), Inputs({{"n", n}, {"load", exactly(load)}, {"D", exactly("3/2")}, {"gamma", 2}}), {.digits = 25});
+        const auto e = evaluate(*find_quantity("contact.area"),
+                                Inputs({{"n", n}, {"load", exactly(load)}, {"D", exactly("3/2")}, {"gamma", 2}}), {.digits = 25});
         CHECK(e.status == Status::certified);
         return *parse_rational(e.value);
     };

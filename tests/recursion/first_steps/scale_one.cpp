@@ -95,12 +95,15 @@ TEST_CASE("the certified chains of partial contact hold the same numbers, and th
             CHECK(scale_one_density(v, scale_one(p, load, G)).overlaps(density(Law::density, 1, [&] { return P; }, in, wanted())));
         }
     }
-    for (const auto& [load, G, p] : {std::tuple{"1.5", "2.5", "2.1"}, {"1", "2", "0.9"}, {"3", "1.5", "2.4999999"}, {"0.3", "1.5", "0.9"}}) {
+    for (const auto& [load, G, p] :
+         {std::tuple{"1.5", "2.5", "2.1"}, {"1", "2", "0.9"}, {"3", "1.5", "2.4999999"}, {"0.3", "1.5", "0.9"}}) {
         CAPTURE(load); CAPTURE(G); CAPTURE(p);
         const ScaleOne q = scale_one(p, load, G);
         for (const Grid grid : {Grid::blind, Grid::tracked}) {
-            CHECK(apart(estimated_exceedance(grid, 1, Ball(exactly(p)), Ball(exactly(load)), Ball(exactly(G))).value, scale_one_exceedance(Variable::ratio, q)) < 3e-18);
-            CHECK(apart(estimated_density(grid, 1, Ball(exactly(p)), Ball(exactly(load)), Ball(exactly(G))).value, scale_one_density(Variable::ratio, q)) < 1e-16);
+            CHECK(apart(estimated_exceedance(grid, 1, Ball(exactly(p)), Ball(exactly(load)), Ball(exactly(G))).value,
+                        scale_one_exceedance(Variable::ratio, q)) < 3e-18);
+            CHECK(apart(estimated_density(grid, 1, Ball(exactly(p)), Ball(exactly(load)), Ball(exactly(G))).value,
+                        scale_one_density(Variable::ratio, q)) < 1e-16);
         }
     }
 }
@@ -125,7 +128,9 @@ TEST_CASE("at a singular point the density is -log(distance)/(2 pi^2 sqrt G), fr
         for (const int side : {-1, 1})
             for (const Variable v : {Variable::ratio, Variable::angle}) {
                 CAPTURE(at); CAPTURE(side);
-                const auto q = [&](unsigned long digits) { return scale_one_density(v, scale_one(exactly(at) + side * small(digits), 3, exactly("1.5"))); };
+                const auto q = [&](unsigned long digits) {
+                    return scale_one_density(v, scale_one(exactly(at) + side * small(digits), 3, exactly("1.5")));
+                };
                 const Ball rise = q(60) - q(30);
                 CHECK(sharp(rise, 30));
                 CHECK(apart(rise, slope * thirty_decades) < 1e-27); // the rest is distance times log(distance)
@@ -146,10 +151,13 @@ TEST_CASE("the density is minus the slope of the exceedance")
 
 TEST_CASE("scale 1 through the catalogue: certified, or one line that says why not")
 {
-    const auto eval = [](const char* name, std::map<std::string, Rational> in) { return evaluate(*find_quantity(name), Inputs(std::move(in)), {.digits = 25}); };
+    const auto eval = [](const char* name, std::map<std::string, Rational> in) {
+        return evaluate(*find_quantity(name), Inputs(std::move(in)), {.digits = 25});
+    };
     const std::map<std::string, Rational> figure_3{{"n", 1}, {"load", 1}, {"D", exactly("1.05")}, {"gamma", 5}, {"p", exactly("0.7")}};
     for (const char* name : {"contact.exceedance", "contact.density"}) CHECK(eval(name, figure_3).status == Status::certified);
-    CHECK(eval("segments.density", {{"n", 2}, {"load", 1}, {"D", exactly("1.05")}, {"gamma", 5}, {"a", exactly("0.2")}}).status == Status::certified);
+    CHECK(eval("segments.density", {{"n", 2}, {"load", 1}, {"D", exactly("1.05")}, {"gamma", 5}, {"a", exactly("0.2")}}).status ==
+          Status::certified);
     // where it is infinite or jumps no grid is asked instead
     for (const auto& [p, why] : {std::pair{"2.5", "infinite"}, {"3.5", "infinite"}, {"0.5", "jumps"}, {"5.5", "jumps"}}) {
         CAPTURE(p);
@@ -171,9 +179,21 @@ Ball area(Variable v, const char* load, const char* G) { return scale_one_exceed
 TEST_CASE("the area at scale 1: both variables, to 40 digits, also where singular points meet or nearly do")
 {
     const WorkingPrecision precision(200);
-    for (const auto& [load, G] : {std::pair{"0.35", "1.0838"}, {"1", "2"}, {"1", "1.5"}, {"1", "2.5"}, {"0.5625", "1.5"}, {"0.5625000000000000000000000000001", "1.5"},
-                                  {"0.999999999999999999999999999999", "1.5"}, {"1.000000000000000000000000000001", "2"}, {"0.5", "1.5"}, {"0.5000000000000000000001", "1.5"},
-                                  {"2.4999999999999999999999999", "1.5"}, {"3", "3.5"}, {"1e-300", "2"}, {"0.3", "1.000000000000000000000001"}, {"1000.5", "1000"}}) {
+    for (const auto& [load, G] : {std::pair{"0.35", "1.0838"},
+                                  {"1", "2"},
+                                  {"1", "1.5"},
+                                  {"1", "2.5"},
+                                  {"0.5625", "1.5"},
+                                  {"0.5625000000000000000000000000001", "1.5"},
+                                  {"0.999999999999999999999999999999", "1.5"},
+                                  {"1.000000000000000000000000000001", "2"},
+                                  {"0.5", "1.5"},
+                                  {"0.5000000000000000000001", "1.5"},
+                                  {"2.4999999999999999999999999", "1.5"},
+                                  {"3", "3.5"},
+                                  {"1e-300", "2"},
+                                  {"0.3", "1.000000000000000000000001"},
+                                  {"1000.5", "1000"}}) {
         CAPTURE(load); CAPTURE(G);
         const Ball A[2] = {area(Variable::ratio, load, G), area(Variable::angle, load, G)};
         CHECK(A[0].overlaps(A[1]));
@@ -194,8 +214,10 @@ TEST_CASE("the area at scale 1 is what the operator discretised gives, and for s
     for (const auto& [load, G] : {std::pair{"0.3", "3.16"}, {"1", "2.5"}, {"0.001", "4"}}) {
         CAPTURE(load); CAPTURE(G);
         const Ball x(exactly(load)), g(exactly(G));
-        CHECK(area(Variable::angle, load, G).overlaps(transfer::area(Scheme::force_weighted, 1, {[&] { return x; }, [&] { return g; }}, wanted())));
+        CHECK(area(Variable::angle, load, G)
+                  .overlaps(transfer::area(Scheme::force_weighted, 1, {[&] { return x; }, [&] { return g; }}, wanted())));
     }
-    const auto archard = evaluate(*find_quantity("archard.area"), Inputs({{"n", 1}, {"load", exactly("1e-100")}, {"G", exactly("1.5")}}), {.digits = 30});
+    const auto archard =
+        evaluate(*find_quantity("archard.area"), Inputs({{"n", 1}, {"load", exactly("1e-100")}, {"G", exactly("1.5")}}), {.digits = 30});
     CHECK(apart(area(Variable::ratio, "1e-100", "1.5"), archard.ball) < 1e-28);
 }

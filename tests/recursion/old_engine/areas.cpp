@@ -16,7 +16,8 @@ int main()
     while (std::getline(std::cin, row)) {
         std::istringstream(row) >> n >> load >> G;
         try {
-            const Evaluation e = evaluate(area, Inputs({{"n", *parse_rational(n)}, {"load", *parse_rational(load)}, {"G", *parse_rational(G)}}), {.digits = 8});
+            const Evaluation e = evaluate(
+                area, Inputs({{"n", *parse_rational(n)}, {"load", *parse_rational(load)}, {"G", *parse_rational(G)}}), {.digits = 8});
             // arb_dump_str is exact; no decimal rounds what is compared
             char* ball = arb_dump_str(e.ball.get());
             std::cout << to_string(e.status) << ' ' << e.digits << ' ' << e.value << ' ' << ball << std::endl;

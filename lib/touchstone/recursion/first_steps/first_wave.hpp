@@ -4,8 +4,8 @@
 /// and its density -E'(x), (2.19).
 ///
 ///     load >= 1:  E = (2/pi) arctan((high - x)/(x - low))^(1/2),  low, high = (load -+ 1)/G
-///     load < 1:   E = (2/pi) arctan(G (high^2 - x^2)/(2 (1 - load + R + G^2 x^2/2)))^(1/2),  R^2 = (1 - load)^2 + G^2 x^2,  high = 2
-///     load^(1/2)/G
+///     load < 1:   E = (2/pi) arctan(G (high^2 - x^2)/(2 (1 - load + R + G^2 x^2/2)))^(1/2),
+///                 R^2 = (1 - load)^2 + G^2 x^2,  high = 2 load^(1/2)/G
 ///
 /// Internal to recursion/first_steps/.
 #pragma once
