@@ -22,7 +22,7 @@ MOST_DEGREE = 64
 LONGEST = 20000        # characters
 
 
-class TooLong(Exception):
+class TooLarge(Exception):
     """A number that is one, and more than is worked with here."""
 
 
@@ -34,7 +34,7 @@ def power(number, exponent):
         raise ValueError("a power that is none")
     degree *= exponent.denominator
     if degree > MOST_DEGREE or abs(exponent.numerator) * max(base.numerator.bit_length(), base.denominator.bit_length()) > MOST_BITS:
-        raise TooLong
+        raise TooLarge
     base **= exponent.numerator
     while degree % 2 == 0 and isinstance(root(base), Fraction):
         base, degree = root(base), degree // 2
@@ -44,11 +44,11 @@ def power(number, exponent):
 def times(x, y):
     common = lcm(x[1], y[1])
     if sum(part.bit_length() for base, _ in (x, y) for part in (base.numerator, base.denominator)) > MOST_BITS:
-        raise TooLong
+        raise TooLarge
     if common == 1:
         return x[0] * y[0], 1
     if min(x[0], y[0]) <= 0:
-        raise TooLong  # the negative of a root, or 0
+        raise TooLarge  # the negative of a root, or 0
     product = power((x[0], 1), common // x[1])[0] * power((y[0], 1), common // y[1])[0]
     return power((product, 1), Fraction(1, common))
 
@@ -105,14 +105,14 @@ class Reader:
         self.at, exponent = found.end(), int(exponent or 0)
         radix, unit, digits = (16, 2, 4 * len(decimals)) if hexadecimal else (10, 10, len(decimals))
         if 4 * (abs(exponent) + len(whole + decimals)) > MOST_BITS:
-            raise TooLong
+            raise TooLarge
         return int(whole + decimals, radix) * Fraction(unit) ** (exponent - digits)
 
 
 def exact(text):
     """base, degree; ValueError: it is no number"""
     if len(text) > LONGEST:
-        raise TooLong
+        raise TooLarge
     reader = Reader(text)
     value = reader.product()
     if reader.at < len(text):

@@ -17,7 +17,7 @@ from math import isfinite
 import closed_forms
 import intervals as iv
 import units
-from exact_text import TooLong, exact, power
+from exact_text import TooLarge, exact, power
 from table_text import Unreadable, json_of
 
 FIRST = "# Touchstone values of "
@@ -113,7 +113,7 @@ def inputs_of(cells, header, within_surface):
     else:
         found = [exact(cell) for cell in cells]
     if any(degree > 1 and name != "G" for name, (_, degree) in zip(header["inputs"], found)):
-        raise TooLong  # the program takes none, but for some that are fractions
+        raise TooLarge  # the program takes none, but for some that are fractions
     if within_surface:
         D, gamma = (base for base, _ in found[-2:])
         within_surface(D, gamma)
@@ -141,7 +141,7 @@ def opened(path, text, forms, known, names_of, within_domain, verdict):
         def of_inputs():
             try:
                 return form(*inputs_of(cells, header, within_surface))
-            except TooLong:
+            except TooLarge:
                 return None
         certified = (digits, sides(header["rounding"], value)) if status == "certified" else ()
         said, right_to = verdict(of_inputs, f"{value} {error}", [], *certified)

@@ -200,7 +200,7 @@ class Rows(unittest.TestCase):
         for text, root in (("sqrt(10)", (10, 2)), ("10^(2/4)", (10, 2)), ("2^0.25", (2, 4)), ("3/sqrt(2)", (Fraction(9, 2), 2)), ("2^(1/3)*sqrt(2)", (32, 6))):
             self.assertEqual(exact_text.exact(text), root, text)
         for text in ("1e1000000", "9^9^9", "2^(1/65)", "7*" * 20000 + "7", "-sqrt(2)", "*".join(["3^300000"] * 3)):
-            self.assertRaises(exact_text.TooLong, exact_text.exact, text)
+            self.assertRaises(exact_text.TooLarge, exact_text.exact, text)
 
 
 if __name__ == "__main__":
