@@ -61,6 +61,22 @@ TEST_CASE("gauss_legendre: the Chebyshev polynomial T_4 and two nodes")
     CHECK(near.relative_bits() > 40);
 }
 
+TEST_CASE("gauss_chebyshev: the Chebyshev polynomial T_2n and n nodes, which all have the value -1")
+{
+    const WorkingPrecision precision(128);
+    const Ball sigma(3);
+    for (const long n : {1L, 2L, 7L}) {
+        Ball largest; // of |T_2n| on the ellipse
+        const Ball exponent = Ball(2 * n) * sigma;
+        arb_cosh(largest.get(), exponent.get(), 128);
+        attains(pi<Ball>(), lemma::gauss_chebyshev(largest, sigma, n), Rational(99, 100));
+    }
+    // next to the segment the whole series counts: at rho^2 = 2, 2 pi (1/2 + 1/4 + ...)
+    const Ball near = lemma::gauss_chebyshev(Ball(1), log(Ball(2)) / 2, 1);
+    CHECK(near.overlaps(Ball(2) * pi<Ball>()));
+    CHECK(near.relative_bits() > 100);
+}
+
 TEST_CASE("interpolation: the Chebyshev polynomial T_1, the weight log u and one node")
 {
     const WorkingPrecision precision(128);

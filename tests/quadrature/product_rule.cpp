@@ -282,6 +282,64 @@ TEST_CASE("the boxes of an ellipse cover it, and hold the sine and the cosine of
     }
 }
 
+TEST_CASE("Chebyshev's nodes: cosines, with the sines and cosines of their angles, exact for polynomials below degree 2n and not at 2n")
+{
+    for (const auto& [n, bits] : {std::pair{1L, 64L}, {2L, 200L}, {7L, 128L}, {16L, 300L}, {801L, 1000L}}) {
+        const WorkingPrecision precision(bits + 20);
+        const auto nodes = GaussNodes::get(n, bits, GaussRule::chebyshev);
+        const auto& entries = nodes->entries();
+        REQUIRE(entries.size() == static_cast<std::size_t>((n + 1) / 2));
+        for (std::size_t k = 0; k < entries.size(); ++k) {
+            const GaussNodes::Entry& e = entries[k];
+            Ball sine, cosine;
+            const Ball angle = pi<Ball>() * Ball(static_cast<long>(2 * k + 1)) / Ball(4 * n); // of -z
+            arb_sin_cos(cosine.get(), sine.get(), angle.get(), bits + 20);
+            agree(e.sine, sine, bits - 4);
+            agree(e.cosine, cosine, bits - 4);
+            CHECK(e.z.overlaps(sine * sine - cosine * cosine));
+            agree(e.z + Ball(1), Ball(2) * sine * sine, bits - 4);
+            agree(e.weight, pi<Ball>() / Ball(n), bits - 4);
+        }
+        const auto sum_of_powers = [&](long k) { // of z^(2k)
+            Ball sum(0);
+            for (std::size_t l = 0; l < entries.size(); ++l) {
+                const bool is_middle = n % 2 != 0 && l + 1 == entries.size();
+                sum += entries[l].weight * analytic::integer_power(entries[l].z, 2 * k) * Ball(is_middle ? 1 : 2);
+            }
+            return sum;
+        };
+        const auto moment = [&](long k) { // pi (2k)!/(2^k k!)^2
+            Ball m = pi<Ball>();
+            for (long j = 1; j <= k; ++j) m *= Ball(2 * j - 1) / Ball(2 * j);
+            return m;
+        };
+        agree(sum_of_powers(n - 1), moment(n - 1), bits - 24);
+        if (n < 20) CHECK_FALSE(sum_of_powers(n).overlaps(moment(n)));
+    }
+}
+
+TEST_CASE("beside Chebyshev's weight an ellipse bounds the function without the weight, even ones by half of it")
+{
+    const WorkingPrecision precision(250);
+    EllipseFunction f;
+    f.rule = GaussRule::chebyshev;
+    f.in_plane = [](const EllipseBox& box, std::vector<ComplexBall>& c) { c.assign(1, ComplexBall(1) / (2 + box.z * box.z)); };
+    f.at_node = [](const GaussNodes::Entry& e, bool, std::vector<Ball>& c) { c.assign(1, 1 / (2 + e.z * e.z)); };
+    const Ball truth = pi<Ball>() / sqrt(Ball(6));
+    const auto whole = by_ellipse(f, 150, false, 700);
+    f.is_even = true;
+    const auto half = by_ellipse(f, 150, false, 700);
+    REQUIRE(whole);
+    REQUIRE(half);
+    for (const auto& found : {*whole, *half}) {
+        agree(found.value, truth, 150);
+        CHECK(std::exp(found.sigma) < std::sqrt(2.0) + std::sqrt(3.0)); // the poles at +-i sqrt(2)
+        CHECK(std::exp(found.sigma) > 1.9);
+    }
+    CHECK(half->nodes < whole->nodes);
+    CHECK_FALSE(by_ellipse(f, 150, false, 10)); // too few nodes
+}
+
 TEST_CASE("what is told of an ellipse's proof are its bounds, of the integral as it is scaled")
 {
     const WorkingPrecision precision(200);

@@ -427,18 +427,25 @@ TEST_CASE("both rules agree where both serve")
     }
 }
 
-TEST_CASE("half-integer powers at both ends: Gauss-Legendre in the angle, and tanh-sinh agrees")
+TEST_CASE("half-integer powers at both ends: Gauss-Chebyshev, or Gauss-Legendre in the angle, and tanh-sinh agrees")
 {
     struct Row {
         const char *formula, *from, *to, *value, *rule;
     };
-    const char* const angle = "gauss-legendre in the angle";
+    const char *const angle = "gauss-legendre in the angle", *const chebyshev = "gauss-chebyshev";
     for (const Row& row :
-         {Row{"1/sqrt(x*(1-x))", "0", "1", "pi", angle}, Row{"sqrt((3-x)/(x+1))", "-1", "3", "2*pi", angle},
+         {Row{"1/sqrt(x*(1-x))", "0", "1", "pi", chebyshev}, Row{"sqrt((3-x)/(x+1))", "-1", "3", "2*pi", chebyshev},
+          Row{"sqrt(tan(x))", "0", "pi/2", "pi/sqrt(2)", chebyshev},
+          Row{"x*sqrt(x)/sqrt(1-x^2)", "0", "1", "sqrt(pi)*gamma(5/4)/(2*gamma(7/4))", chebyshev},
+          Row{"cos(x)/sqrt(1-x^2)", "-1", "1", "pi*besselj(0,1)", chebyshev},
+          Row{"(1-x)^(5/2)*(1+x)^(3/2)", "-1", "1", "3*pi/8", chebyshev},
+          // a root of the distance inside: even in the angle about one end alone
+          Row{"1/(sqrt(x)*(1+sqrt(x))*sqrt(1-x))", "0", "1", "2", angle},
           Row{"acos(x)/sqrt(1-x)", "-1", "1", "sqrt(2)*(2*pi-4)", angle}, Row{"acos(x)", "-1", "0", "pi-1", angle},
           Row{"asin(x)", "-1", "0", "1-pi/2", angle}, Row{"asin(x)", "0", "1", "pi/2-1", angle},
           Row{"sqrt(x)*exp(x)", "0", "1", "e-sqrt(pi)/2*erfi(1)", angle},
-          Row{"x^(5/2)/(1+x)^5", "0", "inf", "gamma(7/2)*gamma(3/2)/gamma(5)", angle}, Row{"1/((1-x)*sqrt(-x))", "-inf", "0", "pi", angle},
+          Row{"x^(5/2)/(1+x)^5", "0", "inf", "gamma(7/2)*gamma(3/2)/gamma(5)", chebyshev},
+          Row{"1/((1-x)*sqrt(-x))", "-inf", "0", "pi", chebyshev},
           Row{"sin(sqrt(x))", "0", "1", "2*sin(1)-2*cos(1)", angle},
           Row{"1/(x^2+1/10000)/sqrt(1-x^2)", "-1", "1", "pi*100/sqrt(1+1/10000)", "tanh-sinh"},
           Row{"x^(-1/3)", "0", "1", "3/2", "product integration"}, Row{"log(x)/sqrt(x)", "0", "1", "-4", "product integration"}}) {

@@ -310,7 +310,7 @@ double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_
 
 Sum sum_of(const EllipseFunction& f, long n, slong bits, bool keeps_values = false)
 {
-    const auto nodes = GaussNodes::get(n, bits);
+    const auto nodes = GaussNodes::get(n, bits, f.rule);
     std::vector<std::shared_ptr<const WeightedNodes>> weights;
     for (const SingularWeight& w : f.weights) weights.push_back(w.is_one() ? nullptr : WeightedNodes::get(w, n, bits));
     const WorkingPrecision precision(bits);
@@ -340,11 +340,12 @@ struct Guess {
     bool is_resolved; ///< whether the nodes show how F varies at all
 };
 
-/// |coefficients| of Legendre's polynomials that the values at n nodes show for the i-th function.
-std::vector<double> legendre_coefficients(const Sum& rough, std::size_t i)
+/// |coefficients| of Legendre's polynomials, or of Chebyshev's, about, that the values at n nodes show for the i-th function.
+std::vector<double> coefficients(const Sum& rough, std::size_t i, GaussRule rule)
 {
     const std::size_t count = rough.at_nodes.size();
-    const auto nodes = GaussNodes::get(static_cast<long>(count), strip_bits);
+    const auto nodes = GaussNodes::get(static_cast<long>(count), strip_bits, rule);
+    const bool is_legendre = rule == GaussRule::legendre;
     const auto& entries = nodes->entries();
     std::vector<double> a(count, 0);
     for (std::size_t j = 0; j < count; ++j) {
@@ -354,8 +355,10 @@ std::vector<double> legendre_coefficients(const Sum& rough, std::size_t i)
         double before = 0, now = 1;
         for (std::size_t k = 0; k < count; ++k) {
             const auto degree = static_cast<double>(k);
-            a[k] += value * now * (degree + 0.5);
-            const double next = ((2 * degree + 1) * z * now - degree * before) / (degree + 1);
+            a[k] += value * now * (is_legendre ? degree + 0.5 : 2 / M_PI);
+            const double next = is_legendre ? ((2 * degree + 1) * z * now - degree * before) / (degree + 1)
+                                : k == 0    ? z
+                                            : 2 * z * now - before;
             before = now;
             now = next;
         }
@@ -364,15 +367,15 @@ std::vector<double> legendre_coefficients(const Sum& rough, std::size_t i)
     return a;
 }
 
-/// About the sigma of the largest ellipse, by how fast the coefficients of Legendre's polynomials fall that the values at a few nodes show;
+/// About the sigma of the largest ellipse, by how fast the coefficients of the rule's polynomials fall that the values at a few nodes show;
 /// some large number where they show none. Nothing is claimed of it: it says where the proof is to begin.
-Guess guessed_ellipse(const Sum& rough)
+Guess guessed_ellipse(const Sum& rough, GaussRule rule)
 {
     constexpr double unknown = 9, noise = 1e-13;
     constexpr double entire = 1.5; // falling ever faster
     double least = unknown;
     for (std::size_t i = 0; i < rough.at_nodes.front().size(); ++i) {
-        const std::vector<double> a = legendre_coefficients(rough, i);
+        const std::vector<double> a = coefficients(rough, i, rule);
         const std::size_t width = a.size() / 3;
         const auto largest = [&](std::size_t from) {
             return *std::max_element(a.begin() + static_cast<long>(from), a.begin() + static_cast<long>(from + width));
@@ -402,7 +405,9 @@ Ball discretisation_of(const EllipseFunction& f, const EllipseProof::Ellipse& e,
     const Ball sigma = Ball::exactly(e.sigma);
     Ball total(0);
     for (std::size_t k = 0; k < f.weights.size(); ++k) {
-        if (f.weights[k].is_one())
+        if (f.rule == GaussRule::chebyshev)
+            total += lemma::gauss_chebyshev(e.bounds[k], sigma, n);
+        else if (f.weights[k].is_one())
             total += lemma::gauss_legendre(e.bounds[k], sigma, n);
         else
             total += lemma::interpolation(e.bounds[k], sigma, WeightedNodes::get(f.weights[k], n, bits)->size(), n);
@@ -434,10 +439,10 @@ std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits,
     const double absolute = log2_upper(first.absolute);
     if (!std::isfinite(absolute)) return std::nullopt;
     const double rough_size = log2_upper(first.value);
-    const Guess guess = guessed_ellipse(first);
+    const Guess guess = guessed_ellipse(first, f.rule);
     const double size = of_absolute || (guess.is_resolved && rough_size > absolute - 1) ? absolute - 1 : absolute - believed;
     double log2_tolerance = size - bits - 2;
-    const auto closer_guess = [&] { return guessed_ellipse(sum_of(f, closer, strip_bits, true)).sigma; };
+    const auto closer_guess = [&] { return guessed_ellipse(sum_of(f, closer, strip_bits, true), f.rule).sigma; };
     EllipseProof proof(f, bits, guess.sigma, closer_guess, most_nodes);
     const WorkingPrecision coarse(strip_bits);
     const auto ellipse = proof.best(log2_tolerance);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Quadrature at the nodes of Gauss and Legendre with a bound from an ellipse (internal to quadrature/).
+/// Quadrature at the nodes of Gauss with a bound from an ellipse (internal to quadrature/).
 ///
 /// F = sum of w_k c_k on [-1, 1], each c_k analytic on the Bernstein ellipse z = cosh(s + i phi), 0 <= s <= sigma, and |c_k - m_k| <= M_k
 /// on it, m_k a constant. Where w_k is 1 the n-point rule of Gauss and Legendre is off by at most lemma::gauss_legendre; where it is a
-/// weight that is singular at an end (singular_weights.hpp) the rule at the same nodes that has its moments, by lemma::interpolation
-/// (tanh_sinh.md, section 19). The ellipse is covered by boxes in (s, phi), halved where F is not proved analytic; M_k is taken from the
+/// weight that is singular at an end (singular_weights.hpp) the rule at the same nodes that has its moments, by lemma::interpolation;
+/// where it is 1/sqrt(1 - z^2), alone, the rule of Gauss and Chebyshev, by lemma::gauss_chebyshev (tanh_sinh.md, section 19). The ellipse is covered by boxes in (s, phi), halved where F is not proved analytic; M_k is taken from the
 /// boxes of its boundary alone. Which ellipse is tried is a guess from few values (guessed_ellipse); nothing of the bound rests on it.
 ///
 /// Cost: some tens of values in 53-bit complex balls, then n values in real ones; of an even F half of both.
@@ -28,8 +28,9 @@ struct EllipseBox {
 
 /// A real function of z in [-1, 1] in two arithmetics: the c_k beside its weights, in their order.
 struct EllipseFunction {
-    /// Whether the only weight is 1 and F(-z) = F(z): then half of the ellipse and of the nodes are enough.
+    /// Whether there is one function, beside 1 or 1/sqrt(1 - z^2), and it is even: then half of the ellipse and of the nodes are enough.
     bool is_even = false;
+    GaussRule rule = GaussRule::legendre; ///< of Chebyshev's 1/sqrt(1 - z^2) is the weight, and `weights` is 1
     std::vector<SingularWeight> weights{SingularWeight{}};
     std::function<void(const EllipseBox&, std::vector<ComplexBall>& c)> in_plane; ///< non-finite unless analytic on the whole ball
     std::function<void(const GaussNodes::Entry&, bool mirrored, std::vector<Ball>& c)> at_node; ///< at z, or at -z

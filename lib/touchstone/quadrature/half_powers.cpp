@@ -2,6 +2,7 @@
 #include "touchstone/quadrature/half_powers.hpp"
 
 #include "touchstone/quadrature/ellipse_rule.hpp"
+#include "touchstone/quadrature/product_rule.hpp"
 #include "touchstone/quadrature/strip.hpp"
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
@@ -67,13 +68,13 @@ bool is_of_the_kind(const PanelIntegrand& f)
     return true;
 }
 
-} // namespace
+constexpr double bits_per_digit = 3.3219281;
 
-std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const Interval& interval, const Options& options)
+/// The integral over u by Gauss-Legendre in the angle.
+std::optional<ProductIntegral> integrate_in_the_angle(const PanelIntegrand& f, const Options& options)
 {
     // More nodes than that cost more than tanh-sinh's, and so does a table of them where the digits are many.
     const long most_nodes = options.digits <= 100 ? std::min(400L, 100 + 5 * options.digits) : 200;
-    constexpr double bits_per_digit = 3.3219281;
     {
         const WorkingPrecision precision(strip_bits);
         f.prepare();
@@ -104,20 +105,31 @@ std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const I
     const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
     const auto found = by_ellipse(g, wanted, options.of_absolute, most_nodes);
     if (!found) return std::nullopt;
+    const WorkingPrecision precision(static_cast<slong>(wanted) + 64);
+    const Ball quarter_turn = pi<Ball>() / Ball(4); // du = (pi/4) dt
+    const Ball value = found->value * quarter_turn;
+    if (static_cast<double>(value.relative_bits()) < wanted - 1 && !options.of_absolute) return std::nullopt;
+    return ProductIntegral{value, found->nodes + found->pieces, found->proof(quarter_turn)};
+}
+
+} // namespace
+
+std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const Interval& interval, const Options& options)
+{
+    auto found = integrate_by_chebyshev(f, options);
+    const bool by_chebyshev = found.has_value();
+    if (!by_chebyshev) found = integrate_in_the_angle(f, options);
+    if (!found) return std::nullopt;
     HalfPowers e;
-    {
-        const WorkingPrecision precision(static_cast<slong>(wanted) + 64);
-        const Ball quarter_turn = pi<Ball>() / Ball(4); // du = (pi/4) dt
-        e.value = found->value * quarter_turn;
-        e.proof = found->proof(quarter_turn);
-    }
+    e.value = found->value;
+    e.rule = by_chebyshev ? "gauss-chebyshev" : "gauss-legendre in the angle";
+    e.proof = found->proof;
+    e.evaluations = found->evaluations;
     const double have = static_cast<double>(e.value.relative_bits());
-    if (have < wanted - 1 && !options.of_absolute) return std::nullopt;
     e.digits = std::min(options.digits, static_cast<long>(have / bits_per_digit));
     e.status = e.digits == options.digits ? Status::certified : Status::undecided;
     e.certificate.interval = interval.to_string();
     e.certificate.digits = options.digits;
-    e.evaluations = found->nodes + found->pieces;
     return e;
 }
 

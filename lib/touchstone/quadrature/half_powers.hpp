@@ -7,8 +7,10 @@
 ///
 ///     f dx = f (dx/du) 2 sin(a) cos(a) da
 ///
-/// is analytic about both ends. So Gauss-Legendre quadrature in a, with its bounds on ellipses (Arb's acb_calc_integrate), takes a fifth of
-/// the values that tanh-sinh takes. Contract and arguments of f as in tanh_sinh.hpp; tanh_sinh.md, section 19.
+/// is analytic about both ends. So Gauss-Legendre quadrature in a, with its bounds on an ellipse, takes a fifth of the values that tanh-sinh
+/// takes. Where f dx is an even function of a about both ends, f dx/du = c(u)/sqrt(u r) with c analytic, the trapezoidal rule in a, which is
+/// that of Gauss and Chebyshev in u, takes half as many again (product_rule.hpp). Contract and arguments of f as in tanh_sinh.hpp;
+/// tanh_sinh.md, sections 19 and 20.
 #pragma once
 
 #include "touchstone/quadrature/tanh_sinh.hpp"
@@ -21,12 +23,12 @@ namespace detail {
 /// Nothing if the integrand is not of that kind, or takes more evaluations than tanh-sinh would.
 struct HalfPowers : Enclosure {
     long evaluations = 0; ///< at nodes and for the proof
-    std::string proof;    ///< one line for a person
+    std::string rule, proof; ///< one line each for a person
 };
 std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& whole, const Interval&, const Options&);
 } // namespace detail
 
-/// The integral of f, by Gauss-Legendre in the angle if that takes it, else by tanh-sinh.
+/// The integral of f, by Gauss-Chebyshev or by Gauss-Legendre in the angle if one of them takes it, else by tanh-sinh.
 template <class F>
 Enclosure proven_integral(F f, Interval interval, const Options& options = {})
 {

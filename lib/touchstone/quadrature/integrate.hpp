@@ -10,7 +10,8 @@
 ///
 ///   Gauss-Legendre   where the formula is analytic about both ends: on one ellipse (ellipse_rule.hpp) if that serves, else by Arb's
 ///                    acb_calc_integrate (Petras's algorithm), each panel with its ellipse;
-///   in the angle     where it behaves like half-integer powers at both ends: the same with u = sin^2 a (half_powers.hpp);
+///   Gauss-Chebyshev  where it is analytic but for odd powers of the roots of both distances: product_rule.hpp;
+///   in the angle     where it behaves like other half-integer powers at both ends: Gauss-Legendre with u = sin^2 a (half_powers.hpp);
 ///   product rule     where it is powers and logarithms of the distances to the ends times what is analytic about both: product_rule.hpp;
 ///   tanh-sinh        else: tanh_sinh.hpp;
 ///   turned path      sums of waves with a decaying amplitude on half-lines: oscillation.hpp;

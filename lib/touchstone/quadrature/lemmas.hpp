@@ -104,6 +104,16 @@ inline Ball gauss_legendre(const Ball& M, const Ball& sigma, long n)
     return Ball(64) / Ball(15) * M * exp(-Ball(2 * n) * sigma) / (Ball(1) - exp(-Ball(2) * sigma));
 }
 
+/// Gauss and Chebyshev: the n-point rule of the weight 1/sqrt(1 - z^2) on [-1, 1], n >= 1, of F with |F - m| <= M, m a constant, on the
+/// ellipse with rho = exp(sigma); T_(2n) attains it.
+inline Ball gauss_chebyshev(const Ball& M, const Ball& sigma, long n)
+{
+    Ball growth;
+    const Ball exponent = Ball(2 * n) * sigma;
+    arb_expm1(growth.get(), exponent.get(), WorkingPrecision::bits());
+    return Ball(2) * pi<Ball>() * M / growth;
+}
+
 /// Interpolation: the rule on [-1, 1] that is exact up to degree n - 1, of a weight w; size is the integral of |w| and the sum of the sizes
 /// of the rule's weights; |F - m| <= M, m a constant, on the ellipse with rho = exp(sigma), n >= 1.
 inline Ball interpolation(const Ball& M, const Ball& sigma, const Ball& size, long n)

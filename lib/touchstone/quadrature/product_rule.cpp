@@ -73,6 +73,16 @@ public:
         if (d.weights_.empty()) return std::nullopt;
         return d;
     }
+    /// The same beside 1/sqrt(u r), where the weight is that times whole powers of u and r.
+    static std::optional<Decomposition> beside_chebyshev(const PanelIntegrand& f)
+    {
+        auto d = of(f);
+        if (!d || d->weights_.size() != 1) return std::nullopt;
+        SingularWeight& w = d->weights_.front();
+        if (w.left_logarithms != 0 || w.right_logarithms != 0 || w.left.den() != 2 || w.right.den() != 2) return std::nullopt;
+        w.left = w.right = Exponent(Rational(-1, 2));
+        return d;
+    }
     const std::vector<SingularWeight>& weights() const { return weights_; }
 
     /// The factors beside the weights; non-finite where there is anything else.
@@ -238,6 +248,32 @@ std::optional<ProductIntegral> integrate_by_product_rule(const MakePanel& make, 
     if (!ProductRule(make, options, wanted).integrate(found)) return std::nullopt;
     if (static_cast<double>(found.value.relative_bits()) < wanted - 1 && !options.of_absolute) return std::nullopt;
     return ProductIntegral{found.value, found.evaluations, found.proof};
+}
+
+std::optional<ProductIntegral> integrate_by_chebyshev(const PanelIntegrand& f, const Options& options)
+{
+    const long most_nodes = 200 + 4 * options.digits; // about as many as tanh-sinh takes
+    std::optional<Decomposition> d;
+    {
+        const WorkingPrecision precision(strip_bits);
+        f.prepare();
+        d = Decomposition::beside_chebyshev(f);
+        if (!d || !is_of_the_kind(f, *d)) return std::nullopt;
+    }
+    EllipseFunction g = function_of_panel(f, *d);
+    g.weights = {SingularWeight{}};
+    g.rule = GaussRule::chebyshev;
+    g.is_even = f.is_even;
+    if (f.straight)
+        g.at_node = [&, by_parts = g.at_node](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
+            const auto y = mirrored ? f.straight(e.cosine, e.sine) : f.straight(e.sine, e.cosine);
+            if (!y) return by_parts(e, mirrored, c);
+            c.assign(1, *y / Ball(2)); // f dx/da is twice what stands beside du/sqrt(u r)
+        };
+    const double wanted = static_cast<double>(options.digits) * bits_per_digit + 1;
+    const auto found = by_ellipse(g, wanted, options.of_absolute, most_nodes);
+    if (!found || (static_cast<double>(found->value.relative_bits()) < wanted - 1 && !options.of_absolute)) return std::nullopt;
+    return ProductIntegral{found->value, found->nodes + found->pieces, found->proof(Ball(1))};
 }
 
 } // namespace touchstone::quadrature::detail

@@ -170,7 +170,7 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f,
     const auto e = detail::integrate_half_powers(whole, *interval, options);
     if (!e) return std::nullopt;
     Attempt a = attempt_of(*e, f->range());
-    a.part.rule = "gauss-legendre in the angle";
+    a.part.rule = e->rule;
     a.part.evaluations = e->evaluations;
     a.part.proof = e->proof;
     return a;

@@ -17,31 +17,56 @@
 
 namespace touchstone::quadrature {
 
-GaussNodes::GaussNodes(long n, slong bits)
+GaussNodes::GaussNodes(long n, slong bits, GaussRule rule)
     : n_(n)
     , bits_(bits)
+    , rule_(rule)
 {
-    const WorkingPrecision precision(bits);
-    const Ball quarter = pi<Ball>() / Ball(4);
     entries_.resize(static_cast<std::size_t>((n + 1) / 2));
-    for (long k = 0; k < (n + 1) / 2; ++k) { // roots in descending order
-        Entry& e = entries_[static_cast<std::size_t>(k)];
-        arb_hypgeom_legendre_p_ui_root(e.z.get(), e.weight.get(), static_cast<ulong>(n), static_cast<ulong>(k), bits);
+    rule == GaussRule::legendre ? fill_legendre() : fill_chebyshev();
+}
+
+void GaussNodes::fill_legendre()
+{
+    const WorkingPrecision precision(bits_);
+    const Ball quarter = pi<Ball>() / Ball(4);
+    for (std::size_t k = 0; k < entries_.size(); ++k) { // roots in descending order
+        Entry& e = entries_[k];
+        arb_hypgeom_legendre_p_ui_root(e.z.get(), e.weight.get(), static_cast<ulong>(n_), k, bits_);
         const Ball angle = quarter + quarter * e.z;
-        arb_sin_cos(e.sine.get(), e.cosine.get(), angle.get(), bits);
+        arb_sin_cos(e.sine.get(), e.cosine.get(), angle.get(), bits_);
     }
 }
 
-std::shared_ptr<const GaussNodes> GaussNodes::get(long n, slong bits)
+/// z_k = cos(2 b_k), b_k = (2k + 1) pi/(4n): from one to the next by a turn through pi/(2n).
+void GaussNodes::fill_chebyshev()
+{
+    constexpr slong for_turns = 32; // bits that n products may lose
+    const WorkingPrecision precision(bits_ + for_turns);
+    const Ball weight = pi<Ball>() / Ball(n_), first = weight / Ball(4);
+    ComplexBall at, turn;
+    arb_sin_cos(acb_imagref(at.get()), acb_realref(at.get()), first.get(), WorkingPrecision::bits());
+    acb_sqr(turn.get(), at.get(), WorkingPrecision::bits());
+    for (Entry& e : entries_) {
+        const Ball cosine = at.real(), sine = at.imag(), z = (cosine - sine) * (cosine + sine);
+        arb_set_round(e.z.get(), z.get(), bits_);
+        arb_set_round(e.weight.get(), weight.get(), bits_);
+        arb_set_round(e.sine.get(), cosine.get(), bits_); // the sine of pi/2 - b_k
+        arb_set_round(e.cosine.get(), sine.get(), bits_);
+        at *= turn;
+    }
+}
+
+std::shared_ptr<const GaussNodes> GaussNodes::get(long n, slong bits, GaussRule rule)
 {
     thread_local std::list<std::shared_ptr<const GaussNodes>> cache;
     for (auto it = cache.begin(); it != cache.end(); ++it)
-        if ((*it)->n_ == n && (*it)->bits_ >= bits && (*it)->bits_ <= bits + bits / 4 + 64) {
+        if ((*it)->n_ == n && (*it)->rule_ == rule && (*it)->bits_ >= bits && (*it)->bits_ <= bits + bits / 4 + 64) {
             cache.splice(cache.begin(), cache, it);
             return cache.front();
         }
     constexpr std::size_t most = 24;
-    cache.push_front(std::shared_ptr<const GaussNodes>(new GaussNodes(n, (bits + 63) / 64 * 64)));
+    cache.push_front(std::shared_ptr<const GaussNodes>(new GaussNodes(n, (bits + 63) / 64 * 64, rule)));
     if (cache.size() > most) cache.pop_back();
     return cache.front();
 }

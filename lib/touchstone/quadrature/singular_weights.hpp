@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Nodes of Gauss and Legendre, and the weights that integrate functions singular at the ends by values at them (internal to quadrature/).
+/// Nodes of Gauss, and the weights that integrate functions singular at the ends by values at them (internal to quadrature/).
 ///
 /// With u = (1 + z)/2, r = (1 - z)/2 and w = u^p r^q (log u)^i (log r)^j, p, q > -1, the weights W_k with
 ///
@@ -10,7 +10,7 @@
 /// i = j = 0 the moments obey (m + 1)(m + p + q + 2) M_(m+1) = (p - q)(2m + 1) M_m - m(p + q + 1 - m) M_(m-1); their derivatives in p and q
 /// are those with logarithms (tanh_sinh.md, section 19).
 ///
-/// Cost: n^2/2 steps of Legendre's recursion for a table; kept.
+/// Cost: n^2/2 steps of Legendre's recursion for a table; kept. Chebyshev's nodes: n products of complex numbers.
 #pragma once
 
 #include "touchstone/quadrature/endpoint_number.hpp"
@@ -20,23 +20,30 @@
 
 namespace touchstone::quadrature {
 
-/// The n nodes of Gauss and Legendre and what belongs to the angle (pi/4)(1 + z) of each; from the cache if they are there.
+/// Whose nodes: of the weight 1, or of 1/sqrt(1 - z^2).
+enum class GaussRule { legendre, chebyshev };
+
+/// The n nodes of Gauss in [-1, 1] and the sine and cosine of an angle of each; from the cache if they are there.
 class GaussNodes {
 public:
-    static std::shared_ptr<const GaussNodes> get(long n, slong bits);
+    static std::shared_ptr<const GaussNodes> get(long n, slong bits, GaussRule = GaussRule::legendre);
 
     struct Entry {
-        Ball z;            ///< >= 0
-        Ball weight;       ///< of z and of -z
-        Ball sine, cosine; ///< of (pi/4)(1 + z); those of (pi/4)(1 - z) are exchanged
+        Ball z;      ///< >= 0
+        Ball weight; ///< of z and of -z
+        /// Of Legendre's the angle is (pi/4)(1 + z), of Chebyshev's sine^2 = (1 + z)/2 as well. Those of -z are exchanged.
+        Ball sine, cosine;
     };
     const std::vector<Entry>& entries() const { return entries_; }
     long count() const { return n_; }
 
 private:
-    GaussNodes(long n, slong bits);
+    GaussNodes(long n, slong bits, GaussRule);
+    void fill_legendre();
+    void fill_chebyshev();
     long n_;
     slong bits_;
+    GaussRule rule_;
     std::vector<Entry> entries_;
 };
 
