@@ -114,14 +114,18 @@ private:
 constexpr double nodes_a_box = 3; // a value in the plane costs about as much as so many at nodes
 constexpr double shrunk = 0.7;    // times the sigma of an ellipse that failed: the next to be tried
 
+void take_larger(Ball& a, const Ball& b)
+{
+    if (arb_gt(b.get(), a.get())) a = b;
+}
+
 void take_larger(Bounds& all, const Bounds& some)
 {
     if (all.empty()) all.resize(some.size());
-    for (std::size_t k = 0; k < some.size(); ++k)
-        if (arb_gt(some[k].get(), all[k].get())) all[k] = some[k];
+    for (std::size_t k = 0; k < some.size(); ++k) take_larger(all[k], some[k]);
 }
 
-/// Bounds of |c_k - m_k| on the box.
+/// Bounds of |c_k - m_k| on the box; of an even F for the mirror images as well, that is on the box and its own mirror image.
 std::optional<Bounds> EllipseProof::value(double s1, double s2, double phi1, double phi2)
 {
     ++pieces;
@@ -130,8 +134,12 @@ std::optional<Bounds> EllipseProof::value(double s1, double s2, double phi1, dou
     Bounds sizes;
     for (std::size_t k = 0; k < values_.size(); ++k) {
         if (!values_[k].is_finite()) return std::nullopt;
-        if (first) middles_.push_back(middle_of(values_[k].real()));
+        const std::size_t partner = f_.partner(k);
+        if (first) middles_.push_back(partner < k ? middles_[partner] : middle_of(values_[k].real()));
         sizes.push_back(upper_ball(values_[k] - ComplexBall(middles_[k])));
+        if (partner >= k) continue;
+        take_larger(sizes[k], sizes[partner]);
+        sizes[partner] = sizes[k];
     }
     return sizes;
 }
@@ -308,6 +316,13 @@ struct Sum {
 
 double to_double(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
+/// c_k(z) of an even F become c_k(-z).
+void mirror(const EllipseFunction& f, std::vector<Ball>& c)
+{
+    for (std::size_t k = 0; k < c.size(); ++k)
+        if (const std::size_t partner = f.partner(k); k < partner) std::swap(c[k], c[partner]);
+}
+
 Sum sum_of(const EllipseFunction& f, long n, slong bits, bool keeps_values = false)
 {
     const auto nodes = GaussNodes::get(n, bits, f.rule);
@@ -318,11 +333,21 @@ Sum sum_of(const EllipseFunction& f, long n, slong bits, bool keeps_values = fal
     if (keeps_values) sum.at_nodes.resize(static_cast<std::size_t>(n));
     std::vector<Ball> c;
     const auto& entries = nodes->entries();
+    const bool is_single = f.weights.size() == 1 && weights.front();
+    const auto evaluate = [&](std::size_t k, bool mirrored) {
+        if (is_single && f.with_weight)
+            if (auto y = f.with_weight(entries[k], mirrored)) {
+                c.assign(1, *y * weights.front()->reciprocal(k, mirrored));
+                return;
+            }
+        f.at_node(entries[k], mirrored, c);
+    };
     for (std::size_t k = 0; k < entries.size(); ++k) {
         const bool is_middle = n % 2 != 0 && k + 1 == entries.size();
         for (const bool mirrored : {false, true}) {
             if (mirrored && is_middle) continue;
-            if (!mirrored || !f.is_even) f.at_node(entries[k], mirrored, c);
+            if (!mirrored || !f.is_even) evaluate(k, mirrored);
+            else mirror(f, c);
             for (std::size_t i = 0; i < c.size(); ++i) {
                 const Ball& weight = weights[i] ? weights[i]->at(k, mirrored) : entries[k].weight;
                 arb_addmul(sum.value.get(), c[i].get(), weight.get(), bits);
@@ -416,6 +441,12 @@ Ball discretisation_of(const EllipseFunction& f, const EllipseProof::Ellipse& e,
 }
 
 } // namespace
+
+std::size_t EllipseFunction::partner(std::size_t k) const
+{
+    if (!is_even || weights.size() == 1) return k;
+    return static_cast<std::size_t>(std::find(weights.begin(), weights.end(), weights[k].mirrored()) - weights.begin());
+}
 
 std::string EllipseIntegral::proof(const Ball& scale) const
 {

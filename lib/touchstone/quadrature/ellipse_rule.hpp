@@ -28,12 +28,17 @@ struct EllipseBox {
 
 /// A real function of z in [-1, 1] in two arithmetics: the c_k beside its weights, in their order.
 struct EllipseFunction {
-    /// Whether there is one function, beside 1 or 1/sqrt(1 - z^2), and it is even: then half of the ellipse and of the nodes are enough.
+    /// Whether F is even, and with each weight its mirror image is there: c_k(-z) is then what stands beside the mirror image at z, and half of
+    /// the ellipse and of the nodes are enough.
     bool is_even = false;
     GaussRule rule = GaussRule::legendre; ///< of Chebyshev's 1/sqrt(1 - z^2) is the weight, and `weights` is 1
     std::vector<SingularWeight> weights{SingularWeight{}};
+    /// Of an even F: which weight is the mirror image of the k-th; else k.
+    std::size_t partner(std::size_t k) const;
     std::function<void(const EllipseBox&, std::vector<ComplexBall>& c)> in_plane; ///< non-finite unless analytic on the whole ball
     std::function<void(const GaussNodes::Entry&, bool mirrored, std::vector<Ball>& c)> at_node; ///< at z, or at -z
+    /// Of one weight that is not 1: F itself there, w c, if it can be had to about the working precision; there may be none.
+    std::function<std::optional<Ball>(const GaussNodes::Entry&, bool mirrored)> with_weight;
 };
 
 struct EllipseIntegral {

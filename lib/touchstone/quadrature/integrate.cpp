@@ -117,7 +117,7 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
         const bool plain = options_.gauss_legendre && !complex_ && !kinks && !options_.quick && !f->has_inner_integral();
         if (plain) {
             const bool algebraic = map != Map::right_exponential && map != Map::left_exponential && map != Map::line_exponential;
-            const bool even = is_about_zero(f->range()) && parity(*e_) == Parity::even;
+            const bool even = is_even_about_the_middle(*e_, f->range());
             std::optional<Attempt> a;
             if (regular)
                 a = by_one_ellipse(*f, even, digits, options_.of_absolute);
@@ -127,7 +127,7 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
                 if (!a || !a->value.is_finite()) a = by_half_powers(f, even, digits, options_.of_absolute);
             }
             if (a && a->value.is_finite()) return *a;
-            if (!regular) a = by_product_rule(f, digits, options_.of_absolute);
+            if (!regular) a = by_product_rule(f, even, digits, options_.of_absolute);
             if (a && a->value.is_finite()) return *a;
         }
         const auto gauss_legendre = [&] { return by_gauss_legendre(*f, complex_, digits, kinks, options_.quick); };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/parity.hpp"
 
+#include "touchstone/quadrature/exact_series.hpp"
+
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 namespace touchstone::quadrature {
@@ -45,44 +48,98 @@ std::optional<Rational> integer(const Expression& e)
     return e.op == Op::number && e.number.get_den() == 1 ? std::optional(e.number) : std::nullopt;
 }
 
+/// With period 2 pi, sign changed by pi.
+bool is_wave(Op op) { return op == Op::sin || op == Op::cos || op == Op::sec || op == Op::csc || op == Op::tan || op == Op::cot; }
+
+/// A formula about the centre: even, or odd but for a constant, or unknown.
+struct Shape {
+    Parity parity = Parity::unknown;
+    ExactSum constant{}; ///< of what is odd but for it
+
+    bool is_odd() const { return parity == Parity::odd && constant.is_zero(); }
+};
+
+/// Of a wave of m pi/2 + t, t odd.
+Parity of_wave(Op op, const Integer& m)
+{
+    if (op == Op::tan || op == Op::cot) return Parity::odd; // those of t and -1 over them change places
+    const bool is_sine = op == Op::sin || op == Op::csc, is_shifted = mpz_odd_p(m.get_mpz_t()) != 0;
+    return is_sine == is_shifted ? Parity::even : Parity::odd;
+}
+
 /// Equal parts of a formula may be one and the same node, which is looked at once.
 class Parities {
 public:
+    explicit Parities(const ExactSum& centre)
+        : centre_(centre)
+    {
+    }
     Parity of(const Expression& e)
     {
-        if (const auto known = known_.find(&e); known != known_.end()) return known->second;
-        const Parity p = by_arguments(e);
-        known_.emplace(&e, p);
-        return p;
+        const Shape& s = shape(e);
+        return s.parity == Parity::even || s.is_odd() ? s.parity : Parity::unknown;
     }
 
 private:
-    Parity by_arguments(const Expression& e)
+    const Shape& shape(const Expression& e)
     {
-        if (e.op == Op::variable) return Parity::odd;
-        if (e.op == Op::integral) return depends_on_x(e) ? Parity::unknown : Parity::even;
-        const auto all = [&](Parity p) {
-            return std::all_of(e.args.begin(), e.args.end(), [&](const ExpressionPtr& a) { return of(*a) == p; });
-        };
-        if (e.op != Op::odd_difference && all(Parity::even)) return Parity::even; // of numbers too
+        if (const auto known = known_.find(&e); known != known_.end()) return known->second;
+        Shape s = by_arguments(e);
+        return known_.emplace(&e, std::move(s)).first->second;
+    }
+    Shape by_arguments(const Expression& e)
+    {
+        if (e.op == Op::variable) return {Parity::odd, centre_};
+        if (e.op == Op::integral) return {depends_on_x(e) ? Parity::unknown : Parity::even};
+        const bool all_even =
+            std::all_of(e.args.begin(), e.args.end(), [&](const ExpressionPtr& a) { return shape(*a).parity == Parity::even; });
+        if (e.op != Op::odd_difference && all_even) return {Parity::even}; // of numbers too
         switch (e.op) {
-        case Op::add: return all(Parity::odd) ? Parity::odd : Parity::unknown;
+        case Op::add: return sum(e);
+        case Op::negate:
+            if (shape(*e.args[0]).parity != Parity::odd) return {};
+            return {Parity::odd, -shape(*e.args[0]).constant};
         case Op::multiply:
         case Op::divide: return product(e);
-        case Op::power: return power(e);
+        case Op::power: return {power(e)};
         default: break;
         }
-        if (e.args.size() != 1 || of(*e.args[0]) != Parity::odd) return Parity::unknown;
-        return is_even_function(e.op) ? Parity::even : is_odd_function(e.op) ? Parity::odd : Parity::unknown;
+        return {e.args.size() == 1 ? function(e.op, shape(*e.args[0])) : Parity::unknown};
     }
-    Parity product(const Expression& e)
+    /// What is odd, and numbers.
+    Shape sum(const Expression& e)
     {
+        Shape all{Parity::odd};
+        for (const ExpressionPtr& a : e.args) {
+            const Shape& s = shape(*a);
+            const auto number = s.parity == Parity::odd ? std::optional(s.constant) : exact_number(*a);
+            if (!number) return {};
+            all.constant = all.constant + *number;
+        }
+        return all;
+    }
+    Shape product(const Expression& e)
+    {
+        if (const auto scaled = multiple(e)) return *scaled;
         bool odd = false;
         for (const ExpressionPtr& a : e.args) {
-            if (of(*a) == Parity::unknown) return Parity::unknown;
-            odd ^= of(*a) == Parity::odd;
+            const Parity p = of(*a);
+            if (p == Parity::unknown) return {};
+            odd ^= p == Parity::odd;
         }
-        return odd ? Parity::odd : Parity::even;
+        return {odd ? Parity::odd : Parity::even};
+    }
+    /// A number times what is odd but for a constant, or that over a rational number.
+    std::optional<Shape> multiple(const Expression& e)
+    {
+        if (e.args.size() != 2) return std::nullopt;
+        const bool first = e.op == Op::multiply && !depends_on_x(*e.args[0]);
+        const Shape& s = shape(*e.args[first ? 1 : 0]);
+        const auto number = exact_number(*e.args[first ? 0 : 1]);
+        if (s.parity != Parity::odd || !number || number->is_zero()) return std::nullopt;
+        if (e.op == Op::multiply) return Shape{Parity::odd, s.constant * *number};
+        const auto rational = number->rational();
+        return rational ? std::optional(Shape{Parity::odd, s.constant * ExactSum(Rational(1 / *rational))}) : std::nullopt;
     }
     Parity power(const Expression& e)
     {
@@ -90,11 +147,23 @@ private:
         if (!n || of(*e.args[0]) != Parity::odd) return Parity::unknown;
         return mpz_even_p(n->get_num_mpz_t()) != 0 ? Parity::even : Parity::odd;
     }
-    std::unordered_map<const Expression*, Parity> known_;
+    static Parity function(Op op, const Shape& argument)
+    {
+        if (argument.parity != Parity::odd) return Parity::unknown;
+        const auto turns = argument.constant.times_pi();
+        if (is_wave(op) && turns)
+            if (const Rational quarters = *turns * 2; quarters.get_den() == 1) return of_wave(op, quarters.get_num());
+        if (!argument.is_odd()) return Parity::unknown;
+        return is_even_function(op) ? Parity::even : is_odd_function(op) ? Parity::odd : Parity::unknown;
+    }
+    static std::optional<ExactSum> exact_number(const Expression& e) { return depends_on_x(e) ? std::nullopt : exact_value(e); }
+
+    ExactSum centre_;
+    std::unordered_map<const Expression*, Shape> known_;
 };
 
 } // namespace
 
-Parity parity(const Expression& e) { return Parities().of(e); }
+Parity parity(const Expression& e, const ExactSum& centre) { return Parities(centre).of(e); }
 
 } // namespace touchstone::quadrature

@@ -84,6 +84,12 @@ public:
         return d;
     }
     const std::vector<SingularWeight>& weights() const { return weights_; }
+    /// Whether with each weight its mirror image is there.
+    bool is_symmetric() const
+    {
+        return std::all_of(weights_.begin(), weights_.end(),
+                           [&](const SingularWeight& w) { return std::find(weights_.begin(), weights_.end(), w.mirrored()) != weights_.end(); });
+    }
 
     /// The factors beside the weights; non-finite where there is anything else.
     template <class V>
@@ -182,6 +188,7 @@ EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& 
 {
     EllipseFunction g;
     g.weights = d.weights();
+    g.is_even = f.is_even && d.is_symmetric();
     g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
         const Segment<ComplexBall> there(box.z);
         d.take(f.on_strip(there), there, c);
@@ -194,6 +201,8 @@ EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& 
         f.at_node(there, values);
         d.take(values.front(), there, c);
     };
+    if (f.straight_in_fraction)
+        g.with_weight = [&](const GaussNodes::Entry& e, bool mirrored) { return f.straight_in_fraction(e.z, mirrored); };
     return g;
 }
 
@@ -263,7 +272,6 @@ std::optional<ProductIntegral> integrate_by_chebyshev(const PanelIntegrand& f, c
     EllipseFunction g = function_of_panel(f, *d);
     g.weights = {SingularWeight{}};
     g.rule = GaussRule::chebyshev;
-    g.is_even = f.is_even;
     if (f.straight)
         g.at_node = [&, by_parts = g.at_node](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
             const auto y = mirrored ? f.straight(e.cosine, e.sine) : f.straight(e.sine, e.cosine);

@@ -218,4 +218,11 @@ std::optional<Ball> StraightValues::on_the_line(const Ball& z, bool mirrored)
     return value(bits);
 }
 
+std::optional<Ball> StraightValues::in_fraction(const Ball& z, bool mirrored)
+{
+    auto y = on_the_line(z, mirrored);
+    if (y) *y *= width_;
+    return y;
+}
+
 } // namespace touchstone::quadrature

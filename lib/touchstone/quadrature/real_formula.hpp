@@ -48,6 +48,8 @@ public:
     std::optional<Ball> in_angle(const Ball& sine, const Ball& cosine);
     /// f at the middle plus (mirrored: minus) half the width times z.
     std::optional<Ball> on_the_line(const Ball& z, bool mirrored);
+    /// The same times the width.
+    std::optional<Ball> in_fraction(const Ball& z, bool mirrored);
 
 private:
     std::optional<Ball> value(slong bits) const;

@@ -3,6 +3,7 @@
 
 #include "touchstone/quadrature/ellipse_rule.hpp"
 #include "touchstone/quadrature/half_powers.hpp"
+#include "touchstone/quadrature/parity.hpp"
 #include "touchstone/quadrature/product_rule.hpp"
 #include "touchstone/quadrature/real_formula.hpp"
 #include "touchstone/quadrature/strip.hpp"
@@ -176,10 +177,10 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>& f,
     return a;
 }
 
-bool is_about_zero(const Range& r)
+bool is_even_about_the_middle(const Expression& e, const Range& r)
 {
     if (!r.from.exact || !r.to.exact) return false; // an end at infinity too
-    return (*r.from.exact + *r.to.exact).is_zero();
+    return parity(e, (*r.from.exact + *r.to.exact) * ExactSum(Rational(1, 2))) == Parity::even;
 }
 
 bool begins_or_ends_at_zero(const Range& r)
@@ -201,15 +202,22 @@ std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr& e, cons
     return a;
 }
 
-std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f, long digits, bool of_absolute)
+std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f, bool even, long digits, bool of_absolute)
 {
     Options options;
     options.digits = digits;
     options.of_absolute = of_absolute;
     const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
     const auto interval = std::make_shared<Interval>(f->range().interval());
+    std::optional<StraightValues> straight;
+    if (f->straight() != nullptr && f->range().map == Map::finite) straight.emplace(*f->straight(), f->range());
     const detail::MakePanel make = [&](const Rational& from, const Rational& to) {
-        return detail::panel_integrand(at, interval, from, to);
+        detail::PanelIntegrand panel = detail::panel_integrand(at, interval, from, to);
+        const bool is_whole = from == 0 && to == 1;
+        panel.is_even = even && is_whole;
+        if (straight && is_whole)
+            panel.straight_in_fraction = [&straight](const Ball& z, bool mirrored) { return straight->in_fraction(z, mirrored); };
+        return panel;
     };
     const auto e = detail::integrate_by_product_rule(make, options);
     if (!e) return std::nullopt;

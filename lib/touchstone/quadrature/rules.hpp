@@ -34,12 +34,13 @@ std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>&, b
 /// distance of the other end, is then at an end.
 std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr&, const Range&, long digits, bool of_absolute);
 
-/// Whether the range is finite and 0 is its middle, or one of its ends.
-bool is_about_zero(const Range&);
+/// Whether the range is finite and the formula's parts show that it is even about the middle.
+bool is_even_about_the_middle(const Expression&, const Range&);
+/// Whether the range is finite and 0 is one of its ends.
 bool begins_or_ends_at_zero(const Range&);
 
 /// product_rule.hpp, of a real formula without kinks.
-std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, long digits, bool of_absolute);
+std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, bool even, long digits, bool of_absolute);
 
 /// tanh_sinh.hpp; of a complex formula both parts, by one proof.
 Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>&, bool complex, long digits, const IntegralOptions&,

@@ -193,6 +193,16 @@ slong lost_by_recursion(long n) { return 16 + n * 13 / 10; }
 
 } // namespace
 
+Ball value_of(const SingularWeight& w, const Ball& u, const Ball& r)
+{
+    const auto one_side = [](const Ball& x, const Exponent& power, int logarithms) {
+        Ball y(1);
+        if (!power.is_zero()) arb_pow(y.get(), x.get(), power.ball().get(), WorkingPrecision::bits());
+        return logarithms == 0 ? y : y * analytic::integer_power(log(x), logarithms);
+    };
+    return one_side(u, w.left, w.left_logarithms) * one_side(r, w.right, w.right_logarithms);
+}
+
 std::vector<Ball> moments(const SingularWeight& w, long n)
 {
     // The formulas below are finite there too: they continue the integral to powers for which there is none.
@@ -246,6 +256,19 @@ WeightedNodes::WeightedNodes(const SingularWeight& w, long n, slong bits)
         if (!is_middle) total += touchstone::abs(at_mirrored_.back());
     }
     size_ = upper_ball(total);
+}
+
+const Ball& WeightedNodes::reciprocal(std::size_t k, bool mirrored) const
+{
+    if (reciprocal_.empty()) {
+        const WorkingPrecision precision(bits_);
+        for (const GaussNodes::Entry& e : GaussNodes::get(n_, bits_)->entries()) {
+            const Ball near = (Ball(1) - e.z) / Ball(2), far = (Ball(1) + e.z) / Ball(2);
+            reciprocal_.push_back(Ball(1) / value_of(weight_, far, near));
+            reciprocal_mirrored_.push_back(Ball(1) / value_of(weight_, near, far));
+        }
+    }
+    return (mirrored ? reciprocal_mirrored_ : reciprocal_)[k];
 }
 
 std::shared_ptr<const WeightedNodes> WeightedNodes::get(const SingularWeight& w, long n, slong bits)

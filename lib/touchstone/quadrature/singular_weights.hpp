@@ -53,9 +53,14 @@ struct SingularWeight {
     int left_logarithms = 0, right_logarithms = 0;
 
     bool has_integral() const { return Exponent(-1) < left && Exponent(-1) < right; }
+    /// What u and r make of it when they change places.
+    SingularWeight mirrored() const { return {right, left, right_logarithms, left_logarithms}; }
     bool is_one() const { return left.is_zero() && right.is_zero() && left_logarithms == 0 && right_logarithms == 0; }
     friend bool operator==(const SingularWeight&, const SingularWeight&) = default;
 };
+
+/// w at a point inside, where r = 1 - u.
+Ball value_of(const SingularWeight&, const Ball& u, const Ball& r);
 
 /// Integrals of w P_m over u in (0, 1), P_m(2u - 1), for m < n; non-finite where w has no integral.
 std::vector<Ball> moments(const SingularWeight&, long n);
@@ -67,6 +72,8 @@ public:
 
     /// Of the k-th entry of GaussNodes, or of its mirror image.
     const Ball& at(std::size_t k, bool mirrored) const { return (mirrored ? at_mirrored_ : at_)[k]; }
+    /// 1/w there.
+    const Ball& reciprocal(std::size_t k, bool mirrored) const;
     /// Upper bound of the integral of |w| over [-1, 1] and the sum of the |W_k|.
     const Ball& size() const { return size_; }
 
@@ -76,6 +83,7 @@ private:
     long n_;
     slong bits_;
     std::vector<Ball> at_, at_mirrored_;
+    mutable std::vector<Ball> reciprocal_, reciprocal_mirrored_; // empty until one is asked for
     Ball size_;
 };
 
