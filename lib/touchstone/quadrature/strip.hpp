@@ -35,6 +35,7 @@ public:
     ComplexBall distance(Side s) const override { return s == side_ ? near_ : far_; }
     ComplexBall logarithm(Side s) const override { return s == side_ ? log_near_ : log_far_; }
     bool reaches(Side s) const override { return endless_ && s == side_; }
+    bool is_on_the_half_away_from(Side s) const override { return s != side_; }
     ComplexBall vanishing(Side s, const Ball& e, const Exponent& k) const override;
     ComplexBall logarithm_over_rho(Side s) const override;
     std::optional<Ball> turn(Side s) const override;
