@@ -124,7 +124,7 @@ ex read(const std::string& text)
 {
     must_call_functions_of_something(text);
     // Decimals as exact fractions: GiNaC would read a float.
-    static const std::regex decimal(R"((\d+)\.(\d+))"), identifier(R"([A-Za-z_]\w*)");
+    static const std::regex decimal(R"((\d+)\.(\d*))"), identifier(R"([A-Za-z_]\w*)");
     std::string exact;
     std::string rest = text;
     for (std::smatch m; std::regex_search(rest, m, decimal); rest = m.suffix()) {

@@ -42,13 +42,12 @@ Rational rational_of(const GiNaC::numeric& n)
 Ball integer_power(const Ball& base, const Rational& e)
 {
     Ball r;
-    const mpz_class n = e.get_num();
-    if (n >= 0) {
-        arb_pow_ui(r.get(), base.get(), n.get_ui(), WorkingPrecision::bits());
-        return r;
-    }
-    arb_pow_ui(r.get(), base.get(), mpz_class(-n).get_ui(), WorkingPrecision::bits());
-    return Ball(1) / r;
+    fmpz_t n; // of any length: powers of powers are one power
+    fmpz_init(n);
+    fmpz_set_mpz(n, mpz_class(abs(e.get_num())).get_mpz_t());
+    arb_pow_fmpz(r.get(), base.get(), n, WorkingPrecision::bits());
+    fmpz_clear(n);
+    return e < 0 ? Ball(1) / r : r;
 }
 
 } // namespace

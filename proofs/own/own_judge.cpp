@@ -3,10 +3,12 @@
 
 #include "proofs/mutation/typesetter.hpp"
 #include "proofs/reading/whole.hpp"
+#include "proofs/symbols.hpp"
 #include "proofs/symbolic/symbolic.hpp"
 #include "proofs/symbolic/units.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <regex>
 #include <set>
@@ -105,21 +107,72 @@ Situation situation(const OwnLedger& ledger, int set)
 /// The print that others may rest on: corrected, where it has a correction.
 Print right_form(const OwnEntry& e) { return e.correction ? e.print.edited(e.correction->edits) : e.print; }
 
+/// e with what the symbols stand for, as far as `is_meant` says.
+template <class IsMeant>
+ex written_out(const OwnLedger& ledger, const ex& e, const IsMeant& is_meant)
+{
+    for (const auto& [name, symbol] : ledger.symbols)
+        if (!symbol.is.empty() && e.has(sym(name)) && is_meant(name))
+            return written_out(ledger, e.subs(sym(name) == read(symbol.is)), is_meant);
+    return e; // what stands for what has no cycle
+}
+ex written_out(const OwnLedger& ledger, const ex& e)
+{
+    return written_out(ledger, e, [](const std::string&) { return true; });
+}
+
+/// The same, down to the symbols that have a range in the entry.
+ex written_out(const OwnLedger& ledger, const OwnEntry& entry, const ex& e)
+{
+    return written_out(ledger, e, [&](const std::string& name) {
+        return std::none_of(entry.over.begin(), entry.over.end(), [&](const Range& r) { return r.symbol == name; });
+    });
+}
+
+/// e with those symbols written out that stand for something in which `symbol` is.
+ex without_hidden(const OwnLedger& ledger, const ex& e, const ex& symbol)
+{
+    return written_out(ledger, e, [&](const std::string& name) {
+        return !sym(name).is_equal(symbol) && written_out(ledger, sym(name)).has(symbol);
+    });
+}
+
+/// "@H1 + x", with the right side of H1.
+ex with_references(const OwnLedger& ledger, const std::string& t)
+{
+    static const std::regex name("@([\\w.-]+)");
+    std::string out, rest = t;
+    for (std::smatch m; std::regex_search(rest, m, name); rest = m.suffix())
+        out += m.prefix().str() + "(" + right_form(ledger.at(m[1])).text("rhs") + ")";
+    return read(out + rest);
+}
+
+/// What is put for which symbols.
+GiNaC::lst replacements(const OwnLedger& ledger, const Follows& f)
+{
+    GiNaC::lst with;
+    for (const auto& [symbol, by] : f.with) with.append(sym(symbol) == with_references(ledger, by));
+    return with;
+}
+
+/// e with the replacements. What is put for a symbol reaches what stands for something with it in it too, unless it is that symbol in
+/// other words, for which it may be put here and there.
+ex replaced(const OwnLedger& ledger, ex e, const GiNaC::lst& with)
+{
+    for (const ex& one : with)
+        if (!GiNaC::normal(GiNaC::expand(written_out(ledger, one.lhs() - one.rhs()))).is_zero()) e = without_hidden(ledger, e, one.lhs());
+    return e.subs(with);
+}
+
 /// What the entry's right side must be.
 ex derived(const OwnLedger& ledger, const Follows& f)
 {
-    const auto expand = [&](const std::string& t) {
-        static const std::regex name("@([\\w.-]+)");
-        std::string out, rest = t;
-        for (std::smatch m; std::regex_search(rest, m, name); rest = m.suffix())
-            out += m.prefix().str() + "(" + right_form(ledger.at(m[1])).text("rhs") + ")";
-        return read(out + rest);
-    };
     ex e = right_form(ledger.at(f.equation))(f.side);
-    if (!f.derivative_by.empty()) e = e.diff(GiNaC::ex_to<GiNaC::symbol>(sym(f.derivative_by)));
-    GiNaC::lst with;
-    for (const auto& [symbol, by] : f.with) with.append(sym(symbol) == expand(by));
-    return e.subs(with);
+    if (!f.derivative_by.empty()) {
+        const ex by = sym(f.derivative_by);
+        e = without_hidden(ledger, e, by).diff(GiNaC::ex_to<GiNaC::symbol>(by));
+    }
+    return replaced(ledger, e, replacements(ledger, f));
 }
 
 /// How they differ, if that is by a number, however small; else nothing.
@@ -135,25 +188,58 @@ std::string differ_by_a_number(const ex& print, const ex& wanted)
     return "";
 }
 
-/// A point, of those all over the ranges, at which the two differ.
-std::optional<Check> apart_somewhere(const OwnLedger& ledger, const ex& print, const ex& wanted)
+bool is_bound(const std::string& relation) { return relation == "<" || relation == ">" || relation == "<=" || relation == ">="; }
+
+/// Whether the printed condition of a part, "0 < x < a", surely holds at a point, with the symbols that `with` says otherwise; surely does
+/// not; or neither is known.
+Truth condition_at(const OwnLedger& ledger, const Print& p, const std::string& part, const GiNaC::lst& with, const Point& point)
 {
-    for (const Point& point : points_all_over(ledger))
-        if (Check there = compare_at(print, wanted, {as_text(point).c_str()}); there.verdict == Verdict::refuted) return there;
+    if (!p.has(part + "condition")) return Truth::yes;
+    std::vector<Ball> sides;
+    for (const ex& side : p.sides(part + "condition")) sides.push_back(evaluate(written_out(ledger, replaced(ledger, side, with)), point));
+    std::string relations;
+    for (const char c : p.text(part + "condition"))
+        if (c == '<' || c == '>') relations += c;
+    if (relations.size() + 1 != sides.size()) return Truth::unknown; // an equation, which no point of these is on
+    Truth all = Truth::yes;
+    for (std::size_t k = 0; k < relations.size(); ++k) {
+        const Truth one = relations[k] == '<' ? less(sides[k], sides[k + 1]) : less(sides[k + 1], sides[k]);
+        if (!possibly(one)) return Truth::no;
+        if (!certainly(one)) all = Truth::unknown;
+    }
+    return all;
+}
+
+/// Where two formulas have to be the same.
+struct Where {
+    const OwnLedger& ledger;
+    const Print& print;
+    std::string part; ///< of the print, whose condition says it
+    GiNaC::lst with{};
+
+    bool holds_at(const Point& point) const { return certainly(condition_at(ledger, print, part, with, point)); }
+};
+
+/// A point, of those all over the ranges at which the condition holds, at which the two differ.
+std::optional<Check> apart_somewhere(const Where& where, const ex& print, const ex& wanted)
+{
+    for (const Point& point : points_all_over(where.ledger))
+        if (Check there = compare_at(print, wanted, {as_text(point).c_str()}); there.verdict == Verdict::refuted && where.holds_at(point))
+            return there;
     return std::nullopt;
 }
 
-/// Equal as formulas: by normal form, as products of powers, or as squares that agree in value where they are looked at.
-Check same(const OwnLedger& ledger, const ex& print, const ex& wanted)
+/// Equal as they stand: by normal form, as products of powers, or as squares that agree in value where they are looked at.
+Check same_as_written(const Where& where, const ex& print, const ex& wanted)
 {
     if (const std::string how = differ_by_a_number(print, wanted); !how.empty()) return {Verdict::refuted, how};
-    const Points at = free_points(ledger);
+    const Points at = free_points(where.ledger);
     const Check direct = identity(print, wanted, at);
     if (direct.verdict != Verdict::undecided) return direct;
-    if (const auto apart = apart_somewhere(ledger, print, wanted)) return *apart;
+    if (const auto apart = apart_somewhere(where, print, wanted)) return *apart;
     {
         const WorkingPrecision closer(bits_of_a_closer_look);
-        if (const auto apart = apart_somewhere(ledger, print, wanted)) return *apart;
+        if (const auto apart = apart_somewhere(where, print, wanted)) return *apart;
     }
     try {
         const Check powers = power_identity(print, wanted, at);
@@ -169,32 +255,33 @@ Check same(const OwnLedger& ledger, const ex& print, const ex& wanted)
     return {Verdict::verified, "the same in balls at the points, not by normal form"};
 }
 
-/// e with what its symbols stand for, down to those that have a range here.
-ex written_out(const OwnLedger& ledger, const OwnEntry& entry, ex e)
+/// Equal as they stand, or with what the symbols stand for.
+Check same(const Where& where, const ex& print, const ex& wanted)
 {
-    for (const auto& [name, symbol] : ledger.symbols) {
-        const bool ranged = std::any_of(entry.over.begin(), entry.over.end(), [&, n = name](const Range& r) { return r.symbol == n; });
-        if (!symbol.is.empty() && !ranged && e.has(sym(name))) return written_out(ledger, entry, e.subs(sym(name) == read(symbol.is)));
-    }
-    return e; // what stands for what has no cycle
+    const Check as_written = same_as_written(where, print, wanted);
+    const ex print_in_full = written_out(where.ledger, print), wanted_in_full = written_out(where.ledger, wanted);
+    if (as_written.verdict == Verdict::proved || (print_in_full.is_equal(print) && wanted_in_full.is_equal(wanted))) return as_written;
+    return same_as_written(where, print_in_full, wanted_in_full);
 }
 
-bool is_bound(const std::string& relation) { return relation == "<" || relation == ">" || relation == "<=" || relation == ">="; }
-
-/// Whether the printed condition of a part, "0 < x < a", surely holds at a point, with the symbols that `with` says otherwise.
-bool surely_holds(const OwnLedger& ledger, const OwnEntry& e, const Print& p, const std::string& part, const GiNaC::lst& with,
-                  const Point& point)
+/// What follows from an equation that is printed as a bound is the same bound, and what has a condition holds where that does.
+std::optional<Check> source_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
-    if (!p.has(part + "condition")) return true;
-    std::vector<Ball> sides;
-    for (const ex& side : p.sides(part + "condition")) sides.push_back(evaluate(written_out(ledger, e, side).subs(with), point));
-    std::string relations;
-    for (const char c : p.text(part + "condition"))
-        if (c == '<' || c == '>') relations += c;
-    if (relations.size() + 1 != sides.size()) return false; // an equation, which no point of these is on
-    for (std::size_t k = 0; k < relations.size(); ++k)
-        if (!certainly(relations[k] == '<' ? less(sides[k], sides[k + 1]) : less(sides[k + 1], sides[k]))) return false;
-    return true;
+    const Follows& f = *e.follows;
+    const Print source = right_form(ledger.at(f.equation));
+    const std::string relation = source.text("relation");
+    if (relation != "=" && (p.text("relation") != relation || !f.derivative_by.empty()))
+        return Check{Verdict::undecided, "(" + f.equation + ") is printed with " + relation + ", from which only the same follows"};
+    const GiNaC::lst with = replacements(ledger, f);
+    for (const std::string& id : e.rests_on) {
+        const Print other = right_form(ledger.at(id));
+        for (const Point& point : points_all_over(ledger))
+            if (condition_at(ledger, other, "0.", id == f.equation ? with : GiNaC::lst{}, point) == Truth::no &&
+                certainly(condition_at(ledger, p, "0.", {}, point)))
+                return Check{Verdict::undecided, "at " + as_text(point) + " the condition of (" + id + "), " +
+                                                     other.text("condition") + ", does not hold"};
+    }
+    return std::nullopt;
 }
 
 /// By how much a part of the print holds, if it is a bound: positive where it does.
@@ -204,12 +291,20 @@ ex gap_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p, const std:
     return written_out(ledger, e, p.text(part + "relation")[0] == '<' ? larger_right : -larger_right);
 }
 
-/// Each bound over its whole range.
+/// Each bound over its whole range, and what is equal in between; a first right side may follow from another equation.
 Check bounds(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
+    bool is_any = false;
+    for (std::size_t i = 0; i < p.parts(); ++i) is_any = is_any || is_bound(p.text(std::to_string(i) + ".relation"));
     for (std::size_t i = 0; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
-        if (!is_bound(relation)) return {Verdict::refuted, "no bound: printed " + relation};
+        if (!is_any || (relation != "=" && !is_bound(relation))) return {Verdict::refuted, "no bound: printed " + relation};
+        if (relation == "=") {
+            if (i == 0 && e.follows) continue;
+            const Check c = same({ledger, p, part}, p(part + "lhs"), p(part + "rhs"));
+            if (c.verdict != Verdict::proved) return c;
+            continue;
+        }
         const Check c = positive_on(gap_of(ledger, e, p, part), e.over, usual_pieces,
                                     relation.size() == 2 ? Bound::may_be_reached : Bound::strict);
         if (c.verdict != Verdict::proved) return c;
@@ -229,7 +324,7 @@ Check further_parts(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
     for (std::size_t i = 1; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
         if (relation == "=" && !p.has(part + "condition")) {
-            const Check c = same(ledger, p(part + "rhs").subs(with), p(part + "lhs").subs(with));
+            const Check c = same({ledger, p, part, with}, p(part + "rhs").subs(with), p(part + "lhs").subs(with));
             if (c.verdict != Verdict::proved && c.verdict != Verdict::verified) return c;
             are_proved = are_proved && c.verdict == Verdict::proved;
             continue;
@@ -240,7 +335,7 @@ Check further_parts(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
         for (const Point& point : points_all_over(ledger)) {
             const Ball by = evaluate(gap, point);
             if (!by.is_finite() || !(relation == "=" ? !by.contains_zero() : certainly(less(by, Ball(0))))) continue;
-            if (surely_holds(ledger, e, p, part, with, point))
+            if (certainly(condition_at(ledger, p, part, with, point)))
                 return {Verdict::refuted, "at " + as_text(point) + " " + p.text(part + "lhs") + " " + relation + " " +
                                               p.text(part + "rhs") + " is off by " + by.to_string(6)};
         }
@@ -295,6 +390,39 @@ Finding judge_table(const OwnTable& t, const Print& p)
     return a.conclude(std::to_string(t.inputs.size()) + " numbers right as printed, rounding " + t.rounding, Verdict::verified);
 }
 
+/// The ledger with the ranges of the entry.
+OwnLedger within(OwnLedger ledger, const OwnEntry& e)
+{
+    for (const Range& r : e.over) {
+        OwnSymbol& s = ledger.symbols.at(r.symbol);
+        s.low = r.low;
+        s.high = r.high;
+        s.is.clear(); // what has a range stands for all of it
+    }
+    return ledger;
+}
+
+/// Roots and moduli are simplified by the sign of what is in them: what stands for a positive symbol, or is put for it, must be so.
+void must_have_their_signs(const OwnLedger& ledger)
+{
+    const auto look = [&](const std::string& where, const std::string& name, const ex& e, const std::function<bool(const Point&)>& counts) {
+        if (alphabet().symbols.at(name).real) return;
+        for (const Point& point : points_all_over(ledger)) {
+            const Ball value = evaluate(written_out(ledger, e), point);
+            if (value.is_finite() && certainly(less(value, Ball(0))) && counts(point))
+                throw OwnLedgerError(ledger.file + ": " + where + ": '" + name + "' is positive, and stands for " + value.to_string(6) +
+                                     " at " + as_text(point) + "; \"sign\": \"real\" says that it need not be, \"range\" where one looks");
+        }
+    };
+    for (const auto& [name, symbol] : ledger.symbols)
+        if (!symbol.is.empty()) look("symbol '" + name + "'", name, read(symbol.is), [](const Point&) { return true; });
+    for (const OwnEntry& e : ledger.entries)
+        if (e.follows)
+            for (const auto& [name, by] : e.follows->with)
+                look("entry '" + e.print.id + "'", name, with_references(ledger, by),
+                     [&](const Point& point) { return certainly(condition_at(ledger, e.print, "0.", {}, point)); });
+}
+
 /// Does anything say what the left side should be?
 bool readable(const OwnLedger& ledger, const OwnEntry& e)
 {
@@ -339,19 +467,22 @@ Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 
 } // namespace
 
-Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
 {
     if (e.table) return judge_table(*e.table, p);
+    const OwnLedger ledger = within(whole, e);
     Argument a(e.follows ? "normal form" : !e.over.empty() ? "balls over the range" : "balls at the samples");
     try {
         a.add("dimensions", units(p));
-        if (e.follows)
-            a.add("the right side follows from (" + e.follows->equation + ")",
-                  same(ledger, p("rhs"), derived(ledger, *e.follows)));
+        if (e.follows) {
+            const std::string what = "the right side follows from (" + e.follows->equation + ")";
+            a.add(what, same({ledger, p, "0."}, p("rhs"), derived(ledger, *e.follows)));
+            if (const auto no = source_forbids(ledger, e, p)) a.add(what, *no);
+        }
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
         if (readable(ledger, e)) {
-            const Check whole = read_closely(ledger, e, p);
+            const Check read = read_closely(ledger, e, p);
             bool is_proved = e.follows || !e.over.empty();
             if (e.follows && e.over.empty() && p.parts() > 1) { // the proof above is the first part's alone
                 const Check further = further_parts(ledger, e, p);
@@ -359,7 +490,7 @@ Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
                 a.add("the further parts", further);
             }
             // where a proof stands for all of it already, the reading only refutes
-            if (whole.verdict == Verdict::refuted || !is_proved) a.add("the whole print, each field", whole);
+            if (read.verdict == Verdict::refuted || !is_proved) a.add("the whole print, each field", read);
         } else if (!e.definition) {
             a.add("what it should be", {Verdict::undecided, "nothing says so: \"follows\", \"over\", or \"is\" of the symbol on the left"});
         }
@@ -371,6 +502,7 @@ Finding judge_own(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 
 std::vector<OwnResult> judge_all(const OwnLedger& ledger)
 {
+    must_have_their_signs(ledger);
     std::vector<OwnResult> all;
     for (const OwnEntry& e : ledger.entries) {
         OwnResult r{&e, judge_own(ledger, e, e.print), {}};
@@ -388,6 +520,7 @@ int OwnMutation::unexcused() const
 OwnMutation mutate_own(const OwnLedger& ledger, const std::string& id)
 {
     OwnMutation m;
+    must_have_their_signs(ledger);
     for (const OwnEntry& e : ledger.entries) {
         if (!id.empty() && e.print.id != id) continue;
         if (e.definition && !readable(ledger, e)) {

@@ -108,6 +108,13 @@ void must_be_symbol(const std::string& name, const Place& at)
     if (!alphabet().symbols.count(name)) at.fail("no symbol '" + name + "' is declared");
 }
 
+/// Roots and moduli are simplified by the sign of what is in them, so that no number against it may be put in.
+void must_have_the_sign(const std::string& name, const Rational& value, const Place& at)
+{
+    if (!alphabet().symbols.at(name).real && value < 0)
+        at.fail("'" + name + "' is positive, " + value.get_str() + " is not; \"sign\": \"real\" says that it need not be");
+}
+
 /// "A = B <= C" as parts of a print.
 void take_chain(Print& p, const std::string& says, const std::string& where, const Place& at)
 {
@@ -137,6 +144,9 @@ void take_chain(Print& p, const std::string& says, const std::string& where, con
         p.fields[part + "rhs"] = sides[i + 1];
         if (!where.empty()) p.fields[part + "condition"] = where;
     }
+    for (std::size_t i = 0; i < where.size(); ++i)
+        if (where[i] == '=' && (i == 0 || (where[i - 1] != '<' && where[i - 1] != '>')))
+            at.in("where").fail("a condition is written with < or >, not '" + where + "'; \"with\" puts a value in");
     std::string side;
     for (const char c : where + "<")
         if (c == '<' || c == '>' || c == '=') {
@@ -231,8 +241,11 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
         if (rows[k].size() != table.columns.size() + 1)
             row.fail("has " + std::to_string(rows[k].size()) + " numbers, " + std::to_string(table.columns.size() + 1) +
                      " are wanted: the columns, then what is printed");
-        for (const std::string& cell : rows[k])
-            if (!parse_rational(cell)) row.fail("not a number: " + cell);
+        for (std::size_t c = 0; c < rows[k].size(); ++c) {
+            const auto value = parse_rational(rows[k][c]);
+            if (!value) row.fail("not a number: " + rows[k][c]);
+            if (c < table.columns.size()) must_have_the_sign(table.columns[c], *value, row);
+        }
         static const std::regex decimal(
             R"([-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]{1,6})?)"); // its last place says how it was rounded
         if (!std::regex_match(rows[k].back(), decimal))
@@ -304,6 +317,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
         for (const auto& [symbol, value] : content["over"].items()) {
             must_be_symbol(symbol, at.in("over"));
             const auto [low, high] = range(value, at.in("over " + symbol));
+            must_have_the_sign(symbol, low, at.in("over"));
             e.over.push_back({symbol, low, high});
         }
     }
@@ -327,6 +341,28 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
         e.excuses[text(excuse, "change", at)] = text(excuse, "reason", at);
     }
     return e;
+}
+
+/// A bound over a range: each symbol it is of needs one, or stands for what has.
+void must_have_a_range_each(const OwnLedger& ledger, const OwnEntry& e, const Place& file)
+{
+    if (e.over.empty()) return;
+    const std::function<void(const ex&)> look = [&](const ex& of) {
+        std::set<std::string> names;
+        collect(of, names);
+        for (const std::string& name : names) {
+            if (std::any_of(e.over.begin(), e.over.end(), [&](const Range& r) { return r.symbol == name; })) continue;
+            const std::string& is = ledger.symbols.at(name).is;
+            if (is.empty()) file.in("entry '" + e.print.id + "'").fail("\"over\" has no range of '" + name + "'");
+            look(read(is));
+        }
+    };
+    for (std::size_t i = 0; i < e.print.parts(); ++i) {
+        const std::string part = std::to_string(i) + ".", relation = e.print.text(part + "relation");
+        if (relation == "=" || relation == "~") continue; // compared as formulas
+        look(e.print(part + "lhs"));
+        look(e.print(part + "rhs"));
+    }
 }
 
 /// A name on a way back to itself, with that way; or nothing.
@@ -418,6 +454,7 @@ OwnLedger read_ledger(const std::string& written, const std::string& dir)
         rests_on[e.print.id] = e.rests_on;
         ledger.entries.push_back(std::move(e));
     }
+    for (const OwnEntry& e : ledger.entries) must_have_a_range_each(ledger, e, file);
     for (const OwnEntry& e : ledger.entries)
         for (const std::string& other : e.rests_on)
             if (!ledger.has(other)) file.fail("entry '" + e.print.id + "': no entry '" + other + "' to follow from");

@@ -222,6 +222,92 @@ class Changed(unittest.TestCase):
             self.assertEqual(verdict(says), ("refuted", 1), says)
         self.assertEqual(verdict("x^2 < 0.7", where="x < 0.98"), ("refuted", 1))
 
+    def verdicts(self, symbols, *entries):
+        """By entry, and the exit code; what is said of a symbol that has no dimension is a number."""
+        ledger = {"symbols": {name: {"dimension": "1", **about} for name, about in symbols.items()}, "entries": list(entries)}
+        r = self.judge_text(json.dumps(ledger), "--json")
+        return {e["id"]: e["verdict"] for e in json.loads(r.stdout)} if r.stdout else r.stderr
+
+    def test_powers_of_powers_are_as_large_as_they_are(self):
+        huge = "((((((x)^65536)^4096)^2048)^2048)^1024)^16"  # x^(2^64)
+        for says, verdict in ((f"{huge} < 2", "refuted"), (f"{huge}*x < 3", "refuted"), (f"1/({huge}) > 1/2", "refuted")):
+            self.assertEqual(self.verdicts({"x": {}}, {"id": "B", "says": says, "over": {"x": ["1", "2"]}}), {"B": verdict}, says)
+        table = {"id": "T", "table": {"formula": huge, "columns": ["x"], "rows": [["2", "1.000"]]}}
+        self.assertEqual(self.verdicts({"x": {}}, table), {"T": "refuted"})
+
+    def test_what_is_positive_is_so_wherever_a_root_or_modulus_was_simplified_by_it(self):
+        real, y = {"sign": "real"}, {"sign": "real"}
+        a = {"id": "A", "says": "y = abs(x)", "is": "definition"}
+
+        def refused(answer, *words):
+            self.assertIsInstance(answer, str, answer)
+            for word in ("ledger.json", "is positive", *words):
+                self.assertIn(word, answer)
+        for says in ("abs(x) < 1", "sqrt(x^2) < 3/5", "(x^4)^(1/4) < 3/5"):
+            refused(self.verdicts({"x": {}}, {"id": "B", "says": says, "over": {"x": ["-5", "1/2"]}}), "'B'", "-5")
+        refused(self.verdicts({"x": {}}, {"id": "T", "table": {"formula": "abs(x)", "columns": ["x"], "rows": [["-5", "-5.0"]]}}), "'T'", "row 1")
+        refused(self.verdicts({"x": {}, "z": {}, "y": y}, a, {"id": "B", "says": "y = -z", "follows": {"equation": "A", "with": {"x": "-z"}}}), "'B'")
+        refused(self.verdicts({"x": {}, "y": y, "d": {"is": "x-3"}}, {"id": "B", "says": "y = sqrt(d^2)"}), "'d'")
+        # said to be real, it is right as it stands
+        b = {"id": "B", "says": "y = z", "follows": {"equation": "A", "with": {"x": "-z"}}}
+        self.assertEqual(self.verdicts({"x": real, "z": {}, "y": y}, a, b), {"A": "definition", "B": "proved"})
+        self.assertEqual(self.verdicts({"x": {"sign": "real", "range": ["-5", "1/2"]}}, {"id": "B", "says": "abs(x) < 1", "over": {"x": ["-5", "1/2"]}}), {"B": "refuted"})
+        # where the condition of the entry leaves out what is negative, the sign is right
+        c = {"id": "C", "says": "y = 1-z", "follows": {"equation": "A", "with": {"x": "1-z"}}}
+        refused(self.verdicts({"x": {}, "z": {}, "y": y}, a, c), "'C'")
+        self.assertIsInstance(self.verdicts({"x": {}, "z": {}, "y": y}, a, {**c, "where": "z < 1"}), dict)
+
+    def test_from_a_bound_and_under_a_condition_follows_no_more_than_it_says(self):
+        y = {"sign": "real"}
+        for relation in ("<", ">=", "~"):
+            a = {"id": "A", "says": f"y {relation} x", "is": "definition"}
+            self.assertEqual(self.verdicts({"x": {}, "y": y, "z": y}, a, {"id": "B", "says": "z = 2", "follows": {"equation": "A", "with": {"x": "2"}}})["B"], "undecided")
+            self.assertEqual(self.verdicts({"x": {}, "y": y}, a, {"id": "B", "says": "y = x", "follows": {"equation": "A"}})["B"], "undecided")
+        a = {"id": "A", "says": "y = 1-x", "where": "x < 1", "is": "definition"}
+        wide = {"x": {"range": ["0", "3"]}, "y": y, "z": y}
+        self.assertEqual(self.verdicts(wide, a, {"id": "B", "says": "z = -1", "follows": {"equation": "A", "with": {"x": "2"}}})["B"], "undecided")
+        self.assertEqual(self.verdicts(wide, a, {"id": "B", "says": "y = 1-x", "follows": {"equation": "A"}})["B"], "undecided")
+        self.assertEqual(self.verdicts(wide, a, {"id": "B", "says": "z = 1/2", "follows": {"equation": "A", "with": {"x": "1/2"}}})["B"], "proved")
+        d = {"id": "D", "says": "z = 2-w", "is": "definition"}
+        self.assertEqual(self.verdicts({**wide, "w": y}, a, d, {"id": "B", "says": "z = 1+x", "follows": {"equation": "D", "with": {"w": "@A"}}})["B"], "undecided")
+        # and a printed condition is read where it holds
+        m = {"id": "M", "says": "y = abs(x-0.95)", "is": "definition"}
+        unit = {"x": {"sign": "real", "range": ["0", "1"]}, "y": y}
+        b = {"id": "B", "says": "y = 0.95-x", "where": "x < 0.9", "follows": {"equation": "M"}}
+        self.assertEqual(self.verdicts(unit, m, b)["B"], "verified")
+        self.assertEqual(self.verdicts(unit, m, {**b, "where": "x < 99/100"})["B"], "refuted")
+
+    def test_what_a_symbol_stands_for_is_reached_by_what_is_put_in_and_by_derivatives(self):
+        y = {"sign": "real"}
+        with_square = {"x": {}, "y": y, "d": y, "a": {"is": "x^2"}}
+        a = {"id": "A", "says": "y = a*x", "is": "definition"}
+        by_x = {"equation": "A", "derivative_by": "x"}
+        for says, verdict in (("d = a", "refuted"), ("d = 3*a", "proved"), ("d = 3*x^2", "proved")):
+            self.assertEqual(self.verdicts(with_square, a, {"id": "B", "says": says, "follows": by_x})["B"], verdict, says)
+        with_sum = {"x": {"sign": "real"}, "y": y, "y0": y, "c": {"is": "x^2+1"}, "b": {"is": "c+1"}}
+        s = {"id": "A", "says": "y = b+x", "is": "definition"}
+        for says, verdict in (("y0 = b", "refuted"), ("y0 = 2", "proved")):
+            self.assertEqual(self.verdicts(with_sum, s, {"id": "B", "says": says, "follows": {"equation": "A", "with": {"x": "0"}}})["B"], verdict, says)
+        # the same in other words
+        e = {"id": "A", "says": "y = x", "is": "definition"}
+        for says in ("y = a", "y = x = a"):
+            self.assertEqual(self.verdicts({"x": {}, "y": y, "a": {"is": "x"}}, e, {"id": "B", "says": says, "follows": {"equation": "A"}})["B"], "proved", says)
+
+    def test_a_bound_is_read_over_its_own_range_and_a_chain_may_be_equal_in_between(self):
+        y = {"sign": "real"}
+        t = {"t": {"range": ["1", "9/4"]}, "x": {"is": "t^40"}, "z": y}
+        over = {"t": ["1/4", "1/2"]}
+        self.assertEqual(self.verdicts(t, {"id": "B", "says": "t < 1.5", "over": over}), {"B": "proved"})
+        self.assertEqual(self.verdicts(t, {"id": "B", "says": "t < 0.4", "over": over}), {"B": "refuted"})
+        self.assertEqual(self.verdicts(t, {"id": "B", "says": "x < 1", "over": {"x": ["1/4", "1/2"]}}), {"B": "proved"})
+        a = {"id": "A", "says": "z = t^2", "is": "definition"}
+        chain = {"id": "B", "says": "z = t^2 < 1/3", "follows": {"equation": "A"}, "over": over}
+        self.assertEqual(self.verdicts(t, a, chain)["B"], "proved")
+        self.assertEqual(self.verdicts(t, a, {**chain, "says": "z = t^2 = (t+1)^2-2*t-1 < 1/3"})["B"], "proved")
+        for wrong in ("z = t^2 < 1/5", "z = t^2 = t^3 < 1/3", "z = t^3 < 1/3"):
+            self.assertEqual(self.verdicts(t, a, {**chain, "says": wrong})["B"], "refuted", wrong)
+        self.assertEqual(self.verdicts(t, {"id": "B", "says": "5.*t > 1", "over": over}), {"B": "proved"})
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
@@ -294,6 +380,14 @@ class Changed(unittest.TestCase):
         def unknown(ledger):
             self.entry(ledger, "H3")["follows"]["equation"] = "H77"
         self.refuses(unknown, "'H3'", "'H77'")
+
+        def equation(ledger):
+            self.entry(ledger, "H3")["where"] = "x = 1/2"
+        self.refuses(equation, "'H3'", "where", "x = 1/2")
+
+        def no_range(ledger):
+            self.entry(ledger, "S5")["says"] = "shear < 0.301*z/a"
+        self.refuses(no_range, "'S5'", "'Estar'")
 
         def no_symbol(ledger):
             self.entry(ledger, "H3")["follows"]["with"] = {"x+1": "0"}
