@@ -61,6 +61,7 @@ private:
         if (take('^')) {
             const bool negative = negative_sign();
             const Exact exponent = power();
+            if (value.sign() == 0 && exponent.sign() == 0) throw NotExact(); // 0^0 is no number that all agree on
             value = pow(value, negative ? -exponent : exponent);
         }
         --depth_;
