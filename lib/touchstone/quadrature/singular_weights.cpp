@@ -61,7 +61,7 @@ std::shared_ptr<const GaussNodes> GaussNodes::get(long n, slong bits, GaussRule 
 {
     thread_local std::list<std::shared_ptr<const GaussNodes>> cache;
     for (auto it = cache.begin(); it != cache.end(); ++it)
-        if ((*it)->n_ == n && (*it)->rule_ == rule && (*it)->bits_ >= bits && (*it)->bits_ <= bits + bits / 4 + 64) {
+        if ((*it)->rule_ == rule && (*it)->n_ == n && (*it)->bits_ >= bits && (*it)->bits_ <= bits + bits / 4 + 64) {
             cache.splice(cache.begin(), cache, it);
             return cache.front();
         }
