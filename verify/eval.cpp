@@ -98,7 +98,7 @@ void add_eval(CLI::App& app, Run& run)
     command->add_option("--digits", o->digits, "Significant digits, 1 to 10000")->capture_default_str();
     command->add_option("--start-precision", o->start_precision, "First precision tried, in bits (the result is the same)")
         ->check(CLI::Range(2L, 1L << 30));
-    command->add_option("--max-precision", o->max_precision, "No precision above this is tried, in bits")->check(CLI::Range(2L, 1L << 30));
+    command->add_option("--max-precision", o->max_precision, "No precision above this is tried, in bits (rounded up to whole digits)")->check(CLI::Range(2L, 1L << 30));
     command->add_flag("--json", o->json, "One JSON object (rows: one a line)");
     command->add_option("--round", o->round, "nearest, up, down, zero or away: a bound instead of the nearest decimal")
         ->check(CLI::IsMember(rounding_names()))
