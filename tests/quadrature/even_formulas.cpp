@@ -77,7 +77,7 @@ TEST_CASE("even and odd about another point: multiples of pi/2 in waves, constan
           Row{"x", "1", unknown},              Row{"x^2", "1", unknown},          Row{"abs(x)", "1/2", unknown},
           Row{"x-1", "2", unknown},            Row{"sin(x)^3*cos(x)", "pi/2", odd}, Row{"log(sin(x))", "pi/2", even},
           Row{"sin(x+zeta(3))", "pi/2", unknown}, Row{"sin(zeta(3)*x)", "pi/2", unknown}, Row{"sinc(x)", "pi", unknown},
-          Row{"exp(sin(x))+tan(x)^2", "-pi/2", even}, Row{"sin(1/x)", "pi/2", unknown}, Row{"1/(x-1)", "1", odd}, Row{"2/x", "1", unknown}}) {
+          Row{"2*(x-1)+2", "0", odd}, Row{"2*(x-1)-2", "0", unknown}, Row{"exp(sin(x))+tan(x)^2", "-pi/2", even}, Row{"sin(1/x)", "pi/2", unknown}, Row{"1/(x-1)", "1", odd}, Row{"2/x", "1", unknown}}) {
         CHECK_MESSAGE(of(row.formula, row.centre) == row.parity, std::string(row.formula), " about ", std::string(row.centre));
         // and by values
         if (row.parity == unknown) continue;
@@ -105,6 +105,8 @@ TEST_CASE("logarithms and powers at both ends of an even formula: half of the va
         CHECK(even.value.overlaps(other.value));
         CHECK(even.parts.front().rule == "product integration");
     }
+    const auto evaluations = [](const char* formula) { return integral(formula, "0", "pi", 40).parts.front().evaluations; };
+    CHECK(evaluations("log(sin(x))") * 4 < evaluations("log(2*sin(x/2)*cos(x/2))") * 3);
     // a left and a right logarithm with coefficients that differ: c_10(-z) = c_01(z), on half of the ellipse either may be the larger one
     EllipseFunction f;
     f.weights = {SingularWeight{}, SingularWeight{0, 0, 1, 0}, SingularWeight{0, 0, 0, 1}};
@@ -123,6 +125,18 @@ TEST_CASE("logarithms and powers at both ends of an even formula: half of the va
     CHECK(half->value.overlaps(whole->value));
     CHECK(half->value.relative_bits() >= 120);
     CHECK(half->nodes < whole->nodes);
+    // the two logarithms alone
+    EllipseFunction g = f;
+    g.weights.erase(g.weights.begin());
+    g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) { f.in_plane(box, c), c.erase(c.begin()); };
+    g.at_node = [&](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) { f.at_node(e, mirrored, c), c.erase(c.begin()); };
+    const auto half_alone = by_ellipse(g, 120, false, 700);
+    g.is_even = false;
+    const auto alone = by_ellipse(g, 120, false, 700);
+    REQUIRE(half_alone);
+    REQUIRE(alone);
+    CHECK(half_alone->value.overlaps(alone->value));
+    CHECK(half_alone->value.relative_bits() >= 120);
     // exp(-3z) is small on the right half: it has the bound that its mirror image has there
     const long n = 2 * half->nodes;
     const Ball one = lemma::interpolation(half->bound, Ball::exactly(half->sigma), WeightedNodes::get(f.weights[1], n, 200)->size(), n);

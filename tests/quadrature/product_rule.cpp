@@ -380,6 +380,13 @@ TEST_CASE("beside Chebyshev's weight an ellipse bounds the function without the 
     }
     CHECK(half->nodes < whole->nodes);
     CHECK_FALSE(by_ellipse(f, 150, false, 10)); // too few nodes
+    // what is told of the integral of a formula is what is told of the rule, whose weight has pi for its integral
+    const Integral typed = integral("1/((2+x^2)*sqrt(1-x^2))", "-1", "1", 45);
+    const auto again = by_ellipse(f, 45 * 3.3219281 + 1, false, 380);
+    REQUIRE(again);
+    const std::string told = again->proof(Ball(1));
+    CHECK(typed.parts.front().proof.substr(0, 20) == told.substr(0, 20)); // |f| <= ...
+    CHECK(typed.parts.front().evaluations == again->nodes + again->pieces);
 }
 
 TEST_CASE("what is told of an ellipse's proof are its bounds, of the integral as it is scaled")

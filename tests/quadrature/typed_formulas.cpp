@@ -448,6 +448,10 @@ TEST_CASE("half-integer powers at both ends: Gauss-Chebyshev, or Gauss-Legendre 
           Row{"1/((1-x)*sqrt(-x))", "-inf", "0", "pi", chebyshev},
           Row{"sin(sqrt(x))", "0", "1", "2*sin(1)-2*cos(1)", angle},
           Row{"1/(x^2+1/10000)/sqrt(1-x^2)", "-1", "1", "pi*100/sqrt(1+1/10000)", "tanh-sinh"},
+          Row{"log(x)/sqrt(x*(1-x))", "0", "1", "-2*pi*log(2)", "product integration"},
+          Row{"log(1-x)/sqrt(x*(1-x))", "0", "1", "-2*pi*log(2)", "product integration"},
+          Row{"x^(-1/2)*(1-x)^(1/3)", "0", "1", "gamma(1/2)*gamma(4/3)/gamma(11/6)", "product integration"},
+          Row{"x^(1/3)*(1-x)^(1/2)", "0", "1", "gamma(4/3)*gamma(3/2)/gamma(17/6)", "product integration"},
           Row{"x^(-1/3)", "0", "1", "3/2", "product integration"}, Row{"log(x)/sqrt(x)", "0", "1", "-4", "product integration"}}) {
         CAPTURE(row.formula);
         const auto at = [&](bool gauss_legendre) {
@@ -465,6 +469,15 @@ TEST_CASE("half-integer powers at both ends: Gauss-Chebyshev, or Gauss-Legendre 
         CHECK(one.value.relative_bits() >= 199);
         CHECK(other.value.overlaps(value));
     }
+}
+
+TEST_CASE("values at nodes and in boxes are counted, in the angle too")
+{
+    const Part part = integrate(parse_expression("sin(sqrt(x))"), parse_limit("0"), parse_limit("1"), with_digits(60)).parts.front();
+    CHECK(part.rule == "gauss-legendre in the angle");
+    const auto at = part.proof.find("at most ");
+    REQUIRE(at != std::string::npos);
+    CHECK(part.evaluations > 4 * std::stol(part.proof.substr(at + 8))); // boxes
 }
 
 TEST_CASE("a callable with half-integer powers at both ends, others by tanh-sinh")

@@ -444,7 +444,7 @@ Ball discretisation_of(const EllipseFunction& f, const EllipseProof::Ellipse& e,
 
 std::size_t EllipseFunction::partner(std::size_t k) const
 {
-    if (!is_even || weights.size() == 1) return k;
+    if (!is_even) return k;
     return static_cast<std::size_t>(std::find(weights.begin(), weights.end(), weights[k].mirrored()) - weights.begin());
 }
 

@@ -166,17 +166,14 @@ Ball middle_of(const Ball& s)
 }
 ComplexBall middle_of(const ComplexBall& s) { return {middle_of(s.real()), middle_of(s.imag())}; }
 
-/// log x for x + y = 1, with the zero where y has one, on the half of the strip where that end is. Where |y| < 1/2 the logarithm is
-/// principal, on the strip too; on that half it is so everywhere, as Re x > 0.
+/// log x for x + y = 1, with the zero where y has one, on the half of the strip where that end is. There the logarithm is principal, as
+/// Re x > 0; so it is in the angle where |y| < 1.
 template <class V>
 N<V> logarithm_of_fraction(const N<V>& x, const N<V>& y)
 {
     const bool keeps = x.frame() && x.frame()->keeps_logarithms();
     const V v = y.value();
-    const Side zero = y.left().power.is_zero() ? Side::right : Side::left;
-    const auto is_away_from = [&](Side s) { return y.frame() && y.frame()->is_on_the_half_away_from(s); };
-    const bool is_on_its_half = is_away_from(zero == Side::left ? Side::right : Side::left);
-    const Ball size = upper_ball(v), far(is_on_its_half ? Rational(3, 4) : Rational(1, 2));
+    const Ball size = upper_ball(v), far(Rational(3, 4));
     const bool near = !keeps && arb_lt(size.get(), far.get());
     if constexpr (std::same_as<V, Ball>) {
         if (!near) return log(x);
@@ -186,7 +183,8 @@ N<V> logarithm_of_fraction(const N<V>& x, const N<V>& y)
         return N<V>(l);
     }
     else {
-        if (y.is_plain() || keeps || is_away_from(zero)) return log(x); // no zero to keep
+        const Side zero = y.left().power.is_zero() ? Side::right : Side::left;
+        if (y.is_plain() || keeps || (y.frame() && y.frame()->is_on_the_half_away_from(zero))) return log(x); // no zero to keep
         const auto times = [&](const N<V>& l) { return y * N<V>(y.frame(), l.left(), l.right(), l.factor() / v); };
         if (!near) return times(log(x));
         // log(1 - y)/y from the middle of the ball over the ball
