@@ -477,7 +477,7 @@ TEST_CASE("values at nodes and in boxes are counted, in the angle too")
     CHECK(part.rule == "gauss-legendre in the angle");
     const auto at = part.proof.find("at most ");
     REQUIRE(at != std::string::npos);
-    CHECK(part.evaluations > 4 * std::stol(part.proof.substr(at + 8))); // boxes
+    CHECK(part.evaluations >= 6 * std::stol(part.proof.substr(at + 8))); // boxes, of which there are fewer than nodes
 }
 
 TEST_CASE("a callable with half-integer powers at both ends, others by tanh-sinh")
