@@ -500,6 +500,33 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
     return a.conclude("", e.definition ? Verdict::definition : Verdict::proved);
 }
 
+namespace {
+
+/// What follows from a print that is refuted, and has no correction that holds, is not proved by that; nor what follows from it in turn.
+void withdraw_what_rests_on_nothing(std::vector<OwnResult>& all)
+{
+    std::set<std::string> nothing;
+    for (const OwnResult& r : all) {
+        const Finding& right = r.corrected ? *r.corrected : r.finding;
+        if (right.verdict == Verdict::refuted) nothing.insert(r.entry->print.id);
+    }
+    const auto rests_on_nothing = [&](const std::string& id) { return nothing.count(id) > 0; };
+    for (bool is_new = true; is_new;) {
+        is_new = false;
+        for (OwnResult& r : all) {
+            const auto& sources = r.entry->rests_on;
+            const auto source = std::find_if(sources.begin(), sources.end(), rests_on_nothing);
+            if (source == sources.end() || !nothing.insert(r.entry->print.id).second) continue;
+            is_new = true;
+            if (r.finding.verdict == Verdict::refuted) continue;
+            r.finding.verdict = Verdict::undecided;
+            r.finding.reason = "(" + *source + "), from which it follows, does not hold as it stands";
+        }
+    }
+}
+
+} // namespace
+
 std::vector<OwnResult> judge_all(const OwnLedger& ledger)
 {
     must_have_their_signs(ledger);
@@ -509,6 +536,7 @@ std::vector<OwnResult> judge_all(const OwnLedger& ledger)
         if (e.correction) r.corrected = judge_own(ledger, e, right_form(e));
         all.push_back(std::move(r));
     }
+    withdraw_what_rests_on_nothing(all);
     return all;
 }
 

@@ -277,6 +277,17 @@ class Changed(unittest.TestCase):
         self.assertEqual(self.verdicts(unit, m, b)["B"], "verified")
         self.assertEqual(self.verdicts(unit, m, {**b, "where": "x < 99/100"})["B"], "refuted")
 
+    def test_what_follows_from_a_refuted_print_is_not_proved_by_it(self):
+        y = {"sign": "real"}
+        symbols = {"x": {}, "z": {"is": "2*x"}, "y": y, "w": y}
+        a = {"id": "A", "says": "z = x"}
+        b = {"id": "B", "says": "y = x", "follows": {"equation": "A"}}
+        c = {"id": "C", "says": "w = x", "follows": {"equation": "B"}}
+        self.assertEqual(self.verdicts(symbols, a, b, c), {"A": "refuted", "B": "undecided", "C": "undecided"})
+        mended = {**a, "correction": {"wrong": "a factor", "edits": [{"from": "x", "to": "2*x"}]}}
+        self.assertEqual(self.verdicts(symbols, mended, {**b, "says": "y = 2*x"}, {**c, "says": "w = 2*x"}), {"A": "refuted", "B": "proved", "C": "proved"})
+        self.assertEqual(self.verdicts(symbols, {**a, "says": "z = 2*x"}, {**b, "says": "y = 2*x"}, c), {"A": "verified", "B": "proved", "C": "refuted"})
+
     def test_what_a_symbol_stands_for_is_reached_by_what_is_put_in_and_by_derivatives(self):
         y = {"sign": "real"}
         with_square = {"x": {}, "y": y, "d": y, "a": {"is": "x^2"}}
