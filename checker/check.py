@@ -3,10 +3,11 @@
 """check.py [--limit N] [--certificate FILE]... [--coverage FILE] TABLE...: recomputes every row of closed form in canonical tables, and in
 files of rows (rows.py), and says how many it confirms.
 
-A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, and an error of 0
-only if the value is found to be exactly what is printed. What the recursion gives is confirmed by certificates too, which are proved first
-(certificate.py). `digits` are confirmed in every row that is right or has a certificate. --coverage keeps, for `touchstone table`, what was
-found of each table, with the sha256 of its rows. Exit code 0: no row is wrong; 1: one is; 65: unreadable.
+A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, of a certified one
+also that the true value, rounded to its digits, is what is printed, and an error of 0 only if the value is found to be exactly that.
+What the recursion gives is confirmed by certificates too, which are proved first (certificate.py). `digits` are confirmed in every row that
+is right or has a certificate. --coverage keeps, for `touchstone table`, what was found of each table, with the sha256 of its rows. Exit code
+0: no row is wrong; 1: one is; 65: unreadable.
 """
 import argparse
 import hashlib
@@ -108,8 +109,7 @@ def comments(header, forced):
 
 def words_of(path, header, rows):
     """that what the table says of itself, to a reader and in JSON, is so: equation, unit, format of inputs, digits and status"""
-    equation, unit = units.SAID[header["quantity"]]
-    for what, said in (("equation", equation), ("unit", unit), ("input_format", "binary64")):
+    for what, said in zip(("equation", "unit", "input_format"), (*units.SAID[header["quantity"]], "binary64")):
         if header.get(what) != said:
             raise Unreadable(f"{path}: the {what} of {header['quantity']} is {said}, not {header.get(what, 'left out')}")
     if header["words"][:-2] != (right := comments(header, header["words"][-1].endswith(" forced"))):
@@ -196,20 +196,34 @@ def within_domain(quantity, form):
     return inside
 
 
-def digits_of(cell, error):
-    """how many digits of a printed number its error leaves: those down to the last with half a unit not below it"""
+def last_digit(cell):
+    """how many digits a printed number has, and the unit of the last"""
     mantissa, _, exponent = cell.lower().partition("e")
     whole, _, decimals = mantissa.lstrip("+-").partition(".")
-    digits = len((whole + decimals).lstrip("0"))
-    unit = Fraction(10) ** (int(exponent or 0) - len(decimals))
+    return len((whole + decimals).lstrip("0")), Fraction(10) ** (int(exponent or 0) - len(decimals))
+
+
+def digits_of(cell, error):
+    """how many digits of a printed number its error leaves: those down to the last with half a unit not below it"""
+    digits, unit = last_digit(cell)
     while digits and 2 * error > unit:
         digits, unit = digits - 1, 10 * unit
     return digits
 
 
-def verdict(form, row, names, wanted=0, sides=(1, 1)):
+def rounded(x, digits, unit, way):
+    """x to so many digits, of a number that has them if its last has this unit: below its power of ten the last of them has a tenth"""
+    unit /= 1 if abs(x) >= unit * 10 ** (digits - 1) else 10
+    whole = x // unit
+    # 0 to 3 quarters stand for what x / unit, a quotient that takes long to reduce, has above its whole
+    quarters = (x > whole * unit) + (2 * x >= (2 * whole + 1) * unit) + (2 * x > (2 * whole + 1) * unit)
+    return way(whole + Fraction(quarters, 4)) * unit
+
+
+def verdict(form, row, names, wanted=0, way=round):
     """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits; a certified one has an error that leaves
-    the digits wanted. What is rounded to one side only, below or above the true value, may be off by a whole unit of its last digit."""
+    the digits wanted, and is the true value rounded to them. The way is that of a fraction to an integer, nearest ones with ties to even;
+    by another the error may be a whole unit of the last digit."""
     cells = row.split()
     if not all(NUMBER.fullmatch(cell) for cell in cells[: len(names) + 2]):
         return "unreadable", 0
@@ -220,8 +234,7 @@ def verdict(form, row, names, wanted=0, sides=(1, 1)):
         value, error = Fraction(cells[len(names)]), Fraction(cells[len(names) + 1])
     except (ValueError, OverflowError, ZeroDivisionError):
         return "unreadable", 0
-    printed, low, high, width = digits_of(cells[len(names)], error * sum(sides) / 2) if error else inf, 0, 0, inf
-    least, most = value - sides[0] * error, value + sides[1] * error
+    printed, low, high, width = digits_of(cells[len(names)], error if way is round else error / 2) if error else inf, 0, 0, inf
     if printed < wanted:
         return "wrong", 0
     Interval.bits = 64 + int(3.33 * len(cells[len(names)].lower().split("e")[0]))
@@ -237,12 +250,11 @@ def verdict(form, row, names, wanted=0, sides=(1, 1)):
             return "undecided", 0
         if true is None:
             return "not a closed form", 0
-        if isinstance(true, Fraction):
-            return ("right", printed) if least <= true <= most else ("wrong", 0)
-        low, high = true.ends()
-        if least <= low and high <= most:
+        low, high = (true, true) if isinstance(true, Fraction) else true.ends()
+        least, most = (rounded(end, *last_digit(cells[len(names)]), way) if wanted and error else value for end in (low, high))
+        if value - error <= low and high <= value + error and least == value == most:
             return "right", printed
-        if high < least or low > most:
+        if high < value - error or low > value + error or most < value or least > value:
             return "wrong", 0
         if high - low > width / 2:  # more bits are of no use: a certificate says no more
             break
@@ -265,9 +277,8 @@ def opened(path, forms, known):
         raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(right)}, not {' '.join(names)}")
     words_of(path, header, rows)
     form, wanted = within_domain(header["quantity"], form), header.get("digits") if header["status"] == "certified" else 0
-    no_value = ["nan", "inf"]  # in a table that says undecided
-    return header["name"], header, rows, lambda row: (
-        ("undecided", 0) if row.split()[len(names) :][:2] == no_value else verdict(form, row, names, wanted))
+    return header["name"], header, rows, lambda row: (  # no value: in a table that says undecided
+        ("undecided", 0) if row.split()[len(names) :][:2] == ["nan", "inf"] else verdict(form, row, names, wanted))
 
 
 def keep(path, found):
@@ -326,12 +337,10 @@ def main():
             if said in ("wrong", "unreadable") or said == "undecided" and not digits:
                 print(f"{path}: row {number * step + 1}: {said}: {printable(row)}", file=sys.stderr)
         wrong = count.get("wrong", 0) + count.get("unreadable", 0)
-        right = count.get("right", 0)
-        asked = len(rows[::step])
+        right, asked = count.get("right", 0), len(rows[::step])
         digits = "-" if not confirmed else "exact" if least == inf else least
         print(f"{printable(name):30} {asked:6} {right:6} {asked - right - wrong:6} {wrong:6} {digits:>6}", flush=True)
-        if wrong:
-            worst = max(worst, 1)
+        worst = max(worst, min(wrong, 1))
         found.append({"table": header["name"], "rows": asked, "confirmed": confirmed, "all_digits": right, "wrong": wrong,
                       "digits": None if least == inf else least, "sha256": header["sha256"]})
     if arguments.coverage:

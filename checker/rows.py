@@ -12,7 +12,7 @@ import json
 import os
 import re
 from fractions import Fraction
-from math import isfinite
+from math import ceil, floor, isfinite, trunc
 
 import closed_forms
 import intervals as iv
@@ -25,7 +25,8 @@ ROW = re.compile(r"((?:[!\"$-~]+ )+)# (exact|certified|estimated|undecided|refus
 MOST_DIGITS = 10000
 BINARY64 = re.compile(r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e[-+]?[0-9]{1,3})?")
 STATUSES = "exact certified estimated undecided refused".split()  # the weakest last
-ROUNDED = {"nearest": "to nearest", "up": "up", "down": "down", "zero": "towards zero", "away": "away from zero"}
+ROUNDED = {"nearest": ("to nearest", round), "up": ("up", ceil), "down": ("down", floor), "zero": ("towards zero", trunc),
+           "away": ("away from zero", lambda x: ceil(x) if x > 0 else floor(x))}  # to an integer
 FORMATS = {"exact": "Inputs are exact: 0.1 is 1/10.",
            "binary64": "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to."}
 KIND = "name quantity equation unit description inputs input_format digits rounding version".split()
@@ -36,7 +37,7 @@ def words(header):
     """the lines above the JSON"""
     return [FIRST + header["quantity"], f"# {header['description']}; equation {header['equation']}; unit {header['unit']}",
             f"# {FORMATS[header['input_format']]}",
-            f"# value: the true value rounded {ROUNDED[header['rounding']]}, {header['digits']} significant digits (fewer if exact). "
+            f"# value: the true value rounded {ROUNDED[header['rounding']][0]}, {header['digits']} significant digits (fewer if exact). "
             "error: bound of |value - true value|. After #: the row's status;",
             "# exact and certified are proven, estimated is not (nor is its error), undecided and refused say why."]
 
@@ -81,12 +82,6 @@ def read(path, text, names_of):
     except (ValueError, KeyError, TypeError, RecursionError) as reason:
         raise Unreadable(f"{path}: a file of rows: {reason}") from None
     return header, rows
-
-
-def sides(rounding, value):
-    """whether the true value may lie below the printed one, and above it"""
-    upwards = rounding == ("zero" if value.startswith("-") else "away")
-    return (1, 1) if rounding == "nearest" else (1, 0) if rounding == "up" or upwards else (0, 1)
 
 
 def with_roots(quantity, form, known, domain):
@@ -143,7 +138,7 @@ def opened(path, text, forms, known, names_of, within_domain, verdict):
                 return form(*inputs_of(cells, header, within_surface))
             except TooLarge:
                 return None
-        certified = (digits, sides(header["rounding"], value)) if status == "certified" else ()
+        certified = (digits, ROUNDED[header["rounding"]][1]) if status == "certified" else ()
         said, right_to = verdict(of_inputs, f"{value} {error}", [], *certified)
         return ("open", 0) if status in ("estimated", "undecided") and said not in ("wrong", "unreadable") else (said, right_to)
     return os.path.basename(path), header, rows, judge

@@ -171,6 +171,7 @@ class Checker(unittest.TestCase):
         """Well sealed, and written to crash the checker or to keep it for ever: one line a table or row, and soon."""
         header = {"name": "t", "quantity": "archard.alpha", "description": "of a stranger", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3, "status": "certified"}
         iterate, half = {"quantity": "peaks.iterate", "inputs": ["n", "load", "G"]}, {"quantity": "westergaard.half_width", "inputs": ["load"]}
+        peaks = {"quantity": "peaks.f", "inputs": ["x"]}
         area = {"quantity": "archard.area", "inputs": ["n", "load", "G"]}
         brackets = {"x": None}
         cases = {
@@ -193,6 +194,10 @@ class Checker(unittest.TestCase):
             "a value that is a fraction": (1, half, "0.75 1/2 0.4"), "an error that is one": (1, half, "0.5 0.250 1/2000"),
             "digits that are a text": (65, {**half, "digits": "3", "status": "exact"}, "0.5 0.25 0"), "digits that are true": (65, {**half, "digits": True}, "0.5 0.2 5e-2"),
             "no value in a table that is certified": (65, half, "0.5 nan inf"),
+            "right to a unit of ten times less, and rounded": (0, {**peaks, "digits": 2}, "0.00227 0.095 5e-4"), "rounded up to a power of ten": (0, {**peaks, "digits": 2}, "0.00249 0.10 5e-3"),
+            "below a power of ten, and not rounded": (1, {**peaks, "digits": 2}, "0.00227 0.10 5e-3"), "another of three digits": (1, peaks, "0.002483 0.100 5e-4"),
+            "the same of an estimate, which promises no rounding": (0, {**peaks, "digits": 2, "status": "estimated"}, "0.00227 0.10 5e-3"),
+            "a tie to the even digit": (0, {**peaks, "digits": 1}, "2.5 4 5e-1"), "a tie to the odd one": (1, {**peaks, "digits": 1}, "2.5 3 5e-1"),
         }
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "t.txt"

@@ -2,9 +2,11 @@
 """The checker on files of rows: what `touchstone eval` writes of many kinds is right, and no forged one is."""
 import argparse
 import collections
+import decimal
 import hashlib
 import json
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -149,6 +151,64 @@ class Rows(unittest.TestCase):
                     self.found(sealed(text, [row.replace(right, wrong)]), 1, 0, 0, 1)
                     unit = "1e-05" if negative else "1e-06"
                     self.found(sealed(text, [row.replace(unit, f"2{unit[1:]}")]), 1, 0, 0, 1)  # more than a unit
+
+    def test_a_certified_value_is_the_rounded_one(self):
+        """Next to powers of ten, where the last digit counts ten times less on the side of zero; at ties; and where a value has no more digits."""
+        for way, digits, right, wrong in (
+                ("nearest", 2, ("0.00248004 0.10 5e-3", "0.0025 0.10 5e-3", "0.00275625 0.10 5e-3", "0.0024800401 0.10 4e-4", "0.00227 0.095 5e-4", "0.00247506249 0.099 5e-4",
+                                "0.00247506251 0.10 5e-3", "0.0024750625 0.10 5e-3", "98.5 1.0e+2 5", "98.4 99 5e-1"),
+                 ("0.00227 0.10 5e-3", "0.00227 0.096 5e-4", "0.00247506249 0.10 5e-3", "0.0024750625 0.099 5e-4", "0.00275625 0.11 5e-3", "0.0025 0.099 1e-3", "98.5 99 5e-1",
+                  "98.4 1.0e+2 5", "98.49999 100 5e-1")),
+                ("nearest", 1, ("2.5 4 5e-1", "3.5 4 5e-1", "8.5 1e1 5", "14 2e1 5", "24 2e1 5"), ("2.5 3 5e-1", "3.5 5 5e-1", "8.5 9 5e-1", "14 1e1 5", "24 3e1 5", "8.4 1e1 5")),
+                ("nearest", 3, ("0.002483 0.0997 5e-5",), ("0.002483 0.100 5e-4",)),
+                ("up", 2, ("0.01 0.20 1e-2", "0.0021 0.092 1e-3", "0.0025 0.10 1e-2", "0.00249 0.10 1e-2", "0.0026 0.11 1e-2", "0.0100000001 0.21 1e-2"),
+                 ("0.01 0.21 1e-2", "0.0021 0.10 1e-2", "0.0025 0.11 1e-2", "0.0024 0.10 1e-2", "0.0100000001 0.20 1e-2")),
+                ("away", 2, ("0.01 0.20 1e-2", "0.0021 0.092 1e-3"), ("0.01 0.21 1e-2", "0.0021 0.10 1e-2", "0.01 0.19 1e-2")),
+                ("down", 2, ("0.01 0.20 1e-2", "0.0025 0.10 1e-2", "0.0024 0.097 1e-3", "0.0030 0.10 1e-2"),
+                 ("0.01 0.19 1e-2", "0.0025 0.099 1e-3", "0.0024 0.10 1e-2", "0.003025 0.10 1e-2", "0.01 0.20 2e-2")),
+                ("zero", 2, ("0.01 0.20 1e-2", "0.0025 0.10 1e-2"), ("0.01 0.19 1e-2", "0.0025 0.099 1e-3", "0.003025 0.10 1e-2"))):
+            text = self.evaluated("peaks.f", "x=3,4", "--round", way, "--digits", digits)
+            for code, rows in ((0, right), (1, wrong)):
+                for row in rows:
+                    with self.subTest(row, way=way, digits=digits):
+                        self.found(sealed(text, [f"{row} # certified"]), code, 1 - code, 0, code)
+
+    def test_rounding_is_that_of_another_library(self):
+        """Python's decimal, on values of both signs, exact ones and roots, many of them next to a power of ten or a tie: never another digit."""
+        seed = 20261127
+        chosen = random.Random(seed)
+        of_library = dict(zip(WAYS, (decimal.ROUND_HALF_EVEN, decimal.ROUND_CEILING, decimal.ROUND_FLOOR, decimal.ROUND_DOWN, decimal.ROUND_UP)))
+        for way in WAYS:
+            for quantity, inputs in (("peaks.f", ["x=3,4"]), ("archard.alpha", ["n=2,2", "D=1.5"])):
+                digits, right, wrong = chosen.randint(1, 4), [], []
+                for _ in range(60):
+                    near = Fraction(chosen.choice((1, 1, 10, 10, chosen.randrange(1, 10**digits))), 10**digits)  # tenths, or some digits
+                    value = near + chosen.choice((-1, 0, 0, 1)) * Fraction(chosen.choice((1, 5, 10, chosen.randrange(1, 100))), 10 ** (digits + chosen.randint(1, 3)))
+                    if not 0 < value < 1:
+                        continue
+                    if quantity == "archard.alpha":
+                        value, typed = -value, f"2 {1 + value * Fraction(4, 5)}"  # (1 - D) 5/4
+                    else:
+                        typed = str(value * value / 4)
+                    numerator, denominator = decimal.Decimal(value.numerator), decimal.Decimal(value.denominator)
+                    if quantity == "peaks.f" and chosen.random() < 0.3:  # a root that is no fraction
+                        square = value * value + Fraction(chosen.choice((-4, 4)), 10**17 + 1)
+                        many, typed = decimal.Context(prec=80), str(square / 4)
+                        numerator, denominator = many.sqrt(many.divide(decimal.Decimal(square.numerator), decimal.Decimal(square.denominator))), decimal.Decimal(1)
+                    few = decimal.Context(prec=digits, rounding=of_library[way])
+                    rounded = few.divide(numerator, denominator)
+                    below, above = rounded.next_minus(few), rounded.next_plus(few)
+                    for cell, rows in ((rounded, right), (below, wrong), (above, wrong)):
+                        unit = decimal.Decimal(1).scaleb(cell.adjusted() - digits + 1)
+                        rows.append(f"{typed} {cell:.{digits - 1}e} {unit / (2 if way == 'nearest' else 1)} # certified")
+                self.assertGreater(len(right), 20)
+                text = self.evaluated(quantity, *inputs, "--round", way, "--digits", digits)
+                with self.subTest(quantity, way=way, digits=digits, seed=seed):
+                    self.found(sealed(text, right), 0, len(right), 0, 0)
+                    self.path.write_text(sealed(text, wrong))
+                    result = run(self.path)
+                    said = {line.split(": ")[-1] for line in result.stderr.splitlines()}
+                    self.assertEqual((result.returncode, [row for row in wrong if row not in said]), (1, []))
 
     def test_what_a_file_says_of_itself_is_so(self):
         text = self.evaluated("archard.area", "n=1", "load=0.1,-1", "G=3", "--digits", 5)
