@@ -63,8 +63,8 @@ def too_long(*_):
 def read(path, text=None):
     """header, rows of a canonical table, its sha256 verified"""
     text = text_of(path) if text is None else text
-    if not text.isascii():
-        raise Unreadable(f"{path}: not a canonical table: has other characters than ASCII")
+    if not re.fullmatch("[ -~\n]*", text):
+        raise Unreadable(f"{path}: not a canonical table: has other characters than printable ASCII and blanks")
     lines = text.split("\n")
     headers = [line for line in lines if line.startswith("# {")]
     if len(headers) != 1:

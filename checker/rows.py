@@ -22,6 +22,7 @@ from table_text import Unreadable, json_of
 
 FIRST = "# Touchstone values of "
 ROW = re.compile(r"((?:[!\"$-~]+ )+)# (exact|certified|estimated|undecided|refused)(: .*)?")
+CONTROL = re.compile("[\0-\t\v-\x1f\x7f]|\xc2\x85|\xe2\x80[\xa8\xa9]")  # and what ends a line to some readers: bytes of UTF-8
 MOST_DIGITS = 10000
 BINARY64 = re.compile(r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e[-+]?[0-9]{1,3})?")
 STATUSES = "exact certified estimated undecided refused".split()  # the weakest last
@@ -46,6 +47,8 @@ def read(path, text, names_of):
     """header and rows"""
     *lines, end = text.split("\n")
     try:
+        if CONTROL.search(text):
+            raise ValueError("has control characters")
         if end or len(lines) < 7 or not lines[5].startswith("# {"):
             raise ValueError("lines are missing")
         header, rows = json_of(lines[5][2:]), lines[7:]

@@ -132,10 +132,21 @@ class Rows(unittest.TestCase):
             with self.subTest(row[:50]):
                 self.found(sealed(text, [row, second]), 0, 1, 1, 0)
         for row in ("1 0.1 3 0.051432 5e-07 # certified: why", "1 0.1 3 nan inf # refused", "1 0.1 3 nan inf # unknown", "1 0.1 3 0.051432 5e-07",
-                    "1 0.1 0.051432 5e-07 # certified", "1 0.1 3  0.051432 5e-07 # certified", "1 0.1 3\t0.051432 5e-07 # certified",
+                    "1 0.1 0.051432 5e-07 # certified", "1 0.1 3  0.051432 5e-07 # certified", "1 0.1 3\xa00.051432 5e-07 # certified",
                     "1 0.1 3 4 # 0.051432 5e-07 # certified", "x", "# 1 0.1 3 0.051432 5e-07 # certified"):
             with self.subTest(row):
                 self.found(sealed(text, [row, second], status="certified"), 65, said="row 1 is not 5 columns")
+
+    def test_no_row_hides_in_a_reason(self):
+        """Behind characters that end a line to some readers; a name of a file, that reasons have, may be of any others."""
+        text = self.evaluated("archard.area", "n=1", "load=0.1,0.2", "G=3", "--digits", 5)
+        for code, between in ((65, "\t"), (65, "\v"), (65, "\f"), (65, "\x1c"), (65, "\x1d"), (65, "\x1e"), (65, "\x85"), (65, "\u2028"), (65, "\u2029"), (65, "\0"), (65, "\x7f"), (65, "\x1b[2J"),
+                              (0, "größe Å \u2027 "), (0, " \xa0")):
+            row = f"1 0.1 3 nan inf # refused: why{between}1 0.1 3 0.061432 5e-07 # certified"
+            with self.subTest(row):
+                self.path.write_text(sealed(text, [row], status="refused", statuses={"refused": 1}), encoding="utf-8")
+                result = run(self.path)
+                self.assertEqual((result.returncode, len(result.stderr.splitlines())), (code, bool(code)), result.stderr)
 
     def test_a_bound_is_on_its_side(self):
         for quantity, where, down, up in (("archard.area", ["n=1,1", "load=0.1", "G=3"], "0.051432", "0.051433"),
