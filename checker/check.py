@@ -3,11 +3,11 @@
 """check.py [--limit N] [--certificate FILE]... [--coverage FILE] TABLE...: recomputes every row of closed form in canonical tables, and in
 files of rows (rows.py), and says how many it confirms.
 
-A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, of a certified one
-also that the true value, rounded to its digits, is what is printed, and an error of 0 only if the value is found to be exactly that.
-What the recursion gives is confirmed by certificates too, which are proved first (certificate.py). `digits` are confirmed in every row that
-is right or has a certificate. --coverage keeps, for `touchstone table`, what was found of each table, with the sha256 of its rows. Exit code
-0: no row is wrong; 1: one is; 65: unreadable.
+A row is confirmed if |true value - printed value| <= printed error is proved in the directed arithmetic of intervals.py, of a certified
+one also that the true value, rounded to its digits, is what is printed, and an error of 0 only if the value is found to be exactly that.
+What the recursion gives is confirmed by certificates too, which are proved first (certificate.py). `digits` are confirmed in every row
+that is right or has a certificate. --coverage keeps, for `touchstone table`, what was found of each table, with the sha256 of its rows.
+Exit code 0: no row is wrong; 1: one is; 65: unreadable.
 """
 import argparse
 import hashlib
@@ -37,11 +37,11 @@ MOST_SCALE = 10**6  # the largest n in a table: the work grows with it
 NUMBER = re.compile(r"[-+]?[0-9]{1,10010}(\.[0-9]{0,10010})?([eE][-+]?[0-9]{1,9})?")  # decimal: of a fraction no digit is the last
 MOST_EXPONENT = 2 * 10**6  # in decimals: a fraction beyond takes more than seconds
 DOMAIN = {  # of inputs by name, as `touchstone list` says it; what holds of one quantity only, beside that, by both names
-    "n": lambda n: n.denominator == 1 and 0 <= n <= MOST_SCALE, "load": lambda load: load > 0, "G": lambda G: G > 1, "D": lambda D: 1 < D < 2,
-    "gamma": lambda gamma: gamma > 1, "p": lambda p: p >= 0, "a": lambda a: 0 <= 2 * a <= 1, "tolerance": lambda tolerance: 0 < tolerance < 1,
+    "n": lambda n: n.denominator == 1 and 0 <= n <= MOST_SCALE, "load": lambda load: load > 0, "G": lambda G: G > 1,
+    "D": lambda D: 1 < D < 2, "gamma": lambda gamma: gamma > 1, "p": lambda p: p >= 0, "a": lambda a: 0 <= 2 * a <= 1,
+    "tolerance": lambda tolerance: 0 < tolerance < 1, "westergaard.half_width load": lambda load: load <= 1, "peaks.f x": lambda x: x > 0,
     **dict.fromkeys(("archard.segments n", "archard.segments_limit n", "segments.count n", "segments.density n"), lambda n: n >= 1),
-    **dict.fromkeys(("limit.exceedance p", "limit.force p", "limit.density p", "limit.distance p", "limit.segments a", "peaks.f x"), lambda x: x > 0),
-    "westergaard.half_width load": lambda load: load <= 1,
+    **dict.fromkeys(("limit.exceedance p", "limit.force p", "limit.density p", "limit.distance p", "limit.segments a"), lambda x: x > 0),
     **dict.fromkeys(("westergaard.pressure x", "westergaard.gap x"), lambda x: abs(2 * x) <= 1)}
 PATIENCE = 1800  # seconds for one row: a stranger's inputs may lie in the domain and be beyond all patience
 sys.set_int_max_str_digits(0) if hasattr(sys, "set_int_max_str_digits") else None
@@ -73,8 +73,8 @@ def read(path, text=None):
         header = json_of(headers[0][2:])
         inputs, rows_promised, digest = header["inputs"], header["rows"], header["sha256"]
         texts = isinstance(inputs, list) and all(isinstance(text, str) for text in (*inputs, header["name"], header["quantity"]))
-        if not texts or type(header.get("digits")) is not int:
-            raise ValueError("name, quantity or inputs are no texts, or digits no whole number")
+        if not texts or type(rows_promised) is not int or type(header["digits"]) is not int or header["digits"] < 1:
+            raise ValueError("name, quantity or inputs are no texts, or rows or digits no whole numbers, digits above 0")
     except (ValueError, KeyError, TypeError, RecursionError) as reason:
         raise Unreadable(f"{path}: header: {reason}") from None
     rows = [line for line in lines if line and not line.startswith("#")]
@@ -100,7 +100,7 @@ def comments(header, forced):
         f"Touchstone {'estimated' if estimated else 'certified'} reference table {header['name']}",
         f"{header.get('description')}; equation {header['equation']}; unit {header['unit']}",
         "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to.",
-        f"value: the true value rounded to nearest, {header.get('digits')} significant digits (fewer if exact). "
+        f"value: the true value rounded to nearest, {header['digits']} significant digits (fewer if exact). "
         f"error: {bound} of |value - true value|."]
     some = ", in some rows by an estimated condition number" if header.get("forced") == "estimated" else ""
     lines += [f"forced: ulps of the value (absolute where it is 0) that rounding each real input once can cost a perfect code, to first order{some}."]
@@ -118,12 +118,11 @@ def words_of(path, header, rows):
     approximate = [row.split()[at] for row in rows if row.split()[at + 1] != "0"]
     if header.get("status") not in ("certified", "estimated", "undecided") and (approximate or header.get("status") != "exact"):
         raise Unreadable(f"{path}: the status of its rows is not {header.get('status', 'left out')}")
-    digits = {0 if value == "nan" else len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) for value in approximate}
-    short = any(count != header.get("digits") for count in digits)
+    short = any(value == "nan" or len(re.sub("[eE].*|[-+.]", "", value).lstrip("0")) != header["digits"] for value in approximate)
     if header["status"] == "undecided" and not short:
-        raise Unreadable(f"{path}: it says undecided, and its values have all {header.get('digits')} digits")
+        raise Unreadable(f"{path}: it says undecided, and its values have all {header['digits']} digits")
     if header["status"] == "certified" and short:
-        raise Unreadable(f"{path}: its values have not the {header.get('digits')} digits that it says")
+        raise Unreadable(f"{path}: its values have not the {header['digits']} digits that it says")
 
 
 def with_certificates(forms, paths, known=None):
@@ -220,10 +219,11 @@ def rounded(x, digits, unit, way):
     return way(whole + Fraction(quarters, 4)) * unit
 
 
-def verdict(form, row, names, wanted=0, way=round):
-    """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits; a certified one has an error that leaves
-    the digits wanted, and is the true value rounded to them. The way is that of a fraction to an integer, nearest ones with ties to even;
-    by another the error may be a whole unit of the last digit."""
+def verdict(form, row, names, wanted=0, way=round, all_have=True):
+    """'right', 'wrong', 'not a closed form' or 'undecided' for one row, and to how many digits. A certified one has an error that leaves
+    the digits wanted, and is the true value rounded to them; of rows that do not all have them, those that do. What is exact, with an
+    error that is written 0, has no more. The way leads from a fraction to an integer, nearest ones with ties to even; by another the error
+    may be a whole unit of the last digit."""
     cells = row.split()
     if not all(NUMBER.fullmatch(cell) for cell in cells[: len(names) + 2]):
         return "unreadable", 0
@@ -235,7 +235,8 @@ def verdict(form, row, names, wanted=0, way=round):
     except (ValueError, OverflowError, ZeroDivisionError):
         return "unreadable", 0
     printed, low, high, width = digits_of(cells[len(names)], error if way is round else error / 2) if error else inf, 0, 0, inf
-    if printed < wanted:
+    wanted = wanted if all_have or printed >= wanted else 0
+    if (error > 0) == (cells[len(names) + 1] == "0") or wanted and not last_digit(cells[len(names)])[0] <= wanted <= printed:
         return "wrong", 0
     Interval.bits = 64 + int(3.33 * len(cells[len(names)].lower().split("e")[0]))
     while Interval.bits <= MOST_BITS:
@@ -276,9 +277,10 @@ def opened(path, forms, known):
     if names != (right := names_of(header["quantity"])):
         raise Unreadable(f"{path}: the inputs of {header['quantity']} are {' '.join(right)}, not {' '.join(names)}")
     words_of(path, header, rows)
-    form, wanted = within_domain(header["quantity"], form), header.get("digits") if header["status"] == "certified" else 0
+    form, wanted = within_domain(header["quantity"], form), header["digits"] if header["status"] != "estimated" else 0
     return header["name"], header, rows, lambda row: (  # no value: in a table that says undecided
-        ("undecided", 0) if row.split()[len(names) :][:2] == ["nan", "inf"] else verdict(form, row, names, wanted))
+        ("undecided", 0) if row.split()[len(names) :][:2] == ["nan", "inf"] else
+        verdict(form, row, names, wanted, all_have=header["status"] != "undecided"))
 
 
 def keep(path, found):

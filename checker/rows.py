@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Files of rows, which `touchstone eval` writes of inputs of one's own: inputs as they were typed, value, error, and after # the status.
 
-What is certified has all the digits of the header and is the true value rounded as it says; what is exact has an error of 0. An estimate and
-what is undecided promise no digits: they are open, or wrong if the value is further off than their error. A refused row has no value. The
-header has to be true of its rows; its version is not looked at, nor can `complete` be: rows that are not there are
+What is certified has all the digits of the header and is the true value rounded as it says; what is exact has an error of 0, and no more
+digits. An estimate and what is undecided promise no digits: they are open, or wrong if the value is further off than their error. A refused
+row has no value. The header has to be true of its rows; its version is not looked at, nor can `complete` be: rows that are not there are
 not missed.
 """
 import collections
@@ -141,8 +141,8 @@ def opened(path, text, forms, known, names_of, within_domain, verdict):
                 return form(*inputs_of(cells, header, within_surface))
             except TooLarge:
                 return None
-        certified = (digits, ROUNDED[header["rounding"]][1]) if status == "certified" else ()
-        said, right_to = verdict(of_inputs, f"{value} {error}", [], *certified)
+        proven = (digits, ROUNDED[header["rounding"]][1]) if status in ("exact", "certified") else ()
+        said, right_to = verdict(of_inputs, f"{value} {error}", [], *proven)
         return ("open", 0) if status in ("estimated", "undecided") and said not in ("wrong", "unreadable") else (said, right_to)
     return os.path.basename(path), header, rows, judge
 

@@ -195,10 +195,19 @@ class Checker(unittest.TestCase):
             **{f"an end of line {end!a}, to some": (65, half, f"0.5 0.250 5e-4{end}") for end in "\v\f\x1c\x85\u2028"},
             "a value that is a fraction": (1, half, "0.75 1/2 0.4"), "an error that is one": (1, half, "0.5 0.250 1/2000"),
             "digits that are a text": (65, {**half, "digits": "3", "status": "exact"}, "0.5 0.25 0"), "digits that are true": (65, {**half, "digits": True}, "0.5 0.2 5e-2"),
+            **{f"{digits} digits, {status}": (65, {**half, "digits": digits, "status": status}, "0.5 0.250 5e-4") for digits in (-3, 0, 3.0) for status in ("estimated", "undecided")},
+            **{f"{digits} digits, exact": (65, {**half, "digits": digits, "status": "exact"}, "0.5 0.25 0") for digits in (-3, 0)},
+            **{f"rows: {rows!r}": (65, {**half, "rows": rows}, "0.5 0.250 5e-4") for rows in (1.0, True, "1", [1], None, 2, -1)},
+            **{f"an error of {error}, {status}": (1, {**half, "digits": 2, "status": status}, f"0.5 0.25 {error}") for error in ("0.0", "-0", "0e0", "+0", "00", "-5e-4") for status in ("certified", "estimated")},
+            "exact, with as many digits as there are": (0, {**half, "digits": 2, "status": "exact"}, "0.5 0.25 0"), "exact, in a certified table": (0, {**half, "digits": 2}, "0.5 0.25 0"),
+            "exact, with more digits": (1, {**half, "digits": 1, "status": "exact"}, "0.5 0.25 0"), "more digits, in a certified table": (1, {**half, "digits": 1}, "0.5 0.25 0"),
             "no value in a table that is certified": (65, half, "0.5 nan inf"),
             "right to a unit of ten times less, and rounded": (0, {**peaks, "digits": 2}, "0.00227 0.095 5e-4"), "rounded up to a power of ten": (0, {**peaks, "digits": 2}, "0.00249 0.10 5e-3"),
             "below a power of ten, and not rounded": (1, {**peaks, "digits": 2}, "0.00227 0.10 5e-3"), "another of three digits": (1, peaks, "0.002483 0.100 5e-4"),
             "the same of an estimate, which promises no rounding": (0, {**peaks, "digits": 2, "status": "estimated"}, "0.00227 0.10 5e-3"),
+            "two rows, both short of digits or right": (0, {**peaks, "digits": 2, "status": "undecided", "rows": 2}, "0.00227 0.1 5e-2\n0.00227 0.095 5e-4"),
+            "undecided, but for a row with all digits and not rounded": (1, {**peaks, "digits": 2, "status": "undecided", "rows": 2}, "0.00227 0.1 5e-2\n0.00227 0.10 5e-3"),
+            "undecided, and exact with more digits": (1, {**peaks, "digits": 2, "status": "undecided", "rows": 2}, "0.00227 0.1 5e-2\n0.00390625 0.125 0"),
             "a tie to the even digit": (0, {**peaks, "digits": 1}, "2.5 4 5e-1"), "a tie to the odd one": (1, {**peaks, "digits": 1}, "2.5 3 5e-1"),
         }
         with tempfile.TemporaryDirectory() as folder:
@@ -206,7 +215,7 @@ class Checker(unittest.TestCase):
 
             def written(changes, row, **words):
                 said = dict(zip(("equation", "unit"), units.SAID.get(str({**header, **changes}["quantity"]), ("", ""))))
-                sealed = {**header, **said, **changes, "rows": 1, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
+                sealed = {**header, **said, "rows": 1, **changes, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
                 sealed = {key: value for key, value in sealed.items() if value is not ...}
                 title = words.get("title", comments({**sealed, **said}, words.get("columns", "").endswith("forced")))
                 columns = words.get("columns", " ".join([*map(str, sealed["inputs"] if isinstance(sealed["inputs"], list) else []), "value", "error"]))

@@ -137,6 +137,17 @@ class Rows(unittest.TestCase):
             with self.subTest(row):
                 self.found(sealed(text, [row, second], status="certified"), 65, said="row 1 is not 5 columns")
 
+    def test_only_what_is_exact_has_no_error(self):
+        """An error of 0 is written 0, and no value has more digits than the file says."""
+        text = self.evaluated("peaks.f", "x=0.0625,0.01,119", "--digits", 2)
+        exact = text.splitlines()[7:]
+        self.assertEqual(exact, ["0.0625 0.5 0 # exact", "0.01 0.2 0 # exact", "119 1.2e+02 0 # exact"])
+        self.found(text, 0, 3, 0, 0)
+        for row in (*(f"0.0625 0.50 {error} # {status}" for error in ("0.0", "-0", "0e0", "+0", "00", "-0.0") for status in ("certified", "exact", "estimated")),
+                    "0.015625 0.250 0 # exact", "0.00390625 0.125 0 # exact", "1000 1001 0 # exact", "0.0625 0.50 -5e-3 # estimated"):
+            with self.subTest(row):
+                self.found(sealed(text, [row, exact[1]]), 1, 1, 0, 1)
+
     def test_no_row_hides_in_a_reason(self):
         """Behind characters that end a line to some readers; a name of a file, that reasons have, may be of any others."""
         text = self.evaluated("archard.area", "n=1", "load=0.1,0.2", "G=3", "--digits", 5)
