@@ -98,7 +98,7 @@ def comments(header, forced):
     bound = "estimate (from how far the numerical methods named under routes part, no proof; 0: exact)" if estimated else "proven bound"
     lines = [
         f"Touchstone {'estimated' if estimated else 'certified'} reference table {header['name']}",
-        f"{header.get('description')}; equation {header['equation']}; unit {header['unit']}",
+        f"{header['description']}; equation {header['equation']}; unit {header['unit']}",
         "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to.",
         f"value: the true value rounded to nearest, {header['digits']} significant digits (fewer if exact). "
         f"error: {bound} of |value - true value|."]
@@ -108,8 +108,8 @@ def comments(header, forced):
 
 
 def words_of(path, header, rows):
-    """that what the table says of itself, to a reader and in JSON, is so: equation, unit, format of inputs, digits and status"""
-    for what, said in zip(("equation", "unit", "input_format"), (*units.SAID[header["quantity"]], "binary64")):
+    """that what the table says of itself, to a reader and in JSON, is so: what its numbers are, format of inputs, digits and status"""
+    for what, said in zip(("equation", "unit", "description", "input_format"), (*units.SAID[header["quantity"]], "binary64")):
         if header.get(what) != said:
             raise Unreadable(f"{path}: the {what} of {header['quantity']} is {said}, not {header.get(what, 'left out')}")
     if header["words"][:-2] != (right := comments(header, header["words"][-1].endswith(" forced"))):

@@ -62,8 +62,8 @@ def read(path, text, names_of):
         if [*header] != KIND + SUM:
             raise ValueError(f"its JSON has not {' '.join(KIND + SUM)}")
         quantity, inputs = header["quantity"], header["inputs"]
-        if (header["equation"], header["unit"]) != units.SAID[quantity] or header["name"] != "own rows":
-            raise ValueError(f"equation and unit of {quantity} are others")
+        if (header["equation"], header["unit"], header["description"]) != units.SAID[quantity] or header["name"] != "own rows":
+            raise ValueError(f"equation, unit and description of {quantity} are others")
         names = names_of(quantity)
         if inputs not in (names, names[:-1] + ["D", "gamma"]) or inputs != names and names[-1:] != ["G"]:
             raise ValueError(f"the inputs of {quantity} are {' '.join(names)}")

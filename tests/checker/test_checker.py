@@ -53,7 +53,7 @@ def comments(header, forced=False):
     estimated = header.get("status") == "estimated"
     how = "estimate (from how far the numerical methods named under routes part, no proof; 0: exact)" if estimated else "proven bound"
     lines = [f"Touchstone {'estimated' if estimated else 'certified'} reference table {header['name']}",
-             f"{header['description']}; equation {header.get('equation')}; unit {header.get('unit')}",
+             f"{header.get('description')}; equation {header.get('equation')}; unit {header.get('unit')}",
              "Inputs are binary64 numbers in shortest round-trip decimal: each stands for the binary64 number it rounds to.",
              f"value: the true value rounded to nearest, {header['digits']} significant digits (fewer if exact). error: {how} of |value - true value|."]
     return "\n".join(f"# {line}" for line in lines + forced * ["forced: ulps of the value (absolute where it is 0) that rounding each real input once can cost a perfect code, to first order."])
@@ -165,11 +165,12 @@ class Checker(unittest.TestCase):
         self.assertEqual(set(units.SAID), set(check.with_certificates(scale_one.FORMS, [])))
         for path in known.tables.glob("*.txt"):
             header, _ = check.read(path)
-            self.assertEqual(units.SAID.get(header["quantity"], (header["equation"], header["unit"])), (header["equation"], header["unit"]), path)
+            said = tuple(header[what] for what in ("equation", "unit", "description"))
+            self.assertEqual(units.SAID.get(header["quantity"], said), said, path)
 
     def test_hostile_tables(self):
         """Well sealed, and written to crash the checker or to keep it for ever: one line a table or row, and soon."""
-        header = {"name": "t", "quantity": "archard.alpha", "description": "of a stranger", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3, "status": "certified"}
+        header = {"name": "t", "quantity": "archard.alpha", "inputs": ["n", "D"], "input_format": "binary64", "digits": 3, "status": "certified"}
         iterate, half = {"quantity": "peaks.iterate", "inputs": ["n", "load", "G"]}, {"quantity": "westergaard.half_width", "inputs": ["load"]}
         peaks = {"quantity": "peaks.f", "inputs": ["x"]}
         area = {"quantity": "archard.area", "inputs": ["n", "load", "G"]}
@@ -178,6 +179,7 @@ class Checker(unittest.TestCase):
             "brackets without end": (65, brackets, "0 1.5 0 0"), "inputs of another type": (65, {"inputs": 5}, "0 1.5 0 0"),
             "a quantity of another type": (65, {"quantity": ["a"]}, "0 1.5 0 0"), "a name of another type": (65, {"name": 5}, "0 1.5 0 0"),
             "a unit that it does not have": (65, {**half, "unit": "p*"}, "1 0.5 0"), "an equation of another": (65, {**half, "equation": ["2.7"]}, "1 0.5 0"),
+            "a description of another": (65, {**half, "description": "certified by a stranger, for any wave at all"}, "0.5 0.250 5e-4"), "no description": (65, {**half, "description": ...}, "0.5 0.250 5e-4"),
             "no unit": (65, {**half, "unit": ...}, "1 0.5 0"), "no equation": (65, {**half, "equation": ...}, "1 0.5 0"),
             "no status": (65, {**half, "status": ...}, "1 0.5 0"), "exact, with an error": (65, {**half, "status": "exact"}, "0.5 0.250 1e-3"),
             "more digits than there are": (65, {**half, "digits": 40}, "0.5 0.250 1e-3"), "digits that are no number": (65, {**half, "digits": [3]}, "0.5 0.250 1e-3"), "a column too many": (65, half, "0.5 0.250 1e-3 0 wrong"),
@@ -214,7 +216,7 @@ class Checker(unittest.TestCase):
             path = pathlib.Path(folder) / "t.txt"
 
             def written(changes, row, **words):
-                said = dict(zip(("equation", "unit"), units.SAID.get(str({**header, **changes}["quantity"]), ("", ""))))
+                said = dict(zip(("equation", "unit", "description"), units.SAID.get(str({**header, **changes}["quantity"]), ("", "", ""))))
                 sealed = {**header, **said, "rows": 1, **changes, "sha256": hashlib.sha256(f"{row}\n".encode()).hexdigest()}
                 sealed = {key: value for key, value in sealed.items() if value is not ...}
                 title = words.get("title", comments({**sealed, **said}, words.get("columns", "").endswith("forced")))
@@ -235,7 +237,7 @@ class Checker(unittest.TestCase):
             for row, digits in (("0.5 0.2500 5e-4", "3"), ("0.5 0.7 1", "0")):  # a row that is right to no digit is not passed over
                 self.assertEqual(written({**half, "status": "estimated"}, row).stdout.split()[-1], digits)
             self.assertEqual(written(half, "0.5 0.250 5e-4 0.5", columns="load value error forced").returncode, 0)
-            true = comments({**header, **half, "equation": "2.5", "unit": "lambda"})
+            true = comments({**header, **half, **dict(zip(("equation", "unit", "description"), units.SAID["westergaard.half_width"]))})
             changes = {"unit lambda": "unit metre", "table t": "table u", "to nearest": "down", "3 significant": "30 significant", "proven bound": "estimate",
                        "binary64 numbers": "exact", "shortest": "longest"}
             for words in ({"columns": "load error value"}, {"title": f"{true}\n# all of it proven"}, {"title": true.replace("\n# value", "\n# x\n# value")},
@@ -273,8 +275,8 @@ class Checker(unittest.TestCase):
             path = pathlib.Path(folder) / "t.txt"
             for code, rows_of in ((1, cases), (0, right)):
                 for quantity, rows in rows_of.items():
-                    equation, unit = units.SAID[quantity]
-                    header = {"name": "t", "quantity": quantity, "equation": equation, "unit": unit, "description": "d", "inputs": check.names_of(quantity), "input_format": "binary64",
+                    equation, unit, description = units.SAID[quantity]
+                    header = {"name": "t", "quantity": quantity, "equation": equation, "unit": unit, "description": description, "inputs": check.names_of(quantity), "input_format": "binary64",
                               "digits": 1, "rows": len(rows), "status": "estimated", "sha256": hashlib.sha256("".join(row + "\n" for row in rows).encode()).hexdigest()}
                     if all(row.endswith(" 0") for row in rows):
                         header["status"] = "exact"

@@ -20,6 +20,7 @@ known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import exact_text  # noqa: E402
 import rows as rows_file  # noqa: E402
+import units  # noqa: E402
 
 WAYS = ("nearest", "up", "down", "zero", "away")
 ASKED = {  # of each quantity ranges, and how many rows are open, for reasons that are said
@@ -85,6 +86,11 @@ class Rows(unittest.TestCase):
                     rows = sum(" # " in line for line in text.splitlines() if line[0] != "#")
                     self.assertGreater(rows, 3)
                     self.found(text, 0, rows - still_open, still_open, 0)
+
+    def test_quantities_are_said_to_be_what_the_program_says(self):
+        listed = json.loads(subprocess.run([known.program, "list", "--json"], capture_output=True, check=True).stdout)
+        said = {quantity["name"]: (quantity["equation"], quantity["unit"], quantity["description"]) for quantity in listed}
+        self.assertEqual(said, units.SAID)
 
     def test_binary64_and_resumed_and_interrupted(self):
         self.found(self.evaluated("archard.area", "n=1", "load=0.1,1/3", "G=sqrt(10),2.5", "--binary64"), 0, 4, 0, 0)
@@ -241,6 +247,9 @@ class Rows(unittest.TestCase):
                            ("inputs", ["load", "n", "G"]), ("inputs", ["n", "load", "D", "gamma"]), ("inputs", 3), ("name", "x"), ("version", ...), ("more", 1)):
             with self.subTest(key, value=value):
                 self.found(sealed(text, **{key: value}), 65)
+        said = "contact area in the Hertzian approximation"
+        self.assertEqual(text.count(said), 2)
+        self.found(text.replace(said, "contact area of any surface"), 65, said="description")
         for old, new in (("values of", "value of"), ("archard.area\n", "archard.areas\n"), ("0.1 is 1/10", "0.1 is 0.1"), ("to nearest", "up"), ("5 significant", "15 significant"),
                          ("is not (nor", "is (and"), ("# n load G value error", "# load n G value error"), ("# n load G value error", "# n load G error value"),
                          ("# n load", "# note\n# n load"), ('"digits":5', '"digits":6,"digits":5'), ('"complete":true', '"complete":' + "[" * 100000),
