@@ -137,7 +137,7 @@ def with_certificates(forms, paths, known=None):
         else:
             certificate.Replay(read, 1, read.count)
         for *inputs, value, error in read.claims.values():
-            known[read.quantity, *inputs] = Interval.of(value) + iv.error_term(Interval.of(error)) if error else value
+            known[(read.quantity, *inputs)] = Interval.of(value) + iv.error_term(Interval.of(error)) if error else value
 
     def certified(quantity):
         return lambda *inputs: known.get((quantity, *inputs[:-1], (inputs[-1], 1)))
