@@ -324,6 +324,57 @@ TEST_CASE("a function known with its one weight, and without it, has the same in
     CHECK(with->nodes == without->nodes);
 }
 
+TEST_CASE("a factor of a logarithm that is 0 where one happens to look is not forgotten")
+{
+    struct Row {
+        const char *formula, *from, *to, *value;
+    };
+    // 3/8 and 9/13 are fractions of the range at which it is asked which weights there are
+    for (const Row& row :
+         {Row{"log(x)+x-3/8", "0", "1", "-7/8"}, Row{"log(x)^2+8*x-3", "0", "1", "3"}, Row{"x*log(x)+3-8*x", "0", "1", "-5/4"},
+          Row{"log(1/x)+8*x-3", "0", "1", "2"}, Row{"log(x)+log(1-x)+(8*x-3)^2", "0", "1", "13/3"},
+          Row{"(log(x)+8*x-3)/sqrt(x*(1-x))", "0", "1", "pi-2*pi*log(2)"}, Row{"log(1-x)*(8*x-3)+log(x)", "0", "1", "-4"},
+          Row{"(log(x)+3-8*x)*x^(1/3)", "0", "1", "-195/112"}, Row{"log((1+x)/(1-x))^2+4*x+1", "-1", "1", "2*pi^2/3+2"},
+          Row{"(log(x)+5*x-3)/(1+x)^4", "0", "inf", "-2/3"}, Row{"log(x)+13*x-9", "0", "1", "-7/2"},
+          Row{"(8*x-3)*(13*x-9)*log(x)+1", "0", "1", "-353/36"}, Row{"(8*x-3)*log(x)", "0", "1", "1"},
+          Row{"(13*x-9)*(8*x-3)/sqrt(x*(1-x))", "0", "1", "21*pi/2"}}) {
+        const Integral i = integral(row.formula, row.from, row.to, 25);
+        CHECK_MESSAGE(i.status == Status::certified, std::string(row.formula), ": ", i.reason);
+        const WorkingPrecision precision(120);
+        CHECK_MESSAGE(i.value.overlaps(parse_limit(row.value).ball()), std::string(row.formula), " is not ", i.value.to_string(20));
+    }
+}
+
+TEST_CASE("where one of several factors is not analytic on a box nothing is kept of the others")
+{
+    for (const char* formula : {"log(1-x)+log(x)*log(1+x)", "log(1-x)+log(x)*sqrt(x+1/100)", "log(1-x)+log(x)/(x^2+1/20)",
+                                "log(x)^2+log(1-x)*log(1+x)", "log(x)^2+log(1-x)*log(1+x)+log(x)*log(1-x)*tan(x)"}) {
+        IntegralOptions cut;
+        cut.digits = 25;
+        cut.at = {parse_limit("1/7")};
+        const Integral whole = integral(formula, "0", "1", 25);
+        const Integral in_parts = integrate(parse_expression(formula), parse_limit("0"), parse_limit("1"), cut);
+        CHECK_MESSAGE(whole.status == Status::certified, std::string(formula), ": ", whole.reason);
+        CHECK_MESSAGE(whole.value.overlaps(in_parts.value), std::string(formula));
+    }
+    // the first box gives one of two: the constant of the other is that of a box on which both are
+    EllipseFunction f;
+    f.weights = {SingularWeight{}, SingularWeight{0, 0, 1, 0}};
+    int boxes = 0;
+    f.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
+        c.assign({exp(box.z), ++boxes == 1 ? ComplexBall::indeterminate() : exp(box.z)});
+    };
+    f.at_node = [](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
+        const Ball z = mirrored ? -e.z : e.z;
+        c.assign({exp(z), exp(z)});
+    };
+    const auto found = by_ellipse(f, 80, false, 700);
+    REQUIRE(found);
+    const WorkingPrecision precision(120);
+    CHECK(arb_is_finite(found->bound.get()) != 0);
+    CHECK(arb_lt(found->bound.get(), exp(Ball(30)).get()) != 0);
+}
+
 TEST_CASE("Chebyshev's nodes: cosines, with the sines and cosines of their angles, exact for polynomials below degree 2n and not at 2n")
 {
     for (const auto& [n, bits] : {std::pair{1L, 64L}, {2L, 200L}, {7L, 128L}, {16L, 300L}, {801L, 1000L}}) {

@@ -130,10 +130,10 @@ std::optional<Bounds> EllipseProof::value(double s1, double s2, double phi1, dou
 {
     ++pieces;
     f_.in_plane(kept_box(s1, s2, phi1, phi2), values_);
+    if (!std::all_of(values_.begin(), values_.end(), [](const ComplexBall& c) { return c.is_finite(); })) return std::nullopt;
     const bool first = middles_.empty();
     Bounds sizes;
     for (std::size_t k = 0; k < values_.size(); ++k) {
-        if (!values_[k].is_finite()) return std::nullopt;
         const std::size_t partner = f_.partner(k);
         if (first) middles_.push_back(partner < k ? middles_[partner] : middle_of(values_[k].real()));
         sizes.push_back(upper_ball(values_[k] - ComplexBall(middles_[k])));
