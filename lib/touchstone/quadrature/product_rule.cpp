@@ -53,13 +53,23 @@ Exponent singular_part(const Exponent& e)
 /// What stands beside which weight.
 class Decomposition {
 public:
-    /// As it is at two points, at one of which a factor may happen to be 0; nothing if it is not integrable or not of the kind.
+    /// As it is about one point, a ball, in which no factor is exactly 0 but what is so everywhere; nothing if it is not integrable or not of
+    /// the kind.
     static std::optional<Decomposition> of(const PanelIntegrand& f)
     {
+        const Segment<ComplexBall> somewhere{ComplexBall(Ball(Rational(5, 13)))};
+        const EndpointNumber<ComplexBall> g = f.on_strip(somewhere);
+        if (!g.left().logs.is_zero() || !g.right().logs.is_zero()) return std::nullopt;
+        SingularWeight w{singular_part(g.left().power), singular_part(g.right().power)};
+        if (!w.has_integral()) return std::nullopt;
         Decomposition d;
-        for (const Rational& z : {Rational(-1, 4), Rational(5, 13)}) {
-            const Segment<ComplexBall> somewhere{ComplexBall(Ball(z))};
-            if (!d.takes_weights(f.on_strip(somewhere))) return std::nullopt;
+        if (!g.factor_without_logarithm().is_finite()) return std::nullopt;
+        if (!is_exactly_zero(g.factor_without_logarithm())) d.weights_.push_back(w);
+        for (const auto& t : g.logarithms()) {
+            if (t.left + t.right > most_logarithms) return std::nullopt;
+            w.left_logarithms = t.left;
+            w.right_logarithms = t.right;
+            if (!is_exactly_zero(t.c)) d.weights_.push_back(w);
         }
         if (d.weights_.empty()) return std::nullopt;
         return d;
@@ -109,26 +119,6 @@ public:
 
 private:
     static constexpr int most_logarithms = 4;
-
-    /// Those of the factors that are not 0 at a point.
-    bool takes_weights(const EndpointNumber<ComplexBall>& g)
-    {
-        if (!g.left().logs.is_zero() || !g.right().logs.is_zero() || !g.factor_without_logarithm().is_finite()) return false;
-        SingularWeight w{singular_part(g.left().power), singular_part(g.right().power)};
-        if (!w.has_integral()) return false;
-        if (!weights_.empty() && (weights_.front().left != w.left || weights_.front().right != w.right)) return false;
-        const auto take = [&](const ComplexBall& factor) {
-            if (!is_exactly_zero(factor) && std::find(weights_.begin(), weights_.end(), w) == weights_.end()) weights_.push_back(w);
-        };
-        take(g.factor_without_logarithm());
-        for (const auto& t : g.logarithms()) {
-            if (t.left + t.right > most_logarithms) return false;
-            w.left_logarithms = t.left;
-            w.right_logarithms = t.right;
-            take(t.c);
-        }
-        return true;
-    }
 
     /// u^p r^q over the weights' powers: an integer power of each.
     template <class V>
