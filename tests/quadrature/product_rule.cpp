@@ -286,7 +286,8 @@ TEST_CASE("the reciprocal of a weight at the nodes is that of the product of its
 {
     const WorkingPrecision precision(200);
     constexpr long n = 5;
-    for (const SingularWeight& w : {SingularWeight{Exponent(-1, 3), Exponent(1, 2), 1, 2}, SingularWeight{Exponent(0), Exponent(-9, 10), 0, 1},
+    for (const SingularWeight& w : {SingularWeight{Exponent(-1, 3), Exponent(1, 2), 1, 2},
+                                    SingularWeight{Exponent(0), Exponent(-9, 10), 0, 1},
                                     SingularWeight{Exponent(3, 4), Exponent(0), 0, 0}, SingularWeight{Exponent(0), Exponent(0), 3, 0}}) {
         const auto rule = WeightedNodes::get(w, n, 200);
         const auto& entries = GaussNodes::get(n, 200)->entries();

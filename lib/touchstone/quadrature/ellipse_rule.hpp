@@ -5,8 +5,9 @@
 /// F = sum of w_k c_k on [-1, 1], each c_k analytic on the Bernstein ellipse z = cosh(s + i phi), 0 <= s <= sigma, and |c_k - m_k| <= M_k
 /// on it, m_k a constant. Where w_k is 1 the n-point rule of Gauss and Legendre is off by at most lemma::gauss_legendre; where it is a
 /// weight that is singular at an end (singular_weights.hpp) the rule at the same nodes that has its moments, by lemma::interpolation;
-/// where it is 1/sqrt(1 - z^2), alone, the rule of Gauss and Chebyshev, by lemma::gauss_chebyshev (tanh_sinh.md, section 19). The ellipse is covered by boxes in (s, phi), halved where F is not proved analytic; M_k is taken from the
-/// boxes of its boundary alone. Which ellipse is tried is a guess from few values (guessed_ellipse); nothing of the bound rests on it.
+/// where it is 1/sqrt(1 - z^2), alone, the rule of Gauss and Chebyshev, by lemma::gauss_chebyshev (tanh_sinh.md, sections 19 and 20). The
+/// ellipse is covered by boxes in (s, phi), halved where F is not proved analytic; M_k is taken from the boxes of its boundary alone. Which
+/// ellipse is tried is a guess from few values (guessed_ellipse); nothing of the bound rests on it.
 ///
 /// Cost: some tens of values in 53-bit complex balls, then n values in real ones; of an even F half of both.
 #pragma once
@@ -28,8 +29,8 @@ struct EllipseBox {
 
 /// A real function of z in [-1, 1] in two arithmetics: the c_k beside its weights, in their order.
 struct EllipseFunction {
-    /// Whether F is even, and with each weight its mirror image is there: c_k(-z) is then what stands beside the mirror image at z, and half of
-    /// the ellipse and of the nodes are enough.
+    /// Whether F is even, and with each weight its mirror image is there: c_k(-z) is then what stands beside the mirror image at z, and half
+    /// of the ellipse and of the nodes are enough.
     bool is_even = false;
     GaussRule rule = GaussRule::legendre; ///< of Chebyshev's 1/sqrt(1 - z^2) is the weight, and `weights` is 1
     std::vector<SingularWeight> weights{SingularWeight{}};

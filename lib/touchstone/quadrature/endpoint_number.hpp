@@ -227,8 +227,8 @@ public:
     virtual V logarithm_over_rho(Side) const { return V::indeterminate(); }
     /// If it does: a bound of |arg u| (|arg r|) there; none where the strip winds around the end for ever.
     virtual std::optional<Ball> turn(Side) const { return std::nullopt; }
-    /// Whether the piece lies on the half of the strip away from that end, where its distance is not small. A form chosen by that is one and
-    /// the same on each half.
+    /// Whether the piece lies on the half of the strip away from that end, where its distance is not small. A form chosen by that is one
+    /// and the same on each half.
     virtual bool is_on_the_half_away_from(Side) const { return false; }
     /// Whether log u and log r are kept as symbols (EndpointNumber::logarithms) and have no value here.
     virtual bool keeps_logarithms() const { return false; }

@@ -7,10 +7,10 @@
 ///
 ///     f dx = f (dx/du) 2 sin(a) cos(a) da
 ///
-/// is analytic about both ends. So Gauss-Legendre quadrature in a, with its bounds on an ellipse, takes a fifth of the values that tanh-sinh
-/// takes. Where f dx is an even function of a about both ends, f dx/du = c(u)/sqrt(u r) with c analytic, the trapezoidal rule in a, which is
-/// that of Gauss and Chebyshev in u, takes half as many again (product_rule.hpp). Contract and arguments of f as in tanh_sinh.hpp;
-/// tanh_sinh.md, sections 19 and 20.
+/// is analytic about both ends. So Gauss-Legendre quadrature in a, with its bounds on an ellipse, takes a fifth of the values that
+/// tanh-sinh takes. Where f dx/da is an even function of a about both ends, f dx/du = c(u)/sqrt(u r) with c analytic, the trapezoidal rule
+/// in a, which is that of Gauss and Chebyshev in u, takes about half of these (product_rule.hpp). Contract and arguments of f as in
+/// tanh_sinh.hpp; tanh_sinh.md, sections 19 and 20.
 #pragma once
 
 #include "touchstone/quadrature/tanh_sinh.hpp"

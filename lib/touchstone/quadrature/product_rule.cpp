@@ -53,8 +53,8 @@ Exponent singular_part(const Exponent& e)
 /// What stands beside which weight.
 class Decomposition {
 public:
-    /// As it is about one point, a ball, in which no factor is exactly 0 but what is so everywhere; nothing if it is not integrable or not of
-    /// the kind.
+    /// As it is about one point, a ball, in which no factor is exactly 0 but what is so everywhere; nothing if it is not integrable or not
+    /// of the kind.
     static std::optional<Decomposition> of(const PanelIntegrand& f)
     {
         const Segment<ComplexBall> somewhere{ComplexBall(Ball(Rational(5, 13)))};
@@ -88,8 +88,9 @@ public:
     /// Whether with each weight its mirror image is there.
     bool is_symmetric() const
     {
-        return std::all_of(weights_.begin(), weights_.end(),
-                           [&](const SingularWeight& w) { return std::find(weights_.begin(), weights_.end(), w.mirrored()) != weights_.end(); });
+        return std::all_of(weights_.begin(), weights_.end(), [&](const SingularWeight& w) {
+            return std::find(weights_.begin(), weights_.end(), w.mirrored()) != weights_.end();
+        });
     }
 
     /// The factors beside the weights; non-finite where there is anything else.

@@ -25,8 +25,8 @@ struct ProductIntegral {
 std::optional<ProductIntegral> integrate_by_product_rule(const MakePanel&, const Options&);
 
 /// Of f dx/du = (u r)^(-1/2) c alone, c analytic about both ends: half-integer powers of either distance and no other root of it, as in
-/// sqrt((1 - x)/x), 1/sqrt(1 - x^2), the pressure of Hertz. The nodes of Gauss and Chebyshev are no more than cosines and bring twice as many
-/// digits each.
+/// sqrt((1 - x)/x), 1/sqrt(1 - x^2), the pressure of Hertz. The nodes of Gauss and Chebyshev are no more than cosines and bring twice as
+/// many digits each.
 std::optional<ProductIntegral> integrate_by_chebyshev(const PanelIntegrand&, const Options&);
 
 } // namespace touchstone::quadrature::detail
