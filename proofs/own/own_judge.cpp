@@ -402,24 +402,34 @@ OwnLedger within(OwnLedger ledger, const OwnEntry& e)
     return ledger;
 }
 
-/// Roots and moduli are simplified by the sign of what is in them: what stands for a positive symbol, or is put for it, must be so.
+/// Roots and moduli are simplified by the sign of what is in them: what stands for a positive symbol, or is put for it, must be so. What
+/// cannot be read, as 1/(x-x) written out, is left to the judge of the entry.
 void must_have_their_signs(const OwnLedger& ledger)
 {
-    const auto look = [&](const std::string& where, const std::string& name, const ex& e, const std::function<bool(const Point&)>& counts) {
+    const auto is_negative = [&](const std::string& text, const Point& point, Ball& value) {
+        try {
+            value = evaluate(written_out(ledger, with_references(ledger, text)), point);
+        } catch (const std::exception&) {
+            return false;
+        }
+        return value.is_finite() && certainly(less(value, Ball(0)));
+    };
+    const auto look = [&](const std::string& where, const std::string& name, const std::string& text,
+                          const std::function<bool(const Point&)>& counts) {
         if (alphabet().symbols.at(name).real) return;
         for (const Point& point : points_all_over(ledger)) {
-            const Ball value = evaluate(written_out(ledger, e), point);
-            if (value.is_finite() && certainly(less(value, Ball(0))) && counts(point))
+            Ball value;
+            if (is_negative(text, point, value) && counts(point))
                 throw OwnLedgerError(ledger.file + ": " + where + ": '" + name + "' is positive, and stands for " + value.to_string(6) +
                                      " at " + as_text(point) + "; \"sign\": \"real\" says that it need not be, \"range\" where one looks");
         }
     };
     for (const auto& [name, symbol] : ledger.symbols)
-        if (!symbol.is.empty()) look("symbol '" + name + "'", name, read(symbol.is), [](const Point&) { return true; });
+        if (!symbol.is.empty()) look("symbol '" + name + "'", name, symbol.is, [](const Point&) { return true; });
     for (const OwnEntry& e : ledger.entries)
         if (e.follows)
             for (const auto& [name, by] : e.follows->with)
-                look("entry '" + e.print.id + "'", name, with_references(ledger, by),
+                look("entry '" + e.print.id + "'", name, by,
                      [&](const Point& point) { return certainly(condition_at(ledger, e.print, "0.", {}, point)); });
 }
 

@@ -277,6 +277,16 @@ class Changed(unittest.TestCase):
         self.assertEqual(self.verdicts(unit, m, b)["B"], "verified")
         self.assertEqual(self.verdicts(unit, m, {**b, "where": "x < 99/100"})["B"], "refuted")
 
+    def test_what_cannot_be_read_when_it_is_written_out_is_told_by_its_entry(self):
+        y = {"sign": "real"}
+        symbols = {"x": {}, "b": {"is": "x-x"}, "a": {"is": "1/b"}, "y": y}
+        a = {"id": "A", "says": "y = x", "is": "definition"}
+        self.assertEqual(self.verdicts(symbols, a), {"A": "definition"})
+        self.assertEqual(self.verdicts(symbols, a, {"id": "B", "says": "y = a", "follows": {"equation": "A"}})["B"], "refuted")
+        torn = {**a, "correction": {"wrong": "a bracket", "edits": [{"from": "x", "to": "x*("}]}}
+        found = self.verdicts({"x": {}, "y": y}, torn, {"id": "B", "says": "y = 2", "follows": {"equation": "A", "with": {"x": "@A"}}})
+        self.assertEqual(found["B"], "refuted")
+
     def test_what_follows_from_a_refuted_print_is_not_proved_by_it(self):
         y = {"sign": "real"}
         symbols = {"x": {}, "z": {"is": "2*x"}, "y": y, "w": y}
