@@ -148,7 +148,7 @@ def nested(item):
 
 def areas(item):
     rows = [[r["what"], r["tool"], r["asked"], spread(r), f"{r['proven']} of {r['values']} proven" if "proven" in r else right(r), memory(r)] for r in item["rows"]]
-    lines = ["Loads 0.001, 0.01, 0.1, 0.5, 1; the four sets are those of figures 3 and 5 and one more. At D = 1.05 (G = 1.08 and 1.12) waves of full contact come in and the peers' integrands have kinks, so their A_3 is asked for where there are none.", ""]
+    lines = ["Loads 0.001, 0.01, 0.1, 0.5, 1; the four sets are those of figures 3 and 5 and one more. At D = 1.05 (G = 1.08 and 1.12) waves of full contact come in and the integrands have singular points inside: GSL's integrals are cut there, the other peers' A_3 is asked for where there are none.", ""]
     lines += table(["what", "tool", "digits", "user CPU", "right digits", "MB"], rows)
     limit = item["entries"]
     if limit.get("nodes"):
@@ -232,20 +232,25 @@ def goals(items):
             goal("c", f"{digits} digits, nothing refused that is analytic inside", f"{len(refused)} refused" + (f" ({', '.join(refused)})" if refused else ""), not refused)
     if "e" in items:
         ours = [r for r in items["e"]["rows"] if r["tool"] == "Touchstone" and "median" in r]
-        for digits in sorted({r["asked"] for r in items["e"]["rows"] if r["tool"] != "Touchstone"}):
-            peers = [r for r in items["e"]["rows"] if r["tool"] != "Touchstone" and r["asked"] == digits and ("median" in r or "stopped" in r)]
+        same = [r for r in items["e"]["rows"] if r.get("same_loads")]
+        if ours and same and all("median" in r for r in same):
+            total, peer = (sum(r["median"] for r in rows) for rows in ([r for r in ours if r["asked"] <= 15], same))
+            goal("e", "all areas of all four sets in less than a peer's A_3 at the same loads and sets takes, 15 digits (6 at D = 1.05)", f"{seconds(total)} against {seconds(peer)} of {same[0]['tool']}", total < peer)
+        for digits in sorted({r["asked"] for r in items["e"]["rows"] if r["tool"] != "Touchstone" and not r.get("same_loads")}):
+            peers = [r for r in items["e"]["rows"] if r["tool"] != "Touchstone" and r["asked"] == digits and not r.get("same_loads") and ("median" in r or "stopped" in r)]
             if ours and peers:
                 least = min(peers, key=lambda r: r.get("median", r.get("stopped")))
                 quickest = least.get("median", least.get("stopped"))
                 here = [r for r in ours if r["asked"] == digits]
                 all_sets = here + [r for r in ours if r["asked"] < 15] if here else ours  # those at D = 1.05 are to 6 digits in either case
                 total = sum(r["median"] for r in all_sets)
+                one = f"a peer's A_3 at one load of one set, {digits} digits"
                 if here and digits == 15:
                     most = max(here, key=lambda r: r["median"])
-                    goal("e", f"all areas of either set at D = 3/2 in less than a peer's A_3 alone, {digits} digits", f"{spread(most)} against {spread(least)} of {least['tool']}", most["median"] < quickest)
+                    goal("e", f"all areas of either set at D = 3/2 in less than {one}", f"{spread(most)} against {spread(least)} of {least['tool']}", most["median"] < quickest)
                 why = ("in doubles and without a proof three nested sums are quick where nothing is singular; ours are 420 proven areas, " +
                        ("those at D = 1.05, with waves in full contact, take most of it" if here else "half of them to 50 digits"))
-                goal("e", f"all areas of all four sets in less than a peer's A_3 alone, {digits} digits", f"{seconds(total)} against {spread(least)} of {least['tool']}", total < quickest,
+                goal("e", f"all areas of all four sets in less than {one}", f"{seconds(total)} against {spread(least)} of {least['tool']}", total < quickest,
                      why if "median" in least else f"not decided, the peers were stopped after {least['stopped']} s")
     if "g" in items:
         for r in items["g"]["rows"]:

@@ -6,6 +6,8 @@
 //   bench_peer_values multiply BITS      nanoseconds of one arb_addmul
 //   bench_peer_values nested N DIGITS    A_N, load 1/10, G = sqrt 10, by N nested integrals: Boost's tanh_sinh on MPFR, at 15 digits GSL's
 //                                        QAGS in doubles
+//   bench_peer_values areas N G TOLERANCE LOAD...   A_N at each load by N nested integrals of GSL's QAGS in doubles, waves of full contact
+//                                        included, each integral cut where the next wave comes to full contact
 //   bench_peer_values points QUANTITY    a file of "p load" in hexfloats from standard input: `evaluate` at each; seconds, then the nearest
 //                                        binary64 numbers
 //   bench_peer_values doubles            nanoseconds a value of our double forms, of the printed ones and of GSL's, and the largest error
@@ -134,21 +136,68 @@ T nested_area(int n, const T& x, const Integrate& integrate)
     }, T(pi / 2)));
 }
 
+/// GSL's QAGS, a workspace for each of the nested integrals.
+class NestedQags {
+public:
+    NestedQags(int levels, double tolerance) : tolerance_(tolerance)
+    {
+        gsl_set_error_handler_off();
+        for (int i = 0; i <= levels; ++i) space_.push_back(gsl_integration_workspace_alloc(intervals));
+    }
+    NestedQags(const NestedQags&) = delete;
+    NestedQags& operator=(const NestedQags&) = delete;
+    ~NestedQags()
+    {
+        for (gsl_integration_workspace* w : space_) gsl_integration_workspace_free(w);
+    }
+    double operator()(int level, const std::function<double(double)>& g, double start, double end) const
+    {
+        gsl_function f{[](double t, void* h) { return (*static_cast<const std::function<double(double)>*>(h))(t); },
+                       const_cast<std::function<double(double)>*>(&g)};
+        double value = 0, error = 0;
+        gsl_integration_qags(&f, start, end, 0, tolerance_, intervals, space_[static_cast<std::size_t>(level)], &value, &error);
+        return value;
+    }
+
+private:
+    static constexpr std::size_t intervals = 200;
+    double tolerance_;
+    std::vector<gsl_integration_workspace*> space_;
+};
+
+/// As nested_area, waves of full contact included: from x = 1 on B_n is a mean over (x + cos t)/G, and B_0 = 1. Below G = 2 the argument of
+/// B_(n-1) comes to 1 inside of the range, where B_(n-1) has a singular point: the integral is cut there, as QAGS wants it at an end.
+double nested_area_any_contact(int n, double x, double G, const NestedQags& integrate)
+{
+    const bool full = x >= 1;
+    if (n == 0) return full ? 1 : M_2_PI * std::asin(std::sqrt(x));
+    const double root = std::sqrt(x);
+    const auto below = [&](double t) {
+        if (full) return nested_area_any_contact(n - 1, (x + std::cos(t)) / G, G, integrate);
+        const double s = std::sin(t), c = std::cos(t), d = std::sqrt(1 - x * s * s);
+        return nested_area_any_contact(n - 1, 2 / G * root * c * d, G, integrate) * c / d;
+    };
+    // Below x = 1 the argument falls from 2 sqrt(x)/G to 0; its square is 1 where x u^2 - (1 + x) u + 1 = G^2/(4 x), u = sin^2 t.
+    const double end = full ? M_PI : M_PI_2;
+    double cut = 0;
+    if (full && std::abs(G - x) < 1) cut = std::acos(G - x);
+    if (!full && 2 * root > G) cut = std::asin(std::sqrt((1 + x - std::sqrt((1 - x) * (1 - x) + G * G)) / (2 * x)));
+    const double sum = (cut > 0 ? integrate(n, below, 0, cut) : 0) + integrate(n, below, cut, end);
+    return full ? M_1_PI * sum : M_2_PI * root * sum;
+}
+
+void areas(int n, double G, double tolerance, int loads, char** load)
+{
+    const NestedQags integrate(n, tolerance);
+    for (int i = 0; i < loads; ++i) std::printf("%.17g\n", nested_area_any_contact(n, std::atof(load[i]), G, integrate));
+}
+
 void nested(int n, long digits)
 {
     if (digits <= 15) {
-        gsl_set_error_handler_off();
-        std::vector<gsl_integration_workspace*> space; // a level each
-        for (int i = 0; i <= n; ++i) space.push_back(gsl_integration_workspace_alloc(200));
-        const auto integrate = [&](int level, const std::function<double(const double&)>& g, double end) {
-            gsl_function f{[](double t, void* h) { return (*static_cast<const std::function<double(const double&)>*>(h))(t); },
-                           const_cast<std::function<double(const double&)>*>(&g)};
-            double value = 0, error = 0;
-            gsl_integration_qags(&f, 0, end, 0, 1e-13, 200, space[static_cast<std::size_t>(level)], &value, &error);
-            return value;
-        };
+        const NestedQags qags(n, 1e-13);
+        const auto integrate = [&](int level, const auto& g, double end) { return qags(level, g, 0, end); };
         std::printf("%.17g\n", nested_area<double>(n, 0.1, integrate));
-        for (gsl_integration_workspace* w : space) gsl_integration_workspace_free(w);
         return;
     }
     Mpfr::default_precision(static_cast<unsigned>(digits) + 3);
@@ -326,10 +375,12 @@ int main(int count, char** words)
     else if (what == "gamma" && count == 3) gamma_time(std::stol(argument));
     else if (what == "multiply" && count == 3) multiply_time(std::stol(argument));
     else if (what == "nested" && count == 4) nested(std::stoi(argument), std::stol(words[3]));
+    else if (what == "areas" && count > 5) areas(std::stoi(argument), std::atof(words[3]), std::atof(words[4]), count - 5, words + 5);
     else if (what == "points" && count == 3) points(argument);
     else if (what == "doubles" && count == 2) doubles();
     else {
-        std::fputs("usage: bench_peer_values product DIGITS | gamma DIGITS | multiply BITS | nested N DIGITS | points QUANTITY | doubles\n",
+        std::fputs("usage: bench_peer_values product DIGITS | gamma DIGITS | multiply BITS | nested N DIGITS | "
+                   "areas N G TOLERANCE LOAD... | points QUANTITY | doubles\n",
                    stderr);
         return 64;
     }
