@@ -1207,4 +1207,36 @@ TEST_CASE("on a range formulas as they stand are had where few bits cancel, and 
     CHECK_FALSE(next_to_left(30));
     const Ball tiny(power(Rational(1, 2), 60)); // of the right end the distance is known, as it stands in the cosine
     CHECK(straight.in_angle(sqrt(Ball(1) - tiny * tiny), tiny));
+    for (const long bits : {1, 8, 100}) { // at the right end as many are had as its size takes, and f is known by its distance
+        const Ball part(power(Rational(1, 2), bits)), to_left = Ball(2) - part - part;
+        CHECK(is_near(straight.beside(Side::right, part), (Ball(1) - cos(to_left)) / to_left / to_left * sqrt(part + part) * Ball(2)));
+    }
+    const Ball near(power(Rational(1, 2), 8));
+    CHECK(is_near(straight.beside(Side::left, near), evaluate_at(*parse_expression("(1-cos(x-1))/(x-1)^2*sqrt(3-x)"), Ball(1) + near + near) * Ball(2)));
+    CHECK_FALSE(straight.beside(Side::left, Ball(power(Rational(1, 2), 100)))); // 1 - cos cancels twice as many
+    CHECK_FALSE(straight.beside(Side::right, Ball(power(Rational(1, 2), 200)))); // 3 takes more than are worth it
+}
+
+TEST_CASE("beside an end that is 0 a formula as it stands takes no more bits however near it is, and its constants as many as are asked for")
+{
+    const auto f = RealFormula::of(parse_expression("pi*log(x)"));
+    REQUIRE(f);
+    const Range right_of_zero{parse_limit("0"), parse_limit("2"), Map::finite}, left_of_zero{parse_limit("-2"), parse_limit("0"), Map::finite};
+    StraightValues from_zero(*f, right_of_zero);
+    for (const slong bits : {100, 64, 600, 620, 100}) {
+        const WorkingPrecision precision(bits);
+        const auto y = from_zero.beside(Side::left, Ball(power(Rational(1, 2), 10000)));
+        REQUIRE(y);
+        CHECK(y->overlaps(Ball(-9999 * 2) * pi<Ball>() * log(Ball(2))));
+        CHECK(y->relative_bits() > bits - 6);
+        CHECK(y->relative_bits() < bits + 60);
+    }
+    const auto g = RealFormula::of(parse_expression("pi*log(-x)"));
+    REQUIRE(g);
+    const WorkingPrecision precision(100);
+    StraightValues to_zero(*g, left_of_zero);
+    const auto y = to_zero.beside(Side::right, Ball(power(Rational(1, 2), 10000)));
+    REQUIRE(y);
+    CHECK(y->overlaps(Ball(-9999 * 2) * pi<Ball>() * log(Ball(2))));
+    CHECK_FALSE(to_zero.beside(Side::left, Ball(power(Rational(1, 2), 10000)))); // 2 takes them all
 }

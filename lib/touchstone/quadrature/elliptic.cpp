@@ -80,4 +80,13 @@ Elliptic<V> by_means(const V& v)
 Elliptic<Ball> elliptic_of_complement(const Ball& v) { return by_means(v); }
 Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v) { return by_means(v); }
 
+Ball first_kind_of_complement(const Ball& v)
+{
+    if (!arb_is_positive(v.get())) return Ball::indeterminate();
+    Ball mean;
+    arb_agm(mean.get(), Ball(1).get(), sqrt(v).get(), WorkingPrecision::bits());
+    return pi<Ball>() / (mean + mean);
+}
+ComplexBall first_kind_of_complement(const ComplexBall& v) { return by_means(v).k; }
+
 } // namespace touchstone::quadrature

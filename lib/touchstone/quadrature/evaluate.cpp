@@ -173,7 +173,7 @@ N<V> logarithm_of_fraction(const N<V>& x, const N<V>& y)
 {
     const bool keeps = x.frame() && x.frame()->keeps_logarithms();
     const V v = y.value();
-    const Ball size = upper_ball(v), far(Rational(3, 4));
+    const Ball size = upper_ball(v), far = Ball::exactly(0.75);
     const bool near = !keeps && arb_lt(size.get(), far.get());
     if constexpr (std::same_as<V, Ball>) {
         if (!near) return log(x);

@@ -96,33 +96,41 @@ bool keeps_its_logarithm(const N<V>& u)
     return u.frame() && u.frame()->keeps_logarithms() && !u.is_plain();
 }
 
+Ball log_of_16()
+{
+    Ball r;
+    arb_const_log2(r.get(), WorkingPrecision::bits());
+    arb_mul_2exp_si(r.get(), r.get(), 2);
+    return r;
+}
+
 /// K(1 - u) = -(1/pi) K(u) (log u - log 16) - S(u) and what E(1 - u) takes besides.
 template <class V>
 struct AboutOne {
     V k;       ///< K(u)
     V rest;    ///< S(u)
-    V regular; ///< (K(u) - E(u))/u
+    V regular; ///< (K(u) - E(u))/u, or nothing where E is not asked for
 };
 
 template <class V>
 AboutOne<V> by_series(const V& u)
 {
     const auto [logarithmic, regular] = elliptic_series(u);
-    return {elliptic_of_complement(V(1) - u).k, logarithmic, regular * V(pi<Ball>() / Ball(4))};
+    return {first_kind_of_complement(V(1) - u), logarithmic, regular * V(pi<Ball>() / Ball(4))};
 }
 
 /// Off the cuts, by principal functions.
 template <class V>
-AboutOne<V> by_values(const V& u)
+AboutOne<V> by_values(const V& u, bool of_k)
 {
-    const auto own = elliptic_of_complement(V(1) - u), other = elliptic_of_complement(u);
-    const V logarithm = analytic::log(u) - V(log(Ball(16)));
-    return {own.k, own.k / V(-pi<Ball>()) * logarithm - other.k, (own.k - own.e) / u};
+    const auto own = of_k ? Elliptic<V>{first_kind_of_complement(V(1) - u), V::indeterminate()} : elliptic_of_complement(V(1) - u);
+    const V logarithm = analytic::log(u) - V(log_of_16());
+    return {own.k, own.k / V(-pi<Ball>()) * logarithm - first_kind_of_complement(u), of_k ? own.e : (own.k - own.e) / u};
 }
 
 /// `near`: |u| < 1/2, where a box may hold 0.
-AboutOne<Ball> about_one(const Ball& u, bool) { return by_values(u); }
-AboutOne<ComplexBall> about_one(const ComplexBall& u, bool near) { return near ? by_series(u) : by_values(u); }
+AboutOne<Ball> about_one(const Ball& u, bool, bool of_k) { return by_values(u, of_k); }
+AboutOne<ComplexBall> about_one(const ComplexBall& u, bool near, bool of_k) { return near ? by_series(u) : by_values(u, of_k); }
 
 template <class V>
 N<V> elliptic(Op op, const N<V>& u)
@@ -134,12 +142,11 @@ N<V> elliptic(Op op, const N<V>& u)
     if (keeps && !vanishes_at_an_end(u)) return N<V>(V::indeterminate());
     if (!keeps && (std::same_as<V, Ball> || !near)) {
         if (!u.is_plain() && !is_principal(u)) return N<V>(V::indeterminate());
-        const auto both = elliptic_of_complement(v);
-        return N<V>(is_k ? both.k : both.e);
+        return N<V>(is_k ? first_kind_of_complement(v) : elliptic_of_complement(v).e);
     }
-    const AboutOne<V> parts = about_one(v, near);
+    const AboutOne<V> parts = about_one(v, near, is_k);
     // DLMF 19.12.1
-    const N<V> K = N<V>(parts.k / V(-pi<Ball>())) * (log(u) - N<V>(log(Ball(16)))) - N<V>(parts.rest);
+    const N<V> K = N<V>(parts.k / V(-pi<Ball>())) * (log(u) - N<V>(log_of_16())) - N<V>(parts.rest);
     if (is_k) return K;
     // Legendre's relation
     return (N<V>(V(pi<Ball>() / Ball(2))) + u * N<V>(parts.regular) * K) / N<V>(parts.k);

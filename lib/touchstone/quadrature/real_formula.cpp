@@ -133,20 +133,37 @@ std::optional<RealFormula> RealFormula::of(const ExpressionPtr& e)
     return f;
 }
 
+namespace {
+/// What is kept to so many bits and must have more is given some for the next who asks.
+slong enough_bits(slong kept, slong wanted)
+{
+    constexpr slong step = 64;
+    return kept == 0 ? wanted : std::max(wanted, kept + step);
+}
+}
+
+/// Constants to the working precision at least.
+void RealFormula::prepare() const
+{
+    if (bits_ >= WorkingPrecision::bits()) return;
+    const WorkingPrecision precision(enough_bits(bits_, WorkingPrecision::bits()));
+    bits_ = 0; // a constant that is refused by an exception is asked for again
+    for (std::size_t k = 0; k < steps_.size(); ++k)
+        if (steps_[k].op == Op::number) values_[k + 1] = evaluate_at(*steps_[k].constant, Ball(0));
+    bits_ = WorkingPrecision::bits();
+}
+
 const Ball& RealFormula::at(const Ball& x) const
 {
+    prepare();
     const slong bits = WorkingPrecision::bits();
-    const bool anew = bits_ != bits;
-    bits_ = 0; // a constant that is refused by an exception is asked for again
     values_[0] = x;
     for (std::size_t k = 0; k < steps_.size(); ++k) {
         const Step& s = steps_[k];
         const Ball &a = values_[s.first], &b = values_[s.second];
         Ball& y = values_[k + 1];
         switch (s.op) {
-        case Op::number:
-            if (anew) y = evaluate_at(*s.constant, Ball(0));
-            break;
+        case Op::number: break; // prepared
         case Op::add: arb_add(y.get(), a.get(), b.get(), bits); break;
         case Op::multiply: arb_mul(y.get(), a.get(), b.get(), bits); break;
         case Op::divide: arb_div(y.get(), a.get(), b.get(), bits); break;
@@ -155,13 +172,14 @@ const Ball& RealFormula::at(const Ball& x) const
         default: function_of(s.op)(y.get(), a.get(), bits);
         }
     }
-    bits_ = bits;
     return values_.back();
 }
 
 namespace {
 constexpr slong spare_bits = 48; // may cancel
 constexpr slong lost_bits = 6;   // that every value may be off by
+constexpr slong few_spare_bits = 24;  // where those that an end takes are counted
+constexpr slong most_taken_bits = 64; // beyond the working precision
 }
 
 StraightValues::StraightValues(const RealFormula& formula, const Range& range)
@@ -172,7 +190,8 @@ StraightValues::StraightValues(const RealFormula& formula, const Range& range)
 
 void StraightValues::prepare()
 {
-    if (bits_ == WorkingPrecision::bits()) return;
+    if (bits_ >= WorkingPrecision::bits()) return;
+    const WorkingPrecision precision(enough_bits(bits_, WorkingPrecision::bits()));
     bits_ = WorkingPrecision::bits();
     from_ = range_.from.ball();
     to_ = range_.to.ball();
@@ -221,6 +240,24 @@ std::optional<Ball> StraightValues::on_the_line(const Ball& z, bool mirrored)
 std::optional<Ball> StraightValues::in_fraction(const Ball& z, bool mirrored)
 {
     auto y = on_the_line(z, mirrored);
+    if (y) *y *= width_;
+    return y;
+}
+
+std::optional<Ball> StraightValues::beside(Side end, const Ball& fraction)
+{
+    const slong bits = WorkingPrecision::bits();
+    const Limit& nearest = end == Side::left ? range_.from : range_.to;
+    const bool is_at_zero = nearest.exact && nearest.exact->is_zero();
+    const slong taken = is_at_zero ? 0 : std::max<slong>(0, -arf_abs_bound_lt_2exp_si(arb_midref(fraction.get()))); // by the end's own size
+    if (taken > most_taken_bits + bits) return std::nullopt;
+    const WorkingPrecision precision(bits + few_spare_bits + taken);
+    prepare();
+    x_ = width_;
+    x_ *= fraction;
+    if (end == Side::left) x_ += from_;
+    else arb_sub(x_.get(), to_.get(), x_.get(), WorkingPrecision::bits());
+    auto y = value(bits);
     if (y) *y *= width_;
     return y;
 }

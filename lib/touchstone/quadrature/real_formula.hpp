@@ -21,7 +21,7 @@ public:
     static std::optional<RealFormula> of(const ExpressionPtr&);
 
     /// Encloses the values on the ball at the working precision; non-finite unless all intermediate values are real numbers. The reference
-    /// holds until the next call; a formula belongs to one thread at a time.
+    /// holds until the next call; a formula belongs to one thread at a time. Constants are kept, with the most bits that were asked for.
     const Ball& at(const Ball& x) const;
 
 private:
@@ -32,6 +32,7 @@ private:
         ExpressionPtr constant{};            ///< of Op::number
     };
     class Builder;
+    void prepare() const;
 
     std::vector<Step> steps_; ///< the k-th makes value k + 1
     mutable std::vector<Ball> values_;
@@ -50,6 +51,8 @@ public:
     std::optional<Ball> on_the_line(const Ball& z, bool mirrored);
     /// The same times the width.
     std::optional<Ball> in_fraction(const Ball& z, bool mirrored);
+    /// f at a fraction of the range from one of its ends, times the width.
+    std::optional<Ball> beside(Side end, const Ball& fraction);
 
 private:
     std::optional<Ball> value(slong bits) const;

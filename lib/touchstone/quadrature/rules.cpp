@@ -245,7 +245,16 @@ Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>& f, bool complex, lo
     }
     if (!complex) {
         const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
-        return attempt_of(tanh_sinh(at, f->range().interval(), options), f->range());
+        const auto interval = std::make_shared<Interval>(f->range().interval());
+        std::optional<StraightValues> straight;
+        if (f->straight() != nullptr && f->range().map == Map::finite) straight.emplace(*f->straight(), f->range());
+        const detail::MakePanel make = [&](const Rational& from, const Rational& to) {
+            detail::PanelIntegrand panel = detail::panel_integrand(at, interval, from, to);
+            if (straight && from == 0 && to == 1)
+                panel.straight_beside = [&straight](Side end, const Ball& fraction) { return straight->beside(end, fraction); };
+            return panel;
+        };
+        return attempt_of(detail::integrate(make, 1, *interval, options).front(), f->range());
     }
     const auto parts = [f](const auto& x, const auto& left, const auto& right) { return f->both_parts(x, left, right); };
     const std::vector<Enclosure> both = tanh_sinh_of_several(parts, 2, f->range().interval(), options);

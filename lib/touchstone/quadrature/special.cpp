@@ -198,7 +198,7 @@ ComplexBall special_function(Op op, const ComplexBall& z)
     case Op::airy_ai:
     case Op::airy_bi: return airy(op, z);
     case Op::lambert_w: return lambert_w(z);
-    case Op::elliptic_k: return elliptic_of_complement(ComplexBall(1) - z).k;
+    case Op::elliptic_k: return first_kind_of_complement(ComplexBall(1) - z);
     case Op::elliptic_e: return elliptic_of_complement(ComplexBall(1) - z).e;
     case Op::floor: {
         ComplexBall w;
@@ -237,7 +237,7 @@ Ball special_function(Op op, const Ball& x)
     case Op::log1p: return real(arb_log1p);
     case Op::sinc: return analytic::sinc(x);
     case Op::gamma: return real(arb_gamma);
-    case Op::elliptic_k: return elliptic_of_complement(Ball(1) - x).k;
+    case Op::elliptic_k: return first_kind_of_complement(Ball(1) - x);
     case Op::elliptic_e: return elliptic_of_complement(Ball(1) - x).e;
     default: return special_function(op, ComplexBall(x)).real();
     }

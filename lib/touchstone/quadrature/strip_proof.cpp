@@ -5,6 +5,7 @@
 #include "touchstone/quadrature/upper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -37,23 +38,31 @@ void StripProof::fail(const StripPiece& piece, const char* what)
 
 End StripProof::end(Side side, double d)
 {
-    End e;
     // a singular point beyond the end, at a distance of 10^-k of the interval, wants a depth of 2.3 k
-    for (const double depth : {4.0, 10.0, 24.0, 60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0}) {
-        e.edge = edge(depth, d, transformation_);
-        const StripPiece piece = endless(side, e.edge, d);
-        const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
-        e.depth = piece.depth();
-        const Order own = c.order(side);
-        e.here = own.power + Exponent(1);
-        e.far = c.order(side == Side::left ? Side::right : Side::left).power + Exponent(1);
-        e.bound = upper_ball(c.factor());
-        if (!own.logs.is_zero()) { // rho^k <= (sup of |u|^epsilon rho^k) |u|^-epsilon
-            const Exponent epsilon = Exponent(0) < own.logs ? e.here * share_for_logarithms(own.logs) : Exponent(0);
-            e.bound = e.bound * upper_ball(piece.vanishing(side, epsilon.ball(), own.logs));
-            e.here = e.here - epsilon;
-        }
-        if (e.is_integrable()) break; // else farther out the exponent may be better: where a growing factor bounds it
+    constexpr std::array depths{4.0, 10.0, 24.0, 60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0};
+    End e = end_at(side, depths.front(), d);
+    if (e.is_integrable()) return e;
+    const End deepest = end_at(side, depths.back(), d); // where that fails, so does what is not as deep
+    for (std::size_t k = 1; k < depths.size() && deepest.is_integrable() && !e.is_integrable(); ++k) e = end_at(side, depths[k], d);
+    return deepest.is_integrable() ? e : deepest;
+}
+
+/// Farther out the exponent may be better, where a growing factor bounds it.
+End StripProof::end_at(Side side, double depth, double d)
+{
+    End e;
+    e.edge = edge(depth, d, transformation_);
+    const StripPiece piece = endless(side, e.edge, d);
+    const EndpointNumber<ComplexBall> c = is_constant_ ? constant_ : value(piece);
+    e.depth = piece.depth();
+    const Order own = c.order(side);
+    e.here = own.power + Exponent(1);
+    e.far = c.order(side == Side::left ? Side::right : Side::left).power + Exponent(1);
+    e.bound = upper_ball(c.factor());
+    if (!own.logs.is_zero()) { // rho^k <= (sup of |u|^epsilon rho^k) |u|^-epsilon
+        const Exponent epsilon = Exponent(0) < own.logs ? e.here * share_for_logarithms(own.logs) : Exponent(0);
+        e.bound = e.bound * upper_ball(piece.vanishing(side, epsilon.ball(), own.logs));
+        e.here = e.here - epsilon;
     }
     return e;
 }
@@ -278,14 +287,12 @@ bool StripProof::run(Panel& panel, double bits)
         right = c.right;
         return true;
     };
+    const auto may_gain = [&](double d) { return best == 0 || best < d / (wanted + 4); }; // if N_d were the scale
     for (auto c = proved.rbegin(); c != proved.rend(); ++c)
-        if (!consider(*c)) break;
+        if (!may_gain(c->d) || !consider(*c)) break;
     // F may grow so fast away from the line that a part of the proved strip serves better.
-    for (double d = lowest.d / 2; d > lowest.d / 100; d /= 2) {
-        Candidate c{d, end(Side::left, d), end(Side::right, d)};
-        if (best > 0 && best >= d / (wanted + 4)) break; // nothing to gain even with N_d = scale
-        if (!consider(c)) break;
-    }
+    for (double d = lowest.d / 2; d > lowest.d / 100 && may_gain(d); d /= 2)
+        if (!consider({d, end(Side::left, d), end(Side::right, d)})) break;
     if (best == 0) {
         reason = "the integral of |F| along the strip was not bounded";
         return false;

@@ -48,6 +48,7 @@ private:
     }
     StripPiece endless(Side side, double x1, double d) const { return piece(side, x1, std::numeric_limits<double>::infinity(), 0, d); }
     End end(Side side, double d);
+    End end_at(Side side, double depth, double d);
     bool layer(Side side, double x1, double x2, double y1, double y2, double smallest);
     Ball line(Side side, double edge, double d);
     Ball piece_bound(Side side, double x1, double x2, double d);

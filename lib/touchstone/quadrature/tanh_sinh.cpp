@@ -71,6 +71,17 @@ struct Sums {
     Ball absolute{0};
 };
 
+/// A bound of |x w| more.
+void add_size(Ball& sum, const Ball& x, const Ball& w)
+{
+    mag_t size, factor;
+    mag_init(size), mag_init(factor);
+    arb_get_mag(size, x.get());
+    arb_get_mag(factor, w.get());
+    mag_addmul(arb_radref(sum.get()), size, factor);
+    mag_clear(size), mag_clear(factor);
+}
+
 /// Step and nodes for an error of 2^log2_tolerance.
 void plan(ProvedPanel& proved, double log2_tolerance)
 {
@@ -112,14 +123,20 @@ Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slo
         const Node node(*table, k, side);
         const slong lost = static_cast<slong>((side == Side::left ? alpha : beta) * node.depth() / M_LN2);
         const WorkingPrecision here(std::max<slong>(40, std::min<slong>(bits, bits - lost + (logistic ? 0 : k / p.m) + 4)));
+        const auto add_term = [&](std::size_t i, const Ball& value, const Ball& weight) {
+            arb_addmul(sums[i].get(), value.get(), weight.get(), bits);
+            add_size(absolute, value, weight);
+        };
+        if (const auto y = proved.f.straight_beside ? proved.f.straight_beside(side, node.distance(side)) : std::nullopt) {
+            add_term(0, *y, node.weighted(0, 0));
+            return;
+        }
         proved.f.at_node(node, g);
         Ball weight;
         for (std::size_t i = 0; i < count; ++i) {
             if (i == 0 || !(g[i].left() == g[i - 1].left()) || !(g[i].right() == g[i - 1].right()))
                 weight = node.weighted(g[i].left().power, g[i].right().power);
-            arb_addmul(sums[i].get(), g[i].factor().get(), weight.get(), bits);
-            const Ball size = upper_ball(g[i].factor()), w = upper_ball(weight);
-            arb_addmul(absolute.get(), size.get(), w.get(), strip_bits);
+            add_term(i, g[i].factor(), weight);
         }
     };
     add(0, Side::right);

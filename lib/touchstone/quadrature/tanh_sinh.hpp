@@ -118,6 +118,8 @@ struct PanelIntegrand {
     std::function<std::optional<Ball>(const Ball& sine, const Ball& cosine)> straight;
     /// f dx/du where u = (1 + z)/2, or, mirrored, (1 - z)/2, in the same way.
     std::function<std::optional<Ball>(const Ball& z, bool mirrored)> straight_in_fraction;
+    /// f dx/du at the fraction u next to the left end, or r next to the right one, in the same way.
+    std::function<std::optional<Ball>(Side end, const Ball& fraction)> straight_beside;
     bool is_even = false; ///< the same where u and r change places
 };
 
@@ -134,8 +136,9 @@ template <class V, class F, class Take>
 void panel_values(const F& f, const Interval& interval, const Frame<V>& frame, const Rational& from, const Rational& to, const Take& take)
 {
     using N = EndpointNumber<V>;
-    const N v(&frame, {1, 0}, {}, V(1)), s(&frame, {}, {1, 0}, V(1)), width{Rational(to - from)};
+    const N v(&frame, {1, 0}, {}, V(1)), s(&frame, {}, {1, 0}, V(1));
     const bool whole = from == 0 && to == 1;
+    const N width = whole ? N(1) : N(Rational(to - from));
     const N u = whole ? v : from == 0 ? width * v : N(from) + width * v;
     const N r = whole ? s : to == 1 ? width * s : N(Rational(1 - to)) + width * s;
     const auto p = interval.at(u, r);

@@ -22,7 +22,16 @@ inline Ball upper_ball(const Ball& x)
     mag_clear(m);
     return r;
 }
-inline Ball upper_ball(const ComplexBall& z) { return upper_ball(touchstone::abs(z)); }
+inline Ball upper_ball(const ComplexBall& z)
+{
+    mag_t m;
+    mag_init(m);
+    acb_get_mag(m, z.get());
+    Ball r;
+    arf_set_mag(arb_midref(r.get()), m);
+    mag_clear(m);
+    return r;
+}
 
 inline double upper(const Ball& x)
 {
