@@ -138,7 +138,7 @@ void panel_values(const F& f, const Interval& interval, const Frame<V>& frame, c
     using N = EndpointNumber<V>;
     const N v(&frame, {1, 0}, {}, V(1)), s(&frame, {}, {1, 0}, V(1));
     const bool whole = from == 0 && to == 1;
-    const N width = whole ? N(1) : N(Rational(to - from));
+    const N width = whole ? N() : N(Rational(to - from));
     const N u = whole ? v : from == 0 ? width * v : N(from) + width * v;
     const N r = whole ? s : to == 1 ? width * s : N(Rational(1 - to)) + width * s;
     const auto p = interval.at(u, r);
