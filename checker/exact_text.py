@@ -30,7 +30,9 @@ def power(number, exponent):
     """of what is not negative, or of a fraction to the power of an integer"""
     base, degree = number
     exponent = Fraction(exponent)
-    if base <= 0 and (exponent.denominator > 1 or base == 0 and exponent <= 0):
+    if base == 0 and exponent > 0:
+        return base, 1
+    if base <= 0 and (exponent.denominator > 1 or base == 0):
         raise ValueError("a power that is none")
     degree *= exponent.denominator
     if degree > MOST_DEGREE or abs(exponent.numerator) * max(base.numerator.bit_length(), base.denominator.bit_length()) > MOST_BITS:

@@ -22,7 +22,7 @@ from table_text import Unreadable, json_of
 
 FIRST = "# Touchstone values of "
 ROW = re.compile(r"((?:[!\"$-~]+ )+)# (exact|certified|estimated|undecided|refused)(: .*)?")
-CONTROL = re.compile("[\0-\t\v-\x1f\x7f]|\xc2\x85|\xe2\x80[\xa8\xa9]")  # and what ends a line to some readers: bytes of UTF-8
+CONTROL = re.compile("[\0-\t\v-\x1f\x7f-\x9f\u2028\u2029\udc80-\udc9f]")  # what ends a line to some readers too, and such bytes where they are no UTF-8
 MOST_DIGITS = 10000
 BINARY64 = re.compile(r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e[-+]?[0-9]{1,3})?")
 STATUSES = "exact certified estimated undecided refused".split()  # the weakest last
@@ -47,7 +47,7 @@ def read(path, text, names_of):
     """header and rows"""
     *lines, end = text.split("\n")
     try:
-        if CONTROL.search(text):
+        if CONTROL.search(text.encode("latin-1").decode("utf-8", "surrogateescape")):
             raise ValueError("has control characters")
         if end or len(lines) < 7 or not lines[5].startswith("# {"):
             raise ValueError("lines are missing")

@@ -31,5 +31,5 @@ def once(pairs):
 
 
 def json_of(line):
-    """no integer in it is so long that it takes a while"""
-    return json.loads(line, object_pairs_hook=once, parse_int=lambda digits: int(digits) if len(digits) < 20 else float(digits))
+    """no integer in it is so long that it takes a while; NaN, which some readers take, is refused as no integer"""
+    return json.loads(line, object_pairs_hook=once, parse_constant=int, parse_int=lambda digits: int(digits) if len(digits) < 20 else float(digits))
