@@ -178,11 +178,11 @@ Ball StripProof::strip_integral_by_pieces(double d, const End& left, const End& 
     return upper_ball(half);
 }
 
-bool StripProof::run(Panel& panel, double bits)
+bool StripProof::run(Panel& panel, double bits, double cost_of_nodes)
 {
     const WorkingPrecision precision(strip_bits);
     // What a piece costs against a node at this precision: the proof may cost about as much as the nodes it saves.
-    const double nodes_cost = 1.1 * bits * (1 + std::pow(bits / 500, 1.3));
+    const double nodes_cost = cost_of_nodes * 1.1 * bits * (1 + std::pow(bits / 500, 1.3));
     pieces_per_bit_ = nodes_cost / bits;
     {
         const EndpointNumber<ComplexBall> c = value(StripPiece::everywhere());

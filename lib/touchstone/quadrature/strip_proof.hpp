@@ -29,7 +29,8 @@ public:
     }
 
     /// Fill alpha, beta, strip, bounds, strip_integral, scale. False if nothing was proved.
-    bool run(Panel& panel, double bits);
+    /// `cost_of_nodes`: against that of endpoint numbers; the proof is to cost no more than the nodes that it saves.
+    bool run(Panel& panel, double bits, double cost_of_nodes = 1);
 
     std::string reason;
     double failure_u = 0.5; // fraction of the panel where the proof stopped; negative: at an end

@@ -155,6 +155,8 @@ Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slo
     return {std::move(sums), absolute * Ball(4) / Ball(p.m)}; // pi log 2 < 4
 }
 
+constexpr double cost_of_straight_values = 0.5; ///< against endpoint numbers, about
+
 /// Prove panels, bisecting near what stops a proof or makes its strip thin.
 bool prove_panels(const MakePanel& make, const Rational& from, const Rational& to, const Options& options, int depth, double bits,
                   std::vector<ProvedPanel>& out, std::string& reason, std::optional<double>& stopped)
@@ -169,7 +171,7 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
     p.panel.to = to;
     p.panel.transformation = options.transformation;
     StripProof proof(p.f.on_strip, options.proof_budget, options.transformation);
-    const bool proved = proof.run(p.panel, bits);
+    const bool proved = proof.run(p.panel, bits, p.f.straight_beside ? cost_of_straight_values : 1);
     p.panel.pieces = proof.pieces;
     p.left = proof.left;
     p.right = proof.right;
