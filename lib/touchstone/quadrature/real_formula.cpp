@@ -178,7 +178,7 @@ const Ball& RealFormula::at(const Ball& x) const
 namespace {
 constexpr slong spare_bits = 48; // may cancel
 constexpr slong lost_bits = 6;   // that every value may be off by
-constexpr slong few_spare_bits = 24;  // where those that an end takes are counted
+constexpr slong few_spare_bits = 8;   // where those that an end takes are counted
 constexpr slong most_taken_bits = 64; // beyond the working precision
 }
 

@@ -38,16 +38,16 @@ void StripProof::fail(const StripPiece& piece, const char* what)
 
 End StripProof::end(Side side, double d)
 {
-    // a singular point beyond the end, at a distance of 10^-k of the interval, wants a depth of 2.3 k
+    // A singular point beyond the end, at a distance of 10^-k of the interval, wants a depth of 2.3 k; and farther out the exponent may be
+    // better, where a growing factor bounds it.
     constexpr std::array depths{4.0, 10.0, 24.0, 60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0};
     End e = end_at(side, depths.front(), d);
     if (e.is_integrable()) return e;
-    const End deepest = end_at(side, depths.back(), d); // where that fails, so does what is not as deep
+    const End deepest = end_at(side, depths.back(), d); // where that fails nothing is expected of what is not as deep
     for (std::size_t k = 1; k < depths.size() && deepest.is_integrable() && !e.is_integrable(); ++k) e = end_at(side, depths[k], d);
     return deepest.is_integrable() ? e : deepest;
 }
 
-/// Farther out the exponent may be better, where a growing factor bounds it.
 End StripProof::end_at(Side side, double depth, double d)
 {
     End e;

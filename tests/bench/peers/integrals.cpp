@@ -428,11 +428,11 @@ void report(const std::function<std::string()>& once)
     double start = milliseconds();
     call();
     times.push_back(milliseconds() - start);
-    for (int batch = 0; batch < std::min(5.0, 2000 / std::max(times[0], 1.0)) && refused.empty(); ++batch) {
+    for (int batch = 0; batch < static_cast<int>(std::min(5.0, 2000 / std::max(times[0], 1.0))) && refused.empty(); ++batch) {
         long n = 0;
         start = milliseconds();
         do call();
-        while (++n, milliseconds() - start < 8);
+        while (++n, milliseconds() - start < 24); // CPU time comes in ticks
         times.push_back((milliseconds() - start) / static_cast<double>(n));
     }
     std::printf("times");
