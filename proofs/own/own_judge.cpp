@@ -137,6 +137,11 @@ ex without_hidden(const OwnLedger& ledger, const ex& e, const ex& symbol)
     });
 }
 
+bool is_the_same_in_other_words(const OwnLedger& ledger, const ex& a, const ex& b)
+{
+    return GiNaC::normal(GiNaC::expand(written_out(ledger, a - b))).is_zero();
+}
+
 /// "@H1 + x", with the right side of H1.
 ex with_references(const OwnLedger& ledger, const std::string& t)
 {
@@ -160,7 +165,7 @@ GiNaC::lst replacements(const OwnLedger& ledger, const Follows& f)
 ex replaced(const OwnLedger& ledger, ex e, const GiNaC::lst& with)
 {
     for (const ex& one : with)
-        if (!GiNaC::normal(GiNaC::expand(written_out(ledger, one.lhs() - one.rhs()))).is_zero()) e = without_hidden(ledger, e, one.lhs());
+        if (!is_the_same_in_other_words(ledger, one.lhs(), one.rhs())) e = without_hidden(ledger, e, one.lhs());
     return e.subs(with);
 }
 
@@ -264,19 +269,135 @@ Check same(const Where& where, const ex& print, const ex& wanted)
     return same_as_written(where, print_in_full, wanted_in_full);
 }
 
-/// What follows from an equation that is printed as a bound is the same bound, and what has a condition holds where that does.
-std::optional<Check> source_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+/// What the entry follows from, and what that follows from in turn.
+std::set<std::string> all_sources(const OwnLedger& ledger, const OwnEntry& e)
+{
+    std::set<std::string> all;
+    std::vector<std::string> todo = e.rests_on;
+    while (!todo.empty()) {
+        const std::string id = todo.back();
+        todo.pop_back();
+        if (!all.insert(id).second) continue;
+        const auto& further = ledger.at(id).rests_on;
+        todo.insert(todo.end(), further.begin(), further.end());
+    }
+    return all;
+}
+
+std::set<std::string> symbols_of(const ex& e)
+{
+    std::set<std::string> all;
+    const std::function<void(const ex&)> collect = [&](const ex& part) {
+        if (GiNaC::is_a<GiNaC::symbol>(part)) all.insert(GiNaC::ex_to<GiNaC::symbol>(part).get_name());
+        for (std::size_t i = 0; i < part.nops(); ++i) collect(part.op(i));
+    };
+    collect(e);
+    return all;
+}
+
+ex number(const Rational& x) { return ex(GiNaC::numeric(x.get_str().c_str())); }
+
+/// The least value of e in a box, if e has no power of a symbol in it, so that this is at a corner, and is a rational number there.
+std::optional<ex> least_at_corners(const ex& e, const std::vector<Range>& box)
+{
+    constexpr std::size_t most_symbols = 8;
+    const ex expanded = GiNaC::expand(e);
+    if (box.size() > most_symbols) return std::nullopt;
+    for (const Range& r : box)
+        if (!expanded.is_polynomial(sym(r.symbol)) || expanded.degree(sym(r.symbol)) > 1) return std::nullopt;
+    std::optional<ex> least;
+    for (std::size_t corner = 0; corner < (std::size_t{1} << box.size()); ++corner) {
+        GiNaC::lst at;
+        for (std::size_t i = 0; i < box.size(); ++i) at.append(sym(box[i].symbol) == number(corner >> i & 1 ? box[i].high : box[i].low));
+        const ex value = expanded.subs(at);
+        if (!GiNaC::is_a<GiNaC::numeric>(value) || !GiNaC::ex_to<GiNaC::numeric>(value).is_rational()) return std::nullopt;
+        if (!least || GiNaC::ex_to<GiNaC::numeric>(value) < GiNaC::ex_to<GiNaC::numeric>(*least)) least = value;
+    }
+    return least;
+}
+
+/// e >= 0 for all values of its symbols in their ranges.
+Check not_negative(const OwnLedger& ledger, const ex& e)
+{
+    const ex full = written_out(ledger, e);
+    std::vector<Range> box;
+    for (const std::string& name : symbols_of(full)) box.push_back({name, ledger.symbols.at(name).low, ledger.symbols.at(name).high});
+    if (box.empty()) {
+        const Truth negative = less(evaluate(full, Point{}), Ball(0));
+        return {certainly(negative) ? Verdict::refuted : possibly(negative) ? Verdict::undecided : Verdict::proved, str(full)};
+    }
+    if (const auto least = least_at_corners(full, box))
+        return {least->info(GiNaC::info_flags::negative) ? Verdict::refuted : Verdict::proved, "it is " + str(*least) + " at least"};
+    constexpr int pieces = 2000;
+    return positive_on(full, box, pieces, Bound::may_be_reached);
+}
+
+/// Whether a formula stays between two numbers wherever its symbols stay in their ranges; no means: not seen to.
+bool stays_within(const OwnLedger& ledger, const ex& e, const Range& r)
+{
+    const ex full = written_out(ledger, e);
+    return not_negative(ledger, full - number(r.low)).verdict == Verdict::proved &&
+           not_negative(ledger, number(r.high) - full).verdict == Verdict::proved;
+}
+
+/// Where a source was looked at: over its printed range, or, if it rests on what has one, where its symbols are sampled.
+std::vector<Range> box_of(const OwnLedger& ledger, const OwnEntry& source)
+{
+    if (!source.over.empty()) return source.over;
+    const std::set<std::string> sources = all_sources(ledger, source);
+    if (std::none_of(sources.begin(), sources.end(), [&](const std::string& id) { return !ledger.at(id).over.empty(); })) return {};
+    const Print p = right_form(source);
+    std::set<std::string> names;
+    for (const char* side : {"lhs", "rhs"}) names.merge(symbols_of(written_out(ledger, p(side))));
+    std::vector<Range> box;
+    for (const std::string& name : names) box.push_back({name, ledger.symbols.at(name).low, ledger.symbols.at(name).high});
+    return box;
+}
+
+/// From a bound the same bound follows, both sides of it; from what is printed with ~ that alone.
+std::optional<Check> bound_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     const Follows& f = *e.follows;
+    for (std::size_t i = 1; i < e.rests_on.size(); ++i) // what "@ID" puts in
+        if (const std::string r = right_form(ledger.at(e.rests_on[i])).text("relation"); r != "=")
+            return Check{Verdict::undecided, "(" + e.rests_on[i] + ") is printed with " + r + ": nothing is equal to its right side"};
     const Print source = right_form(ledger.at(f.equation));
-    const std::string relation = source.text("relation");
-    if (relation != "=" && (p.text("relation") != relation || !f.derivative_by.empty()))
-        return Check{Verdict::undecided, "(" + f.equation + ") is printed with " + relation + ", from which only the same follows"};
-    const GiNaC::lst with = replacements(ledger, f);
+    const std::string relation = source.text("relation"), from = "(" + f.equation + ") is printed with " + relation;
+    if (relation == "=") return std::nullopt;
+    if (p.text("relation") != relation || !f.derivative_by.empty() || f.side != "rhs" || (!is_bound(relation) && !f.with.empty()))
+        return Check{Verdict::undecided, from + ", from which only the same follows"};
+    const Check left = same({ledger, p, "0."}, p("lhs"), replaced(ledger, source("lhs"), replacements(ledger, f)));
+    if (left.verdict == Verdict::proved || left.verdict == Verdict::verified) return left;
+    return Check{Verdict::undecided, from + ", and what stands on its left side is not the same: " + left.detail};
+}
+
+/// What was looked at over a range follows within it.
+std::optional<Check> range_forbids(const OwnLedger& whole, const OwnLedger& ledger, const OwnEntry& e)
+{
+    const GiNaC::lst with = replacements(ledger, *e.follows);
+    for (std::size_t i = 0; i < e.rests_on.size(); ++i) {
+        const std::string& id = e.rests_on[i];
+        const std::vector<Range> box = box_of(whole, whole.at(id));
+        for (const Range& r : box)
+            if (!stays_within(ledger, i == 0 ? replaced(ledger, sym(r.symbol), with) : sym(r.symbol), r))
+                return Check{Verdict::undecided, "(" + id + ") is looked at for " + r.symbol + " in [" + r.low.get_str() + ", " +
+                                                     r.high.get_str() + "], and this is not seen to stay in there"};
+        for (const ex& one : i == 0 && !box.empty() ? with : GiNaC::lst{})
+            if (std::none_of(box.begin(), box.end(), [&](const Range& r) { return one.lhs().is_equal(sym(r.symbol)); }) &&
+                !is_the_same_in_other_words(ledger, one.lhs(), one.rhs()))
+                return Check{Verdict::undecided, "(" + id + ") is looked at over a range, and " + str(one.lhs()) + " has none there"};
+    }
+    return std::nullopt;
+}
+
+/// What has a condition holds where that does.
+std::optional<Check> condition_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    const GiNaC::lst with = replacements(ledger, *e.follows);
     for (const std::string& id : e.rests_on) {
         const Print other = right_form(ledger.at(id));
         for (const Point& point : points_all_over(ledger))
-            if (condition_at(ledger, other, "0.", id == f.equation ? with : GiNaC::lst{}, point) == Truth::no &&
+            if (condition_at(ledger, other, "0.", id == e.follows->equation ? with : GiNaC::lst{}, point) == Truth::no &&
                 certainly(condition_at(ledger, p, "0.", {}, point)))
                 return Check{Verdict::undecided, "at " + as_text(point) + " the condition of (" + id + "), " +
                                                      other.text("condition") + ", does not hold"};
@@ -487,7 +608,8 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
         if (e.follows) {
             const std::string what = "the right side follows from (" + e.follows->equation + ")";
             a.add(what, same({ledger, p, "0."}, p("rhs"), derived(ledger, *e.follows)));
-            if (const auto no = source_forbids(ledger, e, p)) a.add(what, *no);
+            for (const auto& no : {bound_forbids(ledger, e, p), range_forbids(whole, ledger, e), condition_forbids(ledger, e, p)})
+                if (no) a.add(what, *no);
         }
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
@@ -512,25 +634,31 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
 
 namespace {
 
-/// What follows from a print that is refuted, and has no correction that holds, is not proved by that; nor what follows from it in turn.
+bool stands(const Finding& f)
+{
+    return f.verdict == Verdict::proved || f.verdict == Verdict::verified || f.verdict == Verdict::definition;
+}
+
+/// What follows from a print that is refuted and has no correction that holds, or from one of which nothing is known, is not proved by
+/// that; nor what follows from it in turn.
 void withdraw_what_rests_on_nothing(std::vector<OwnResult>& all)
 {
     std::set<std::string> nothing;
-    for (const OwnResult& r : all) {
-        const Finding& right = r.corrected ? *r.corrected : r.finding;
-        if (right.verdict == Verdict::refuted) nothing.insert(r.entry->print.id);
-    }
+    for (const OwnResult& r : all)
+        if (!stands(r.corrected ? *r.corrected : r.finding)) nothing.insert(r.entry->print.id);
     const auto rests_on_nothing = [&](const std::string& id) { return nothing.count(id) > 0; };
     for (bool is_new = true; is_new;) {
         is_new = false;
         for (OwnResult& r : all) {
             const auto& sources = r.entry->rests_on;
             const auto source = std::find_if(sources.begin(), sources.end(), rests_on_nothing);
-            if (source == sources.end() || !nothing.insert(r.entry->print.id).second) continue;
-            is_new = true;
-            if (r.finding.verdict == Verdict::refuted) continue;
-            r.finding.verdict = Verdict::undecided;
-            r.finding.reason = "(" + *source + "), from which it follows, does not hold as it stands";
+            if (source == sources.end()) continue;
+            is_new = nothing.insert(r.entry->print.id).second || is_new;
+            for (Finding* f : {&r.finding, r.corrected ? &*r.corrected : nullptr})
+                if (f && stands(*f)) {
+                    f->verdict = Verdict::undecided;
+                    f->reason = "(" + *source + "), from which it follows, is not known to hold as it stands";
+                }
         }
     }
 }

@@ -62,9 +62,18 @@ std::string text(const json& object, const char* key, const Place& at, const std
     return of_some_length(object[key], at);
 }
 
+/// A number as it stands there. JSON's numbers with a point, and very long ones, become doubles, which are other numbers.
+std::string digits(const json& value, const Place& at)
+{
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_float())
+        at.fail("a number with a point or an exponent, or a very long one, stands in quotes, \"0.1\", not as " + value.dump());
+    return value.dump();
+}
+
 Rational number(const json& value, const Place& at)
 {
-    const std::string t = value.is_string() ? value.get<std::string>() : value.dump();
+    const std::string t = digits(value, at);
     const auto r = parse_rational(t);
     if (!r) at.fail("not an exact number: " + t);
     return *r;
@@ -225,7 +234,7 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
     if (t.contains("rows")) {
         for (const auto& row : t["rows"]) {
             rows.emplace_back();
-            for (const auto& cell : row) rows.back().push_back(cell.is_string() ? cell.get<std::string>() : cell.dump());
+            for (const auto& cell : row) rows.back().push_back(digits(cell, at.in("row " + std::to_string(rows.size()))));
         }
     } else {
         std::istringstream in(file_in(dir, text(t, "file", at, "table.txt")));

@@ -329,6 +329,70 @@ class Changed(unittest.TestCase):
             self.assertEqual(self.verdicts(t, a, {**chain, "says": wrong})["B"], "refuted", wrong)
         self.assertEqual(self.verdicts(t, {"id": "B", "says": "5.*t > 1", "over": over}), {"B": "proved"})
 
+    def test_a_number_is_what_stands_there_and_not_the_nearest_double(self):
+        """JSON's numbers with a point are doubles when they are read: they have to stand in quotes."""
+        def judged(rows, **more):
+            table = {"formula": "x", "columns": ["x"], "rows": "ROWS"}
+            ledger = {"symbols": {"x": {"dimension": "1", "range": "RANGE"}}, "entries": [{"id": "T", "table": table}, {"id": "B", "says": "x < 9", "over": {"x": "OVER"}}]}
+            text = json.dumps(ledger).replace('"ROWS"', rows)
+            for name in ("RANGE", "OVER"):
+                text = text.replace(f'"{name}"', more.get(name, '["1/4", "1"]'))
+            return self.judge_text(text)
+        for rows in ('[["1/2", 0.50000000000000000004]]', '[["2/3", 0.66666666666666666667]]', '[[0.1000000000000000000001, "0.1"]]',
+                     '[[123456789012345678901234567890, "0.1"]]', '[["1/2", 5e-1]]'):
+            r = judged(rows)
+            self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stdout + r.stderr)
+            self.assertRegex(r.stderr, "'T': table: row 1: .* in quotes")
+        for name, where in (("RANGE", "'x'"), ("OVER", "'B': over x")):
+            r = judged('[["1/2", "0.5"]]', **{name: "[0, 0.10000000000000000000001]"})
+            self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stdout + r.stderr)
+            self.assertIn(where, r.stderr)
+        self.assertEqual(judged('[["1/2", "0.50000000000000000004"]]').returncode, 1)
+        self.assertEqual(judged('[["2/3", "0.66666666666666666667"], [2, 2]]', OVER="[0, 1]").returncode, 0)
+
+    def test_from_a_bound_the_bound_of_the_same_follows_within_its_range(self):
+        real = {"sign": "real", "range": ["0", "1"]}
+        a = {"id": "A", "says": "x^2 <= 1", "over": {"x": ["-1/2", "1/2"]}}
+        b = {"id": "B", "says": "x^80*2 <= 1", "follows": {"equation": "A"}}
+        self.assertEqual(self.verdicts({"x": real}, a, b), {"A": "proved", "B": "undecided"})
+        side = {"id": "B", "says": "1/30 < x", "follows": {"equation": "A", "side": "lhs"}}
+        self.assertEqual(self.verdicts({"x": real}, {"id": "A", "says": "x < 2", "over": {"x": ["0", "1"]}}, side), {"A": "proved", "B": "undecided"})
+        c = {"id": "C", "says": "x^2 < x+3", "over": {"x": ["0", "2"]}}
+
+        def from_c(low, high, says="x^2 < x+3", **follows):
+            return self.verdicts({"x": {"range": [low, high]}, "u": {"range": [low, high]}}, c, {"id": "D", "says": says, "follows": {"equation": "C", **follows}})["D"]
+        self.assertEqual(from_c("0", "12/5"), "undecided")
+        self.assertEqual(from_c("1/4", "2"), "proved")
+        self.assertEqual(from_c("1/4", "1", "4*u^2 < 2*u+3", **{"with": {"x": "2*u"}}), "proved")
+        self.assertEqual(from_c("1/4", "11/10", "4*u^2 < 2*u+3", **{"with": {"x": "2*u"}}), "undecided")
+        self.assertEqual(from_c("1/4", "1", "1 < 4", **{"with": {"x": "1"}}), "proved")
+        # and further on
+        d = {"id": "D", "says": "x^2 < x+3", "follows": {"equation": "C"}}
+        e = {"id": "E", "says": "100*u^2 < 10*u+3", "follows": {"equation": "D", "with": {"x": "10*u"}}}
+        self.assertEqual(self.verdicts({"x": {"range": ["0", "1"]}, "u": {"range": ["0", "1/4"]}}, c, d, e), {"C": "proved", "D": "proved", "E": "undecided"})
+        # what stands for something that is looked at has no range of its own
+        t = {"t": {"range": ["1/4", "1/2"]}, "x": {"is": "t^40"}}
+        b = {"id": "B", "says": "109*10^10*x < 1", "follows": {"equation": "A", "with": {"x": "109*10^10*x"}}}
+        self.assertEqual(self.verdicts(t, {"id": "A", "says": "x < 1", "over": {"t": ["1/4", "1/2"]}}, b)["B"], "undecided")
+
+    def test_what_is_put_in_by_its_name_is_an_equation(self):
+        symbols = {"a": {"range": ["1", "2"]}, "y": {"sign": "real"}, "z": {"sign": "real"}}
+        b = {"id": "B", "says": "a < 4", "over": {"a": ["1", "2"]}}
+        d = {"id": "D", "says": "y = a^2", "is": "definition"}
+        c = {"id": "C", "says": "z = 16", "follows": {"equation": "D", "with": {"a": "@B"}}}
+        self.assertEqual(self.verdicts(symbols, b, d, c), {"B": "proved", "D": "definition", "C": "undecided"})
+
+    def test_what_follows_from_an_undecided_print_is_undecided(self):
+        real = {"sign": "real"}
+        symbols = {"x": {**real, "range": ["-1", "1"]}, "y": real, "z": real, "w": real}
+        a = {"id": "A", "says": "y = abs(x)", "is": "definition"}
+        b = {"id": "B", "says": "z = x", "where": "x > 0", "is": "definition"}
+        c = {"id": "C", "says": "w = x", "follows": {"equation": "B"}}
+        d = {"id": "D", "says": "y = x", "follows": {"equation": "C"}}
+        self.assertEqual(self.verdicts(symbols, a, b, c, d), {"A": "definition", "B": "definition", "C": "undecided", "D": "undecided"})
+        n = {"id": "N", "says": "2*y = 2*x"}
+        self.assertEqual(self.verdicts(symbols, n, {"id": "C", "says": "w = 2*x", "follows": {"equation": "N"}}), {"N": "undecided", "C": "undecided"})
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
