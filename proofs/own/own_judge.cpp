@@ -2,6 +2,7 @@
 #include "proofs/own/own_judge.hpp"
 
 #include "proofs/mutation/typesetter.hpp"
+#include "proofs/own/own_symbols.hpp"
 #include "proofs/reading/whole.hpp"
 #include "proofs/symbols.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -42,13 +43,6 @@ std::string as_text(const Point& p)
     std::string all;
     for (const auto& [name, value] : p) all += (all.empty() ? "" : " ") + name + "=" + value.get_str();
     return all;
-}
-
-/// The samples as independent numbers: for identities between formulas.
-Points free_points(const OwnLedger& ledger)
-{
-    const std::string a = as_text(samples(ledger, 0)), b = as_text(samples(ledger, 1));
-    return {a.c_str(), b.c_str()};
 }
 
 /// Further points all over the ranges, and next to their ends: for formulas that no normal form compares and that may differ on a part
@@ -106,20 +100,6 @@ Situation situation(const OwnLedger& ledger, int set)
 
 /// The print that others may rest on: corrected, where it has a correction.
 Print right_form(const OwnEntry& e) { return e.correction ? e.print.edited(e.correction->edits) : e.print; }
-
-/// e with what the symbols stand for, as far as `is_meant` says.
-template <class IsMeant>
-ex written_out(const OwnLedger& ledger, const ex& e, const IsMeant& is_meant)
-{
-    for (const auto& [name, symbol] : ledger.symbols)
-        if (!symbol.is.empty() && e.has(sym(name)) && is_meant(name))
-            return written_out(ledger, e.subs(sym(name) == read(symbol.is)), is_meant);
-    return e; // what stands for what has no cycle
-}
-ex written_out(const OwnLedger& ledger, const ex& e)
-{
-    return written_out(ledger, e, [](const std::string&) { return true; });
-}
 
 /// The same, down to the symbols that have a range in the entry.
 ex written_out(const OwnLedger& ledger, const OwnEntry& entry, const ex& e)
@@ -195,22 +175,24 @@ std::string differ_by_a_number(const ex& print, const ex& wanted)
 
 bool is_bound(const std::string& relation) { return relation == "<" || relation == ">" || relation == "<=" || relation == ">="; }
 
-/// Whether the printed condition of a part, "0 < x < a", surely holds at a point, with the symbols that `with` says otherwise; surely does
+/// Whether the printed condition of a part, "0 < x <= a", surely holds at a point, with the symbols that `with` says otherwise; surely does
 /// not; or neither is known.
 Truth condition_at(const OwnLedger& ledger, const Print& p, const std::string& part, const GiNaC::lst& with, const Point& point)
 {
     if (!p.has(part + "condition")) return Truth::yes;
     std::vector<Ball> sides;
     for (const ex& side : p.sides(part + "condition")) sides.push_back(evaluate(written_out(ledger, replaced(ledger, side, with)), point));
-    std::string relations;
-    for (const char c : p.text(part + "condition"))
-        if (c == '<' || c == '>') relations += c;
+    static const std::regex relation("[<>]=?");
+    const std::string& text = p.text(part + "condition");
+    const std::vector<std::string> relations(std::sregex_token_iterator(text.begin(), text.end(), relation), {});
     if (relations.size() + 1 != sides.size()) return Truth::unknown; // an equation, which no point of these is on
     Truth all = Truth::yes;
     for (std::size_t k = 0; k < relations.size(); ++k) {
-        const Truth one = relations[k] == '<' ? less(sides[k], sides[k + 1]) : less(sides[k + 1], sides[k]);
-        if (!possibly(one)) return Truth::no;
-        if (!certainly(one)) all = Truth::unknown;
+        const auto [smaller, larger] = relations[k][0] == '<' ? std::pair(sides[k], sides[k + 1]) : std::pair(sides[k + 1], sides[k]);
+        const bool may_be_equal = relations[k].size() == 2;
+        const Truth strictly = less(smaller, larger), reversed = less(larger, smaller);
+        if (may_be_equal ? certainly(reversed) : !possibly(strictly)) return Truth::no;
+        if (may_be_equal ? possibly(reversed) : !certainly(strictly)) all = Truth::unknown;
     }
     return all;
 }
@@ -225,6 +207,17 @@ struct Where {
     bool holds_at(const Point& point) const { return certainly(condition_at(ledger, print, part, with, point)); }
 };
 
+/// Two samples as independent numbers, or where the condition leaves them out two points all over the ranges that it does not.
+Points free_points(const Where& where)
+{
+    constexpr std::size_t wanted = 2;
+    std::vector<Point> all = points_all_over(where.ledger), inside;
+    all.insert(all.begin(), {samples(where.ledger, 0), samples(where.ledger, 1)});
+    for (const Point& point : all)
+        if (inside.size() < wanted && where.holds_at(point)) inside.push_back(point);
+    return Points(std::move(inside));
+}
+
 /// A point, of those all over the ranges at which the condition holds, at which the two differ.
 std::optional<Check> apart_somewhere(const Where& where, const ex& print, const ex& wanted)
 {
@@ -238,7 +231,7 @@ std::optional<Check> apart_somewhere(const Where& where, const ex& print, const 
 Check same_as_written(const Where& where, const ex& print, const ex& wanted)
 {
     if (const std::string how = differ_by_a_number(print, wanted); !how.empty()) return {Verdict::refuted, how};
-    const Points at = free_points(where.ledger);
+    const Points at = free_points(where);
     const Check direct = identity(print, wanted, at);
     if (direct.verdict != Verdict::undecided) return direct;
     if (const auto apart = apart_somewhere(where, print, wanted)) return *apart;
@@ -284,60 +277,12 @@ std::set<std::string> all_sources(const OwnLedger& ledger, const OwnEntry& e)
     return all;
 }
 
-std::set<std::string> symbols_of(const ex& e)
-{
-    std::set<std::string> all;
-    const std::function<void(const ex&)> collect = [&](const ex& part) {
-        if (GiNaC::is_a<GiNaC::symbol>(part)) all.insert(GiNaC::ex_to<GiNaC::symbol>(part).get_name());
-        for (std::size_t i = 0; i < part.nops(); ++i) collect(part.op(i));
-    };
-    collect(e);
-    return all;
-}
-
-ex number(const Rational& x) { return ex(GiNaC::numeric(x.get_str().c_str())); }
-
-/// The least value of e in a box, if e has no power of a symbol in it, so that this is at a corner, and is a rational number there.
-std::optional<ex> least_at_corners(const ex& e, const std::vector<Range>& box)
-{
-    constexpr std::size_t most_symbols = 8;
-    const ex expanded = GiNaC::expand(e);
-    if (box.size() > most_symbols) return std::nullopt;
-    for (const Range& r : box)
-        if (!expanded.is_polynomial(sym(r.symbol)) || expanded.degree(sym(r.symbol)) > 1) return std::nullopt;
-    std::optional<ex> least;
-    for (std::size_t corner = 0; corner < (std::size_t{1} << box.size()); ++corner) {
-        GiNaC::lst at;
-        for (std::size_t i = 0; i < box.size(); ++i) at.append(sym(box[i].symbol) == number(corner >> i & 1 ? box[i].high : box[i].low));
-        const ex value = expanded.subs(at);
-        if (!GiNaC::is_a<GiNaC::numeric>(value) || !GiNaC::ex_to<GiNaC::numeric>(value).is_rational()) return std::nullopt;
-        if (!least || GiNaC::ex_to<GiNaC::numeric>(value) < GiNaC::ex_to<GiNaC::numeric>(*least)) least = value;
-    }
-    return least;
-}
-
-/// e >= 0 for all values of its symbols in their ranges.
-Check not_negative(const OwnLedger& ledger, const ex& e)
-{
-    const ex full = written_out(ledger, e);
-    std::vector<Range> box;
-    for (const std::string& name : symbols_of(full)) box.push_back({name, ledger.symbols.at(name).low, ledger.symbols.at(name).high});
-    if (box.empty()) {
-        const Truth negative = less(evaluate(full, Point{}), Ball(0));
-        return {certainly(negative) ? Verdict::refuted : possibly(negative) ? Verdict::undecided : Verdict::proved, str(full)};
-    }
-    if (const auto least = least_at_corners(full, box))
-        return {least->info(GiNaC::info_flags::negative) ? Verdict::refuted : Verdict::proved, "it is " + str(*least) + " at least"};
-    constexpr int pieces = 2000;
-    return positive_on(full, box, pieces, Bound::may_be_reached);
-}
-
 /// Whether a formula stays between two numbers wherever its symbols stay in their ranges; no means: not seen to.
 bool stays_within(const OwnLedger& ledger, const ex& e, const Range& r)
 {
     const ex full = written_out(ledger, e);
-    return not_negative(ledger, full - number(r.low)).verdict == Verdict::proved &&
-           not_negative(ledger, number(r.high) - full).verdict == Verdict::proved;
+    return not_negative(ledger, full - GiNaC::numeric(r.low.get_str().c_str())).verdict == Verdict::proved &&
+           not_negative(ledger, GiNaC::numeric(r.high.get_str().c_str()) - full).verdict == Verdict::proved;
 }
 
 /// Where a source was looked at: over its printed range, or, if it rests on what has one, where its symbols are sampled.
@@ -401,6 +346,77 @@ std::optional<Check> condition_forbids(const OwnLedger& ledger, const OwnEntry& 
                 certainly(condition_at(ledger, p, "0.", {}, point)))
                 return Check{Verdict::undecided, "at " + as_text(point) + " the condition of (" + id + "), " +
                                                      other.text("condition") + ", does not hold"};
+    }
+    return std::nullopt;
+}
+
+/// Whether what is put in leaves a quantity what it is: equals are put for equals, or symbols are written in new ones, each in its own.
+bool is_only_rewritten(const OwnLedger& ledger, const OwnEntry& e)
+{
+    if (!e.follows->derivative_by.empty()) return false;
+    std::set<std::string> taken;
+    for (const std::string& id : all_sources(ledger, e))
+        for (const auto& [field, text] : right_form(ledger.at(id)).fields)
+            if (field.ends_with(".lhs") || field.ends_with(".rhs")) taken.merge(symbols_of(written_out(ledger, read(text))));
+    for (const auto& [symbol, by] : e.follows->with) {
+        const ex put = with_references(ledger, by);
+        const bool is_an_entry = by.starts_with("@") && ledger.has(by.substr(1));
+        if (is_an_entry && right_form(ledger.at(by.substr(1)))("lhs").is_equal(sym(symbol))) continue;
+        if (is_the_same_in_other_words(ledger, sym(symbol), put)) continue;
+        const std::set<std::string> names = symbols_of(written_out(ledger, put));
+        if (names.empty()) return false;
+        for (const std::string& name : names)
+            if (!taken.insert(name).second) return false;
+    }
+    return true;
+}
+
+/// A symbol that names the right side may have been given another by what the entry follows from: y = x^2 and y = 2*x, its derivative.
+std::optional<Check> named_before(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    const Follows& f = *e.follows;
+    const ex name = p("lhs");
+    std::set<std::string> sources = all_sources(ledger, e);
+    if (right_form(ledger.at(f.equation))(f.side == "rhs" ? "lhs" : "rhs").is_equal(name)) {
+        if (is_only_rewritten(ledger, e)) return std::nullopt;
+        sources = {f.equation}; // which was compared with its own sources itself
+    }
+    for (const std::string& id : sources) {
+        const Print other = right_form(ledger.at(id));
+        const bool is_direct = id == f.equation && f.side == "lhs";
+        if (other.text("relation") != "=" || !other(is_direct ? "rhs" : "lhs").is_equal(name)) continue;
+        const Check c = same({ledger, p, "0."}, p("rhs"), other(is_direct ? "lhs" : "rhs"));
+        if (c.verdict == Verdict::verified) return c;
+        if (c.verdict != Verdict::proved)
+            return Check{Verdict::undecided, "(" + id + ") is of '" + str(name) + "' too, and is not the same: what is put in, or a " +
+                                                 "derivative, makes another quantity, which wants a symbol of its own"};
+    }
+    return std::nullopt;
+}
+
+/// The left side of what follows from an equation. A symbol that stands for nothing names the right side; all else has a value already.
+std::optional<Check> left_side(const OwnLedger& whole, const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    const auto symbol = whole.symbols.find(p.text("lhs"));
+    const bool has_a_range = std::any_of(e.over.begin(), e.over.end(), [&](const Range& r) { return r.symbol == p.text("lhs"); });
+    if (symbol != whole.symbols.end() && symbol->second.is.empty() && !has_a_range) return named_before(ledger, e, p);
+    if (right_form(ledger.at(e.follows->equation)).text("relation") != "=") return std::nullopt; // bound_forbids compares both sides
+    if (p.text("relation") != "=") return Check{Verdict::verified, "a bound that follows from an equation, at the samples"};
+    const Check c = same({ledger, p, "0."}, p("lhs"), derived(ledger, *e.follows));
+    return c.verdict == Verdict::proved ? std::nullopt : std::optional(c);
+}
+
+/// Of a positive symbol roots and moduli were simplified before something else was put for it: has that its sign?
+std::optional<Check> sign_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    for (const auto& [name, by] : e.follows->with) {
+        const ex put = with_references(ledger, by);
+        if (alphabet().symbols.at(name).real || is_positive(put)) continue;
+        const Check c = not_negative(ledger, put);
+        if (c.verdict == Verdict::proved) continue;
+        const bool is_wrong = c.verdict == Verdict::refuted && !p.has("condition");
+        return Check{is_wrong ? Verdict::undecided : Verdict::verified,
+                     "'" + name + "' is positive, and " + by + " is not " + (is_wrong ? "" : "shown to be ") + "so: " + c.detail};
     }
     return std::nullopt;
 }
@@ -537,7 +553,6 @@ void must_have_their_signs(const OwnLedger& ledger)
     };
     const auto look = [&](const std::string& where, const std::string& name, const std::string& text,
                           const std::function<bool(const Point&)>& counts) {
-        if (alphabet().symbols.at(name).real) return;
         for (const Point& point : points_all_over(ledger)) {
             Ball value;
             if (is_negative(text, point, value) && counts(point))
@@ -546,11 +561,11 @@ void must_have_their_signs(const OwnLedger& ledger)
         }
     };
     for (const auto& [name, symbol] : ledger.symbols)
-        if (!symbol.is.empty()) look("symbol '" + name + "'", name, symbol.is, [](const Point&) { return true; });
+        if (!symbol.is.empty() && symbol.positive) look("symbol '" + name + "'", name, symbol.is, [](const Point&) { return true; });
     for (const OwnEntry& e : ledger.entries)
         if (e.follows)
             for (const auto& [name, by] : e.follows->with)
-                look("entry '" + e.print.id + "'", name, by,
+                if (!alphabet().symbols.at(name).real) look("entry '" + e.print.id + "'", name, by,
                      [&](const Point& point) { return certainly(condition_at(ledger, e.print, "0.", {}, point)); });
 }
 
@@ -565,12 +580,15 @@ bool readable(const OwnLedger& ledger, const OwnEntry& e)
     return true;
 }
 
-/// What the symbols of an entry are worth: the samples; the left side is what it follows from.
-Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e)
+/// What the symbols of an entry are worth: the samples; the left side is what it follows from. Where what is put for a positive symbol is
+/// positive by the printed condition, what it follows from says nothing outside of that.
+Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     Meaning m;
     m.every_situation_decides = true;
+    const bool only_inside = e.follows && sign_forbids(ledger, e, p);
     for (int set = 0; set < sample_sets; ++set) {
+        if (only_inside && condition_at(ledger, p, "0.", {}, samples(ledger, set)) == Truth::no) continue;
         Situation s = situation(ledger, set);
         const auto left = ledger.symbols.find(e.print.text("lhs"));
         if (e.follows && left != ledger.symbols.end() && left->second.is.empty()) {
@@ -590,9 +608,9 @@ namespace {
 /// undecided narrow ones may decide.
 Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
-    const Check usual = read_whole_as(p, meaning_of(ledger, e));
+    const Check usual = read_whole_as(p, meaning_of(ledger, e, p));
     const WorkingPrecision closer(bits_of_a_closer_look);
-    const Check narrow = read_whole_as(p, meaning_of(ledger, e));
+    const Check narrow = read_whole_as(p, meaning_of(ledger, e, p));
     return usual.verdict == Verdict::verified && narrow.verdict == Verdict::verified ? usual : narrow;
 }
 
@@ -608,7 +626,8 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
         if (e.follows) {
             const std::string what = "the right side follows from (" + e.follows->equation + ")";
             a.add(what, same({ledger, p, "0."}, p("rhs"), derived(ledger, *e.follows)));
-            for (const auto& no : {bound_forbids(ledger, e, p), range_forbids(whole, ledger, e), condition_forbids(ledger, e, p)})
+            for (const auto& no : {bound_forbids(ledger, e, p), range_forbids(whole, ledger, e), condition_forbids(ledger, e, p),
+                                   left_side(whole, ledger, e, p), sign_forbids(ledger, e, p)})
                 if (no) a.add(what, *no);
         }
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));

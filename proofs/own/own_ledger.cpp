@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/own/own_ledger.hpp"
 
+#include "proofs/own/own_symbols.hpp"
 #include "proofs/symbols.hpp"
+#include "proofs/symbolic/symbolic.hpp"
 #include "proofs/symbolic/units.hpp"
 #include "touchstone/table/json_text.hpp"
 
@@ -87,12 +89,6 @@ std::pair<Rational, Rational> range(const json& value, const Place& at)
     return r;
 }
 
-void collect(const ex& e, std::set<std::string>& names)
-{
-    if (GiNaC::is_a<GiNaC::symbol>(e)) names.insert(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
-    for (std::size_t i = 0; i < e.nops(); ++i) collect(e.op(i), names);
-}
-
 /// The formula, if it parses and all its symbols are declared.
 ex formula(const std::string& t, const Place& at)
 {
@@ -104,9 +100,7 @@ ex formula(const std::string& t, const Place& at)
     } catch (const std::exception&) {
         at.fail("does not parse: '" + t + "'");
     }
-    std::set<std::string> names;
-    collect(e, names);
-    for (const std::string& name : names)
+    for (const std::string& name : symbols_of(e))
         if (!alphabet().symbols.count(name)) at.fail("symbol '" + name + "' has no dimension; declare it in \"symbols\"");
     return e;
 }
@@ -184,6 +178,7 @@ Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file
         kind.real = sign == "real";
         OwnSymbol& s = ledger.symbols[name];
         s.is = text(content, "is", at);
+        s.positive = !kind.real;
         std::tie(s.low, s.high) = content.contains("range") ? range(content["range"], at) : std::pair{Rational(1, 4), Rational(9, 4)};
         if (!kind.real && s.low < 0) at.fail("is positive, its range is not");
         of_dimension[*kind.dimension].push_back(name);
@@ -225,9 +220,7 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
         must_be_symbol(c, at);
         table.columns.push_back(c);
     }
-    std::set<std::string> names;
-    collect(formula(table.formula, at), names);
-    for (const std::string& n : names)
+    for (const std::string& n : symbols_of(formula(table.formula, at)))
         if (std::find(table.columns.begin(), table.columns.end(), n) == table.columns.end())
             at.fail("the formula asks for '" + n + "', which is no column");
     std::vector<std::vector<std::string>> rows;
@@ -357,9 +350,7 @@ void must_have_a_range_each(const OwnLedger& ledger, const OwnEntry& e, const Pl
 {
     if (e.over.empty()) return;
     const std::function<void(const ex&)> look = [&](const ex& of) {
-        std::set<std::string> names;
-        collect(of, names);
-        for (const std::string& name : names) {
+        for (const std::string& name : symbols_of(of)) {
             if (std::any_of(e.over.begin(), e.over.end(), [&](const Range& r) { return r.symbol == name; })) continue;
             const std::string& is = ledger.symbols.at(name).is;
             if (is.empty()) file.in("entry '" + e.print.id + "'").fail("\"over\" has no range of '" + name + "'");
@@ -395,6 +386,42 @@ std::string cycle_in(const std::map<std::string, std::vector<std::string>>& next
     for (const auto& [name, others] : next)
         if (visit(name, "")) break;
     return path;
+}
+
+/// What stands for something is positive where that is shown; where it is not, it is real, by which no root or modulus is simplified. A
+/// symbol keeps the sign that it was first read with: so what it stands for comes first.
+void take_signs_that_are_shown(const OwnLedger& ledger, Alphabet a, const Place& file)
+{
+    std::map<std::string, std::vector<std::string>> stands_for;
+    for (const auto& [name, symbol] : ledger.symbols) {
+        const std::set<std::string> all = words(symbol.is);
+        const auto is_symbol = [&](const std::string& word) { return ledger.symbols.count(word) > 0; };
+        std::copy_if(all.begin(), all.end(), std::back_inserter(stands_for[name]), is_symbol);
+    }
+    if (const std::string path = cycle_in(stands_for); !path.empty())
+        file.fail("symbol '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
+    use_alphabet(a);
+    std::set<std::string> done;
+    const std::function<void(const std::string&)> take = [&](const std::string& name) {
+        if (!done.insert(name).second) return;
+        for (const std::string& other : stands_for.at(name)) take(other);
+        const OwnSymbol& symbol = ledger.symbols.at(name);
+        if (symbol.is.empty() || !symbol.positive) return;
+        Check shown;
+        try {
+            const ex is = read(symbol.is);
+            shown = is_positive(is) ? Check{Verdict::proved, ""} : not_negative(ledger, is);
+        } catch (const std::exception& wrong) { // told where the symbol is read
+            shown = {Verdict::undecided, wrong.what()};
+        }
+        if (shown.verdict == Verdict::refuted)
+            file.in("symbol '" + name + "'").fail("is positive, and what it stands for is not: " + shown.detail +
+                                                  "; \"sign\": \"real\" says that it need not be, \"range\" where one looks");
+        if (shown.verdict == Verdict::proved) return;
+        a.symbols.at(name).real = true;
+        use_alphabet(a);
+    };
+    for (const auto& [name, symbol] : ledger.symbols) take(name);
 }
 
 } // namespace
@@ -433,24 +460,19 @@ OwnLedger read_ledger(const std::string& written, const std::string& dir)
     ledger.title = text(all, "title", file);
     if (!all.contains("symbols") || !all["symbols"].is_object()) file.fail("\"symbols\" is missing: { name: { \"dimension\": ... }, ... }");
     if (!all.contains("entries") || !all["entries"].is_array() || all["entries"].empty()) file.fail("\"entries\" is missing or empty");
-    use_alphabet(read_alphabet(all["symbols"], ledger, file));
-    std::map<std::string, std::vector<std::string>> stands_for;
+    take_signs_that_are_shown(ledger, read_alphabet(all["symbols"], ledger, file), file);
     for (const auto& [name, symbol] : ledger.symbols) {
         const Place at = file.in("symbol '" + name + "'");
         Print p;
         p.id = name;
         p.fields = {{"0.lhs", name}, {"0.relation", "="}, {"0.rhs", symbol.is.empty() ? name : symbol.is}};
-        std::set<std::string> names;
-        if (!symbol.is.empty()) collect(formula(symbol.is, at), names);
+        if (!symbol.is.empty()) formula(symbol.is, at);
         try {
             if (const Check c = units(p); c.verdict == Verdict::refuted) at.fail(c.detail);
         } catch (const std::invalid_argument& e) {
             at.fail(e.what());
         }
-        stands_for[name].assign(names.begin(), names.end());
     }
-    if (const std::string path = cycle_in(stands_for); !path.empty())
-        file.fail("symbol '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
     std::map<std::string, std::vector<std::string>> rests_on;
     for (std::size_t i = 0; i < all["entries"].size(); ++i) {
         OwnEntry e;

@@ -393,6 +393,70 @@ class Changed(unittest.TestCase):
         n = {"id": "N", "says": "2*y = 2*x"}
         self.assertEqual(self.verdicts(symbols, n, {"id": "C", "says": "w = 2*x", "follows": {"equation": "N"}}), {"N": "undecided", "C": "undecided"})
 
+    def test_a_left_side_that_has_a_value_is_compared_too(self):
+        real = {"sign": "real"}
+        symbols = {"x": {**real, "range": ["-1/100", "1"]}, "y": real, "w": real, "a": {"is": "abs(x)"}, "b": {**real, "is": "(x+1)^2-x^2"}}
+        b = {"id": "B", "says": "y = x", "is": "definition"}
+
+        def verdict(says, *entries, **follows):
+            return self.verdicts(symbols, *(entries or [b]), {"id": "C", "says": says, "follows": {"equation": "B", **follows}})["C"]
+        for says in ("abs(x) = x", "a = x"):
+            self.assertEqual(verdict(says), "refuted", says)
+        self.assertEqual(verdict("(x+1)^2-x^2-x-1 = x"), "proved")
+        self.assertEqual(verdict("b = 2*x+1", {"id": "B", "says": "y = 2*x+1", "is": "definition"}), "proved")
+        self.assertEqual(verdict("abs(x) >= x"), "verified")
+        # y is x^2: its derivative is something else, and so is its value at a place
+        square = {"id": "B", "says": "y = x^2", "is": "definition"}
+        for says, follows in (("y = 2*x", {"derivative_by": "x"}), ("y = 4*x^2", {"with": {"x": "2*x"}}), ("y = 1/4", {"with": {"x": "1/2"}})):
+            self.assertEqual(verdict(says, square, **follows), "undecided", says)
+            self.assertEqual(verdict(says.replace("y", "w"), square, **follows), "proved", says)
+        d = {"id": "D", "says": "w = 2*x", "follows": {"equation": "B", "derivative_by": "x"}}
+        self.assertEqual(self.verdicts(symbols, square, d, {"id": "C", "says": "y = 2*x", "follows": {"equation": "D"}})["C"], "undecided")
+        self.assertEqual(self.verdicts({**symbols, "z": {}}, square, {"id": "C", "says": "y = z^2", "follows": {"equation": "B", "with": {"x": "z"}}})["C"], "proved")
+
+    def test_a_power_with_a_symbol_in_its_exponent_has_the_sign_of_what_is_under_it(self):
+        real = {"sign": "real"}
+        symbols = {"a": {**real, "range": ["1", "2"]}, "b": {**real, "range": ["3", "4"]}, "n": {**real, "range": ["0", "92"]}, "p": {}, "y": real, "z": real}
+
+        def verdict(of, says):
+            return self.verdicts(symbols, {"id": "B", "says": f"y = {of}", "is": "definition"}, {"id": "C", "says": f"z = {says}", "follows": {"equation": "B"}})["C"]
+        for of, says in (("(a-b)^n", "(b-a)^n"), ("a^n", "(-a)^n"), ("p^n", "(-p)^n"), ("((-a)^n)^(1/2)", "(-a)^(n/2)")):
+            self.assertNotEqual(verdict(of, says), "proved", of)
+        for of, says in (("(b-a)^n*(b-a)", "(b-a)^(n+1)"), ("(b-a)^(2*n)", "((b-a)^n)^2"), ("(1-a/b)^n*(1-a/b)", "(1-a/b)^(n+1)"), ("(5-a^2)^n", "1/(5-a^2)^(-n)"), ("(-p)^n*p^2", "(-p)^(n+2)")):
+            self.assertEqual(verdict(of, says), "proved", of)
+
+    def test_a_sign_is_shown_over_all_of_the_ranges_or_not_used(self):
+        near = "abs(x-1/3)-1/10^3"  # below 0 between the points that are looked at
+        symbols = {"x": {"sign": "real", "range": ["0", "1"]}, "y": {}, "z": {}}
+        b = {"id": "B", "says": "y = sqrt(s^2)", "is": "definition"}
+        c = {"id": "C", "says": f"z = {near}", "follows": {"equation": "B"}}
+        refused = self.verdicts({**symbols, "s": {"is": near}}, b, c)
+        self.assertIsInstance(refused, str)
+        self.assertIn("symbol 's': is positive", refused)
+        self.assertEqual(self.verdicts({**symbols, "s": {}}, b, {**c, "follows": {"equation": "B", "with": {"s": near}}})["C"], "undecided")
+        # what is 0 at an end is not shown to be positive in balls: it is not simplified, and proved where that needs no sign
+        zero = {"is": "x-x^2/sqrt(1+x^2)"}
+        self.assertEqual(self.verdicts({**symbols, "s": zero}, b, {**c, "says": "z = x-x^2/sqrt(1+x^2)"})["C"], "verified")
+        self.assertEqual(self.verdicts({**symbols, "s": zero}, {**b, "says": "y = 2*s"}, {**c, "says": "z = 2*x-2*x^2/sqrt(1+x^2)"})["C"], "proved")
+        for put in ("x", "1-x", "z^2+1", "2-x^2", "0"):
+            self.assertEqual(self.verdicts({**symbols, "s": {}, "w": {}}, b, {**c, "says": f"w = {put}", "follows": {"equation": "B", "with": {"s": put}}})["C"], "proved", put)
+
+    def test_a_condition_is_read_with_its_equality_and_what_it_leaves_out_refutes_nothing(self):
+        real = {"sign": "real"}
+        b = {"id": "B", "says": "y = x^2", "where": "x <= 1", "is": "definition"}
+        symbols = {"x": {"range": ["1/4", "3/4"]}, "y": {}, "w": {}}
+        for where, verdict in (("x <= 1", "proved"), ("1 >= x", "proved"), ("x < 1", "undecided"), ("1 > x", "undecided"), ("x <= 99/100", "undecided")):
+            c = {"id": "C", "says": "w = 1", "follows": {"equation": "B", "with": {"x": "1"}}}
+            self.assertEqual(self.verdicts(symbols, {**b, "where": where}, c)["C"], verdict, where)
+        s = {"x": {**real, "range": ["-1", "1"]}, "s": {}, "y": {}}
+        root = {"id": "B", "says": "y = sqrt(s^2)", "is": "definition"}
+        self.assertEqual(self.verdicts(s, root, {"id": "C", "says": "y = x", "where": "x > 0", "follows": {"equation": "B", "with": {"s": "x"}}})["C"], "verified")
+        a = {"id": "B", "says": "y = abs(x)", "is": "definition"}
+        c = {"id": "C", "says": "w = x", "where": "x > 0", "follows": {"equation": "B"}}
+        wide = {"x": {**real, "range": ["-1", "3"]}, "y": {}, "w": {}}
+        self.assertEqual(self.verdicts(wide, a, c)["C"], "verified")
+        self.assertEqual(self.verdicts(wide, a, {**c, "where": "x > -1/2"})["C"], "refuted")
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
