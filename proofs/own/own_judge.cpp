@@ -119,7 +119,8 @@ ex without_hidden(const OwnLedger& ledger, const ex& e, const ex& symbol)
 
 bool is_the_same_in_other_words(const OwnLedger& ledger, const ex& a, const ex& b)
 {
-    return GiNaC::normal(GiNaC::expand(written_out(ledger, a - b))).is_zero();
+    const ex off = written_out(ledger, a - b);
+    return off.is_zero() || (terms_of(off) <= most_terms && GiNaC::normal(GiNaC::expand(off)).is_zero());
 }
 
 /// "@H1 + x", with the right side of H1.
@@ -227,26 +228,46 @@ std::optional<Check> apart_somewhere(const Where& where, const ex& print, const 
     return std::nullopt;
 }
 
-/// Equal as they stand: by normal form, as products of powers, or as squares that agree in value where they are looked at.
+/// The terms of what log_form takes logarithms of.
+double terms_of_factors(const ex& e)
+{
+    if (GiNaC::is_a<GiNaC::power>(e)) return terms_of_factors(e.op(0));
+    if (!GiNaC::is_a<GiNaC::mul>(e)) return terms_of(e);
+    double most = 1;
+    for (const ex& factor : e) most = std::max(most, terms_of_factors(factor));
+    return most;
+}
+
+/// As products of powers, or as squares that agree in value at the points.
+std::optional<Check> same_as_powers(const ex& print, const ex& wanted, const Points& at, bool is_long)
+{
+    try {
+        if (std::max(terms_of_factors(print), terms_of_factors(wanted)) <= most_terms)
+            if (const Check powers = power_identity(print, wanted, at); powers.verdict == Verdict::proved) return powers;
+        if (!is_long && identity(pow(print, 2), pow(wanted, 2), at).verdict == Verdict::proved)
+            return Check{Verdict::verified, "the squares have the same normal form, and the sign is the same at the points"};
+    } catch (const std::exception&) {
+    }
+    return std::nullopt;
+}
+
+/// Equal as they stand: by normal form, as products of powers, or as squares that agree in value where they are looked at. What would be
+/// too long multiplied out has no normal form, unless it is the same to the letter.
 Check same_as_written(const Where& where, const ex& print, const ex& wanted)
 {
-    if (const std::string how = differ_by_a_number(print, wanted); !how.empty()) return {Verdict::refuted, how};
+    const bool is_long = terms_of(print) + terms_of(wanted) > most_terms && !(print - wanted).is_zero();
+    if (!is_long)
+        if (const std::string how = differ_by_a_number(print, wanted); !how.empty()) return {Verdict::refuted, how};
     const Points at = free_points(where);
-    const Check direct = identity(print, wanted, at);
+    const Check direct = is_long ? compare_at(print, wanted, at) : identity(print, wanted, at);
     if (direct.verdict != Verdict::undecided) return direct;
+    if (at.empty()) return {Verdict::undecided, "the condition holds at none of the points"};
     if (const auto apart = apart_somewhere(where, print, wanted)) return *apart;
     {
         const WorkingPrecision closer(bits_of_a_closer_look);
         if (const auto apart = apart_somewhere(where, print, wanted)) return *apart;
     }
-    try {
-        const Check powers = power_identity(print, wanted, at);
-        if (powers.verdict == Verdict::proved) return powers;
-        const Check squares = identity(pow(print, 2), pow(wanted, 2), at);
-        if (squares.verdict == Verdict::proved)
-            return {Verdict::verified, "the squares have the same normal form, and the sign is the same at the points"};
-    } catch (const std::exception&) {
-    }
+    if (const auto powers = same_as_powers(print, wanted, at, is_long)) return *powers;
     if (!evaluates_at(print, wanted, at)) return direct;
     const WorkingPrecision closer(bits_of_a_closer_look);
     if (const Check there = compare_at(print, wanted, at); there.verdict == Verdict::refuted) return there;
@@ -493,7 +514,12 @@ Check printed(const OwnTable& t, std::size_t row, const std::string& digits, boo
     }
     const auto number = parse_rational(digits);
     if (!number) return {Verdict::refuted, "not a number: " + digits};
-    const Ball value = evaluate(read(t.formula), at);
+    Ball value;
+    try {
+        value = evaluate(read(t.formula), at);
+    } catch (const std::exception& wrong) {
+        return {Verdict::undecided, "at " + where + " the formula cannot be read: " + wrong.what()};
+    }
     if (!value.is_finite()) return {Verdict::undecided, "at " + where + " the formula has no value"};
     const std::size_t mark = digits.find_first_of("eE"), point = digits.find('.');
     const long exponent = mark == std::string::npos ? 0 : std::stol(digits.substr(mark + 1));
@@ -551,6 +577,13 @@ void must_have_their_signs(const OwnLedger& ledger)
         }
         return value.is_finite() && certainly(less(value, Ball(0)));
     };
+    const auto surely_holds_at = [&](const OwnEntry& e, const Point& point) {
+        try {
+            return certainly(condition_at(ledger, e.print, "0.", {}, point));
+        } catch (const std::exception&) {
+            return false;
+        }
+    };
     const auto look = [&](const std::string& where, const std::string& name, const std::string& text,
                           const std::function<bool(const Point&)>& counts) {
         for (const Point& point : points_all_over(ledger)) {
@@ -566,7 +599,7 @@ void must_have_their_signs(const OwnLedger& ledger)
         if (e.follows)
             for (const auto& [name, by] : e.follows->with)
                 if (!alphabet().symbols.at(name).real) look("entry '" + e.print.id + "'", name, by,
-                     [&](const Point& point) { return certainly(condition_at(ledger, e.print, "0.", {}, point)); });
+                     [&](const Point& point) { return surely_holds_at(e, point); });
 }
 
 /// Does anything say what the left side should be?

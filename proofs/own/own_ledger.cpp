@@ -37,6 +37,18 @@ private:
     std::string where_;
 };
 
+/// Of two keys of one name the last would be taken, and the other one not be seen.
+json::parser_callback_t no_key_twice(const Place& at)
+{
+    return [at, keys = std::vector<std::set<std::string>>()](int, json::parse_event_t event, json& parsed) mutable {
+        if (event == json::parse_event_t::object_start) keys.emplace_back();
+        if (event == json::parse_event_t::object_end) keys.pop_back();
+        if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+            at.fail("the key '" + parsed.get<std::string>() + "' comes twice in one object");
+        return true;
+    };
+}
+
 /// An object of which every key must be known.
 void only(const json& object, std::initializer_list<const char*> keys, const Place& at)
 {
@@ -105,10 +117,35 @@ ex formula(const std::string& t, const Place& at)
     return e;
 }
 
+/// The same, with no root of a negative number in it. A print may have one, and is refuted.
+ex real_formula(const std::string& t, const Place& at)
+{
+    const ex e = formula(t, at);
+    const std::function<bool(const ex&)> is_real = [&](const ex& part) {
+        if (GiNaC::is_a<GiNaC::numeric>(part)) return part.info(GiNaC::info_flags::real);
+        for (std::size_t i = 0; i < part.nops(); ++i)
+            if (!is_real(part.op(i))) return false;
+        return true;
+    };
+    if (!is_real(e)) at.fail("has no real value: '" + t + "'");
+    return e;
+}
+
 /// A declared symbol, not a formula.
 void must_be_symbol(const std::string& name, const Place& at)
 {
     if (!alphabet().symbols.count(name)) at.fail("no symbol '" + name + "' is declared");
+}
+
+/// A name that formulas have a meaning for, `Pi` or `sin`, cannot be that of a symbol.
+void must_be_free(const std::string& name, const Place& at)
+{
+    bool is_symbol = false;
+    try {
+        is_symbol = read(name).is_equal(sym(name));
+    } catch (const std::exception&) { // a function of nothing
+    }
+    if (!is_symbol) at.fail("the name is that of a function or a number in formulas; choose another");
 }
 
 /// Roots and moduli are simplified by the sign of what is in them, so that no number against it may be put in.
@@ -116,6 +153,23 @@ void must_have_the_sign(const std::string& name, const Rational& value, const Pl
 {
     if (!alphabet().symbols.at(name).real && value < 0)
         at.fail("'" + name + "' is positive, " + value.get_str() + " is not; \"sign\": \"real\" says that it need not be");
+}
+
+/// "0 < x <= a": formulas between < and >.
+void check_condition(const std::string& where, const Place& at)
+{
+    for (std::size_t i = 0; i < where.size(); ++i)
+        if (where[i] == '=' && (i == 0 || (where[i - 1] != '<' && where[i - 1] != '>')))
+            at.fail("a condition is written with < or >, not '" + where + "'; \"with\" puts a value in");
+    if (where.find_first_of("<>") == std::string::npos) at.fail("no relation in '" + where + "'; write x < a");
+    std::string side;
+    for (const char c : where + "<")
+        if (c == '<' || c == '>' || c == '=') {
+            if (side.find_first_not_of(' ') != std::string::npos) real_formula(side, at);
+            side.clear();
+        } else {
+            side += c;
+        }
 }
 
 /// "A = B <= C" as parts of a print.
@@ -147,17 +201,7 @@ void take_chain(Print& p, const std::string& says, const std::string& where, con
         p.fields[part + "rhs"] = sides[i + 1];
         if (!where.empty()) p.fields[part + "condition"] = where;
     }
-    for (std::size_t i = 0; i < where.size(); ++i)
-        if (where[i] == '=' && (i == 0 || (where[i - 1] != '<' && where[i - 1] != '>')))
-            at.in("where").fail("a condition is written with < or >, not '" + where + "'; \"with\" puts a value in");
-    std::string side;
-    for (const char c : where + "<")
-        if (c == '<' || c == '>' || c == '=') {
-            if (side.find_first_not_of(' ') != std::string::npos) formula(side, at.in("where"));
-            side.clear();
-        } else {
-            side += c;
-        }
+    if (!where.empty()) check_condition(where, at.in("where"));
 }
 
 Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file)
@@ -220,7 +264,7 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
         must_be_symbol(c, at);
         table.columns.push_back(c);
     }
-    for (const std::string& n : symbols_of(formula(table.formula, at)))
+    for (const std::string& n : symbols_of(real_formula(table.formula, at)))
         if (std::find(table.columns.begin(), table.columns.end(), n) == table.columns.end())
             at.fail("the formula asks for '" + n + "', which is no column");
     std::vector<std::vector<std::string>> rows;
@@ -275,6 +319,36 @@ std::vector<std::string> references(const std::string& t)
     return all;
 }
 
+/// What stands between two relations of a chain is the right side of one part and the left side of the next: edits mend both.
+std::vector<Edit> with_both_fields(const Print& p, const std::vector<Edit>& edits)
+{
+    std::vector<Edit> all = edits;
+    const auto is_edited = [&](const std::string& field) {
+        return std::any_of(edits.begin(), edits.end(), [&](const Edit& e) { return e.field == field; });
+    };
+    for (std::size_t i = 0; i + 1 < p.parts(); ++i) {
+        const std::string left = std::to_string(i) + ".rhs", right = std::to_string(i + 1) + ".lhs";
+        const bool is_left = is_edited(left) || (i == 0 && is_edited("rhs"));
+        if (is_left == is_edited(right)) continue;
+        for (const Edit& e : edits)
+            if (e.field == left || e.field == right || (i == 0 && e.field == "rhs")) all.push_back({is_left ? right : left, e.from, e.to});
+    }
+    return all;
+}
+
+/// The corrected form is one that could be printed.
+void check_corrected(const Print& print, const std::vector<Edit>& edits, const Place& at)
+{
+    Print p;
+    try {
+        p = print.edited(edits);
+    } catch (const std::exception& wrong) {
+        at.fail(wrong.what());
+    }
+    for (std::size_t i = 0; i < p.parts(); ++i)
+        for (const char* side : {".lhs", ".rhs"}) formula(p.text(std::to_string(i) + side), at);
+}
+
 OwnEntry read_entry(const json& content, const std::string& dir, const Place& file, std::size_t index)
 {
     if (!content.is_object() || !content.contains("id") || !content["id"].is_string())
@@ -308,7 +382,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
                 must_be_symbol(symbol, at.in("with"));
                 of_some_length(by.get_ref<const std::string&>(), at.in("with"));
                 follows.with.emplace_back(symbol, by);
-                formula(std::regex_replace(by.get<std::string>(), reference(), "1"), at.in("with"));
+                real_formula(std::regex_replace(by.get<std::string>(), reference(), "1"), at.in("with"));
                 for (const std::string& id : references(by)) e.rests_on.push_back(id);
             }
         }
@@ -331,11 +405,8 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
             only(edit, {"field", "from", "to"}, at.in("correction"));
             correction.edits.push_back({text(edit, "field", at, "rhs"), text(edit, "from", at), text(edit, "to", at)});
         }
-        try {
-            e.print.edited(correction.edits);
-        } catch (const std::exception& wrong) {
-            at.in("correction").fail(wrong.what());
-        }
+        correction.edits = with_both_fields(e.print, correction.edits);
+        check_corrected(e.print, correction.edits, at.in("correction"));
         e.correction = correction;
     }
     for (const auto& excuse : content.value("excuses", json::array())) {
@@ -349,6 +420,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
 void must_have_a_range_each(const OwnLedger& ledger, const OwnEntry& e, const Place& file)
 {
     if (e.over.empty()) return;
+    bool is_any = false;
     const std::function<void(const ex&)> look = [&](const ex& of) {
         for (const std::string& name : symbols_of(of)) {
             if (std::any_of(e.over.begin(), e.over.end(), [&](const Range& r) { return r.symbol == name; })) continue;
@@ -360,9 +432,11 @@ void must_have_a_range_each(const OwnLedger& ledger, const OwnEntry& e, const Pl
     for (std::size_t i = 0; i < e.print.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = e.print.text(part + "relation");
         if (relation == "=" || relation == "~") continue; // compared as formulas
+        is_any = true;
         look(e.print(part + "lhs"));
         look(e.print(part + "rhs"));
     }
+    if (!is_any) file.in("entry '" + e.print.id + "'").fail("\"over\" is of a bound, and nothing here is printed with < or >");
 }
 
 /// A name on a way back to itself, with that way; or nothing.
@@ -451,7 +525,7 @@ OwnLedger read_ledger(const std::string& written, const std::string& dir)
     if (shallow(written).size() < written.size()) file.fail("brackets nest too deep");
     json all;
     try {
-        all = json::parse(written, nullptr, true, true); // comments are allowed
+        all = json::parse(written, no_key_twice(file), true, true); // comments are allowed
     } catch (const json::exception& e) {
         const std::string what = e.what();
         file.fail("not JSON: " + what.substr(std::min(what.find("parse error"), what.size())));
@@ -463,10 +537,11 @@ OwnLedger read_ledger(const std::string& written, const std::string& dir)
     take_signs_that_are_shown(ledger, read_alphabet(all["symbols"], ledger, file), file);
     for (const auto& [name, symbol] : ledger.symbols) {
         const Place at = file.in("symbol '" + name + "'");
+        must_be_free(name, at);
         Print p;
         p.id = name;
         p.fields = {{"0.lhs", name}, {"0.relation", "="}, {"0.rhs", symbol.is.empty() ? name : symbol.is}};
-        if (!symbol.is.empty()) formula(symbol.is, at);
+        if (!symbol.is.empty()) real_formula(symbol.is, at);
         try {
             if (const Check c = units(p); c.verdict == Verdict::refuted) at.fail(c.detail);
         } catch (const std::invalid_argument& e) {

@@ -3,6 +3,8 @@
 
 #include "proofs/symbolic/symbolic.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <regex>
 #include <vector>
@@ -41,6 +43,22 @@ ex written_out(const OwnLedger& ledger, const ex& e)
     return written_out(ledger, e, [](const std::string&) { return true; });
 }
 
+double terms_of(const ex& e)
+{
+    double sum = 0, product = 1, most = 1;
+    for (std::size_t i = 0; i < e.nops(); ++i) {
+        const double terms = terms_of(e.op(i));
+        sum += terms;
+        product *= terms;
+        most = std::max(most, terms);
+    }
+    if (GiNaC::is_a<GiNaC::add>(e)) return sum;
+    if (GiNaC::is_a<GiNaC::mul>(e)) return product;
+    if (!GiNaC::is_a<GiNaC::power>(e) || !e.op(1).info(GiNaC::info_flags::integer)) return most;
+    const double terms = terms_of(e.op(0)), n = GiNaC::ex_to<GiNaC::numeric>(GiNaC::abs(e.op(1))).to_double();
+    return terms < 2 ? 1 : std::exp(std::lgamma(n + terms) - std::lgamma(n + 1) - std::lgamma(terms)); // ways to choose n of them
+}
+
 namespace {
 
 ex number(const Rational& x) { return ex(GiNaC::numeric(x.get_str().c_str())); }
@@ -49,8 +67,8 @@ ex number(const Rational& x) { return ex(GiNaC::numeric(x.get_str().c_str())); }
 std::optional<ex> least_at_corners(const ex& e, const std::vector<Range>& box)
 {
     constexpr std::size_t most_symbols = 8;
+    if (box.size() > most_symbols || terms_of(e) > most_terms) return std::nullopt;
     const ex expanded = GiNaC::expand(e);
-    if (box.size() > most_symbols) return std::nullopt;
     for (const Range& r : box)
         if (!expanded.is_polynomial(sym(r.symbol)) || expanded.degree(sym(r.symbol)) > 1) return std::nullopt;
     std::optional<ex> least;

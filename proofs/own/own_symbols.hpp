@@ -19,6 +19,10 @@ std::set<std::string> symbols_of(const ex&);
 ex written_out(const OwnLedger&, const ex& e, const std::function<bool(const std::string&)>& is_meant);
 ex written_out(const OwnLedger&, const ex& e);
 
+/// About how many terms e has when it is multiplied out, its denominators too.
+double terms_of(const ex& e);
+inline constexpr double most_terms = 300; ///< beyond as many normal forms take minutes
+
 /// e >= 0 for all values of its symbols in their ranges.
 Check not_negative(const OwnLedger&, const ex& e);
 

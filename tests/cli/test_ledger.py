@@ -283,9 +283,8 @@ class Changed(unittest.TestCase):
         a = {"id": "A", "says": "y = x", "is": "definition"}
         self.assertEqual(self.verdicts(symbols, a), {"A": "definition"})
         self.assertEqual(self.verdicts(symbols, a, {"id": "B", "says": "y = a", "follows": {"equation": "A"}})["B"], "refuted")
-        torn = {**a, "correction": {"wrong": "a bracket", "edits": [{"from": "x", "to": "x*("}]}}
-        found = self.verdicts({"x": {}, "y": y}, torn, {"id": "B", "says": "y = 2", "follows": {"equation": "A", "with": {"x": "@A"}}})
-        self.assertEqual(found["B"], "refuted")
+        c = {"id": "C", "says": "y = x", "where": "s < 1/(w-x)", "follows": {"equation": "A", "with": {"x": "s-9"}}}
+        self.assertEqual(self.verdicts({"x": {}, "w": {"is": "x"}, "s": {}, "y": y}, a, c)["C"], "refuted")
 
     def test_what_follows_from_a_refuted_print_is_not_proved_by_it(self):
         y = {"sign": "real"}
@@ -456,6 +455,54 @@ class Changed(unittest.TestCase):
         wide = {"x": {**real, "range": ["-1", "3"]}, "y": {}, "w": {}}
         self.assertEqual(self.verdicts(wide, a, c)["C"], "verified")
         self.assertEqual(self.verdicts(wide, a, {**c, "where": "x > -1/2"})["C"], "refuted")
+
+    def test_names_of_numbers_that_a_text_does_not_mean_are_symbols(self):
+        about = {"F": "force", "L": "length", "E": "force/length^2", "I": "length^4", "w": "length", "Euler": "1", "Catalan": "1", "symbol_I": "length^4"}
+        symbols = {name: {"dimension": dimension} for name, dimension in about.items()}
+        beam = {"id": "1", "says": "w = F*L^3/(3*E*I)*Euler/Catalan", "is": "definition"}
+        for says, verdict in (("w = 8*F*L^3/(24*E*I)/Catalan*Euler", "proved"), ("w = F*L^3/(3*E*symbol_I)*Euler/Catalan", "refuted")):
+            self.assertEqual(self.verdicts(symbols, beam, {"id": "2", "says": says, "follows": {"equation": "1"}})["2"], verdict)
+        gamma = {"id": "B", "says": "y = log(tgamma(x))-log(tgamma(x-2/3))", "is": "definition"}
+        c = {"id": "C", "says": "z = Pi/(2*sqrt(3))+3/2*log(3)", "follows": {"equation": "B", "derivative_by": "x", "with": {"x": "1"}}}
+        self.assertEqual(self.verdicts({"x": {"range": ["3/4", "2"]}, "y": {"sign": "real"}, "z": {}}, gamma, c)["C"], "verified")
+
+    def test_long_powers_are_not_multiplied_out(self):
+        for of, says, verdict in (("(x+1)^1000", "(x+2)^1000", "refuted"), ("(a+b+c+d)^30", "(a+b+2*c+d)^30", "refuted"), ("(x+1)^1000", "(x+1)^998*(x^2+2*x+1)", "verified"),
+                                  ("(x+1)^1000", "(x+1)^1001/(1+x)", "proved"), ("(a+b)^900*c^n", "(b+a)^900*c^(n+1)/c", "proved")):
+            symbols = {**{name: {} for name in "abcdxn"}, "y": {}}
+            found = self.verdicts(symbols, {"id": "B", "says": f"y = {of}", "is": "definition"}, {"id": "C", "says": f"y = {says}", "follows": {"equation": "B"}})
+            self.assertEqual(found["C"], verdict, says)
+
+    def test_what_has_no_meaning_is_refused_when_it_is_read(self):
+        symbols = {"x": {}, "y": {"is": "x"}, "s": {"sign": "real"}}
+        a = {"id": "A", "says": "y = x", "is": "definition"}
+
+        def refused(answer, *words):
+            self.assertIsInstance(answer, str, answer)
+            self.assertEqual(answer.count("\n"), 1, answer)
+            for word in ("ledger.json", *words):
+                self.assertIn(word, answer)
+        for formula in ("sqrt(-4)*x", "log(-1)*x"):
+            table = {"formula": formula, "columns": ["x"], "rows": [["0.5", "1.0"]]}
+            refused(self.verdicts(symbols, {"id": "T", "table": table}), "'T'", "no real value")
+            refused(self.verdicts({**symbols, "p": {"is": formula}}, a), "'p'", "no real value")
+            refused(self.verdicts(symbols, {**a, "where": f"x < {formula}"}), "'A': where", "no real value")
+            refused(self.verdicts(symbols, {"id": "B", "says": "s = x", "follows": {"equation": "A", "with": {"x": formula}}}, a), "'B': with", "no real value")
+        refused(self.verdicts(symbols, {"id": "T", "table": {"formula": "Euler*x", "columns": ["x"], "rows": [["0.5", "1.0"]]}}), "'Euler' has no dimension")
+        for name in ("Pi", "sin", "sqrt"):
+            refused(self.verdicts({**symbols, name: {}}, a), f"'{name}'", "function or a number")
+        for where in ("x - 100", "0"):
+            refused(self.verdicts(symbols, {**a, "where": where}), "'A': where", "no relation")
+        refused(self.verdicts(symbols, {"id": "A", "says": "y = x", "over": {"x": ["0", "1"]}}), "'A'", "over")
+        for to, word in (("x*(", "parse"), ("x+q", "'q' has no dimension")):
+            refused(self.verdicts(symbols, {**a, "correction": {"wrong": "a bracket", "edits": [{"from": "x", "to": to}]}}), "'A': correction", word)
+        r = self.judge_text('{"symbols": {"x": {"dimension": "1"}}, "entries": [{"id": "A", "says": "x = 2", "says": "x = 1", "is": "definition"}]}')
+        self.assertEqual(r.returncode, 65)
+        self.assertIn("'says' comes twice", r.stderr)
+        # what stands between two relations is mended on both sides
+        chain = {"id": "A", "says": "y = 2*x < 3", "over": {"x": ["1/4", "9/4"]}, "correction": {"wrong": "a factor", "edits": [{"from": "2*x", "to": "x"}]}}
+        ledger = {"symbols": {name: {"dimension": "1", **about} for name, about in symbols.items()}, "entries": [chain]}
+        self.assertEqual(json.loads(self.judge_text(json.dumps(ledger), "--json").stdout)[0]["correction_verdict"], "proved")
 
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
