@@ -131,13 +131,18 @@ ex read(const std::string& text)
         exact += m.prefix().str() + "(" + m[1].str() + m[2].str() + "/1" + std::string(m[2].str().size(), '0') + ")";
     }
     exact += rest;
+    // GiNaC's names of numbers are symbols here, under a name that nothing in the formula has: a moment of inertia I is no imaginary unit.
+    static const std::regex number_of_ginac(R"(\b(I|Euler|Catalan)\b)");
+    std::string prefix = "symbol_";
+    while (exact.find(prefix) != std::string::npos) prefix += "_";
+    exact = std::regex_replace(exact, number_of_ginac, prefix + "$1");
     static const std::set<std::string> functions = {"sin", "cos", "asin",   "acos", "atan", "sqrt",
                                                     "log", "exp", "tgamma", "pow",  "Pi",   "abs"};
     if (!paper_alphabet_in_use()) must_be_of_bearable_size(text, functions);
     GiNaC::symtab table;
     for (std::sregex_iterator it(exact.begin(), exact.end(), identifier), end; it != end; ++it) {
         const std::string name = it->str();
-        if (!functions.count(name)) table[name] = sym(name);
+        if (!functions.count(name)) table[name] = sym(name.starts_with(prefix) ? name.substr(prefix.size()) : name);
     }
     GiNaC::parser parser(table, true);
     return parser(exact);

@@ -60,8 +60,11 @@ Ball evaluate(const ex& e, const std::map<std::string, Ball>& values)
         return Ball(rational_of(n));
     }
     if (GiNaC::is_a<GiNaC::constant>(e)) {
-        if (!e.is_equal(GiNaC::Pi)) throw std::invalid_argument("unknown constant");
-        return ScalarTraits<Ball>::pi();
+        Ball r;
+        if (e.is_equal(GiNaC::Pi)) return ScalarTraits<Ball>::pi();
+        if (!e.is_equal(GiNaC::Euler)) throw std::invalid_argument("unknown constant");
+        arb_const_euler(r.get(), WorkingPrecision::bits()); // of derivatives of the Gamma function
+        return r;
     }
     if (GiNaC::is_a<GiNaC::symbol>(e)) {
         const auto found = values.find(GiNaC::ex_to<GiNaC::symbol>(e).get_name());

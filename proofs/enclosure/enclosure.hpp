@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace touchstone::proofs {
@@ -25,6 +26,7 @@ class Points {
 public:
     Points() = default;
     Points(std::initializer_list<const char*> texts) { for (const char* t : texts) all_.push_back(point(t)); }
+    explicit Points(std::vector<Point> all) : all_(std::move(all)) {}
     auto begin() const { return all_.begin(); }
     auto end() const { return all_.end(); }
     bool empty() const { return all_.empty(); }

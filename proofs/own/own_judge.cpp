@@ -2,6 +2,7 @@
 #include "proofs/own/own_judge.hpp"
 
 #include "proofs/mutation/typesetter.hpp"
+#include "proofs/own/own_symbols.hpp"
 #include "proofs/reading/whole.hpp"
 #include "proofs/symbols.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -42,13 +43,6 @@ std::string as_text(const Point& p)
     std::string all;
     for (const auto& [name, value] : p) all += (all.empty() ? "" : " ") + name + "=" + value.get_str();
     return all;
-}
-
-/// The samples as independent numbers: for identities between formulas.
-Points free_points(const OwnLedger& ledger)
-{
-    const std::string a = as_text(samples(ledger, 0)), b = as_text(samples(ledger, 1));
-    return {a.c_str(), b.c_str()};
 }
 
 /// Further points all over the ranges, and next to their ends: for formulas that no normal form compares and that may differ on a part
@@ -107,20 +101,6 @@ Situation situation(const OwnLedger& ledger, int set)
 /// The print that others may rest on: corrected, where it has a correction.
 Print right_form(const OwnEntry& e) { return e.correction ? e.print.edited(e.correction->edits) : e.print; }
 
-/// e with what the symbols stand for, as far as `is_meant` says.
-template <class IsMeant>
-ex written_out(const OwnLedger& ledger, const ex& e, const IsMeant& is_meant)
-{
-    for (const auto& [name, symbol] : ledger.symbols)
-        if (!symbol.is.empty() && e.has(sym(name)) && is_meant(name))
-            return written_out(ledger, e.subs(sym(name) == read(symbol.is)), is_meant);
-    return e; // what stands for what has no cycle
-}
-ex written_out(const OwnLedger& ledger, const ex& e)
-{
-    return written_out(ledger, e, [](const std::string&) { return true; });
-}
-
 /// The same, down to the symbols that have a range in the entry.
 ex written_out(const OwnLedger& ledger, const OwnEntry& entry, const ex& e)
 {
@@ -135,6 +115,12 @@ ex without_hidden(const OwnLedger& ledger, const ex& e, const ex& symbol)
     return written_out(ledger, e, [&](const std::string& name) {
         return !sym(name).is_equal(symbol) && written_out(ledger, sym(name)).has(symbol);
     });
+}
+
+bool is_the_same_in_other_words(const OwnLedger& ledger, const ex& a, const ex& b)
+{
+    const ex off = written_out(ledger, a - b);
+    return off.is_zero() || (terms_of(off) <= most_terms && GiNaC::normal(GiNaC::expand(off)).is_zero());
 }
 
 /// "@H1 + x", with the right side of H1.
@@ -160,7 +146,7 @@ GiNaC::lst replacements(const OwnLedger& ledger, const Follows& f)
 ex replaced(const OwnLedger& ledger, ex e, const GiNaC::lst& with)
 {
     for (const ex& one : with)
-        if (!GiNaC::normal(GiNaC::expand(written_out(ledger, one.lhs() - one.rhs()))).is_zero()) e = without_hidden(ledger, e, one.lhs());
+        if (!is_the_same_in_other_words(ledger, one.lhs(), one.rhs())) e = without_hidden(ledger, e, one.lhs());
     return e.subs(with);
 }
 
@@ -190,22 +176,24 @@ std::string differ_by_a_number(const ex& print, const ex& wanted)
 
 bool is_bound(const std::string& relation) { return relation == "<" || relation == ">" || relation == "<=" || relation == ">="; }
 
-/// Whether the printed condition of a part, "0 < x < a", surely holds at a point, with the symbols that `with` says otherwise; surely does
+/// Whether the printed condition of a part, "0 < x <= a", surely holds at a point, with the symbols that `with` says otherwise; surely does
 /// not; or neither is known.
 Truth condition_at(const OwnLedger& ledger, const Print& p, const std::string& part, const GiNaC::lst& with, const Point& point)
 {
     if (!p.has(part + "condition")) return Truth::yes;
     std::vector<Ball> sides;
     for (const ex& side : p.sides(part + "condition")) sides.push_back(evaluate(written_out(ledger, replaced(ledger, side, with)), point));
-    std::string relations;
-    for (const char c : p.text(part + "condition"))
-        if (c == '<' || c == '>') relations += c;
+    static const std::regex relation("[<>]=?");
+    const std::string& text = p.text(part + "condition");
+    const std::vector<std::string> relations(std::sregex_token_iterator(text.begin(), text.end(), relation), {});
     if (relations.size() + 1 != sides.size()) return Truth::unknown; // an equation, which no point of these is on
     Truth all = Truth::yes;
     for (std::size_t k = 0; k < relations.size(); ++k) {
-        const Truth one = relations[k] == '<' ? less(sides[k], sides[k + 1]) : less(sides[k + 1], sides[k]);
-        if (!possibly(one)) return Truth::no;
-        if (!certainly(one)) all = Truth::unknown;
+        const auto [smaller, larger] = relations[k][0] == '<' ? std::pair(sides[k], sides[k + 1]) : std::pair(sides[k + 1], sides[k]);
+        const bool may_be_equal = relations[k].size() == 2;
+        const Truth strictly = less(smaller, larger), reversed = less(larger, smaller);
+        if (may_be_equal ? certainly(reversed) : !possibly(strictly)) return Truth::no;
+        if (may_be_equal ? possibly(reversed) : !certainly(strictly)) all = Truth::unknown;
     }
     return all;
 }
@@ -220,6 +208,17 @@ struct Where {
     bool holds_at(const Point& point) const { return certainly(condition_at(ledger, print, part, with, point)); }
 };
 
+/// Two samples as independent numbers, or where the condition leaves them out two points all over the ranges that it does not.
+Points free_points(const Where& where)
+{
+    constexpr std::size_t wanted = 2;
+    std::vector<Point> all = points_all_over(where.ledger), inside;
+    all.insert(all.begin(), {samples(where.ledger, 0), samples(where.ledger, 1)});
+    for (const Point& point : all)
+        if (inside.size() < wanted && where.holds_at(point)) inside.push_back(point);
+    return Points(std::move(inside));
+}
+
 /// A point, of those all over the ranges at which the condition holds, at which the two differ.
 std::optional<Check> apart_somewhere(const Where& where, const ex& print, const ex& wanted)
 {
@@ -229,26 +228,46 @@ std::optional<Check> apart_somewhere(const Where& where, const ex& print, const 
     return std::nullopt;
 }
 
-/// Equal as they stand: by normal form, as products of powers, or as squares that agree in value where they are looked at.
+/// The terms of what log_form takes logarithms of.
+double terms_of_factors(const ex& e)
+{
+    if (GiNaC::is_a<GiNaC::power>(e)) return terms_of_factors(e.op(0));
+    if (!GiNaC::is_a<GiNaC::mul>(e)) return terms_of(e);
+    double most = 1;
+    for (const ex& factor : e) most = std::max(most, terms_of_factors(factor));
+    return most;
+}
+
+/// As products of powers, or as squares that agree in value at the points.
+std::optional<Check> same_as_powers(const ex& print, const ex& wanted, const Points& at, bool is_long)
+{
+    try {
+        if (std::max(terms_of_factors(print), terms_of_factors(wanted)) <= most_terms)
+            if (const Check powers = power_identity(print, wanted, at); powers.verdict == Verdict::proved) return powers;
+        if (!is_long && identity(pow(print, 2), pow(wanted, 2), at).verdict == Verdict::proved)
+            return Check{Verdict::verified, "the squares have the same normal form, and the sign is the same at the points"};
+    } catch (const std::exception&) {
+    }
+    return std::nullopt;
+}
+
+/// Equal as they stand: by normal form, as products of powers, or as squares that agree in value where they are looked at. What would be
+/// too long multiplied out has no normal form, unless it is the same to the letter.
 Check same_as_written(const Where& where, const ex& print, const ex& wanted)
 {
-    if (const std::string how = differ_by_a_number(print, wanted); !how.empty()) return {Verdict::refuted, how};
-    const Points at = free_points(where.ledger);
-    const Check direct = identity(print, wanted, at);
+    const bool is_long = terms_of(print) + terms_of(wanted) > most_terms && !(print - wanted).is_zero();
+    if (!is_long)
+        if (const std::string how = differ_by_a_number(print, wanted); !how.empty()) return {Verdict::refuted, how};
+    const Points at = free_points(where);
+    const Check direct = is_long ? compare_at(print, wanted, at) : identity(print, wanted, at);
     if (direct.verdict != Verdict::undecided) return direct;
+    if (at.empty()) return {Verdict::undecided, "the condition holds at none of the points"};
     if (const auto apart = apart_somewhere(where, print, wanted)) return *apart;
     {
         const WorkingPrecision closer(bits_of_a_closer_look);
         if (const auto apart = apart_somewhere(where, print, wanted)) return *apart;
     }
-    try {
-        const Check powers = power_identity(print, wanted, at);
-        if (powers.verdict == Verdict::proved) return powers;
-        const Check squares = identity(pow(print, 2), pow(wanted, 2), at);
-        if (squares.verdict == Verdict::proved)
-            return {Verdict::verified, "the squares have the same normal form, and the sign is the same at the points"};
-    } catch (const std::exception&) {
-    }
+    if (const auto powers = same_as_powers(print, wanted, at, is_long)) return *powers;
     if (!evaluates_at(print, wanted, at)) return direct;
     const WorkingPrecision closer(bits_of_a_closer_look);
     if (const Check there = compare_at(print, wanted, at); there.verdict == Verdict::refuted) return there;
@@ -264,22 +283,161 @@ Check same(const Where& where, const ex& print, const ex& wanted)
     return same_as_written(where, print_in_full, wanted_in_full);
 }
 
-/// What follows from an equation that is printed as a bound is the same bound, and what has a condition holds where that does.
-std::optional<Check> source_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+/// What the entry follows from, and what that follows from in turn.
+std::set<std::string> all_sources(const OwnLedger& ledger, const OwnEntry& e)
+{
+    std::set<std::string> all;
+    std::vector<std::string> todo = e.rests_on;
+    while (!todo.empty()) {
+        const std::string id = todo.back();
+        todo.pop_back();
+        if (!all.insert(id).second) continue;
+        const auto& further = ledger.at(id).rests_on;
+        todo.insert(todo.end(), further.begin(), further.end());
+    }
+    return all;
+}
+
+/// Whether a formula stays between two numbers wherever its symbols stay in their ranges; no means: not seen to.
+bool stays_within(const OwnLedger& ledger, const ex& e, const Range& r)
+{
+    const ex full = written_out(ledger, e);
+    return not_negative(ledger, full - GiNaC::numeric(r.low.get_str().c_str())).verdict == Verdict::proved &&
+           not_negative(ledger, GiNaC::numeric(r.high.get_str().c_str()) - full).verdict == Verdict::proved;
+}
+
+/// Where a source was looked at: over its printed range, or, if it rests on what has one, where its symbols are sampled.
+std::vector<Range> box_of(const OwnLedger& ledger, const OwnEntry& source)
+{
+    if (!source.over.empty()) return source.over;
+    const std::set<std::string> sources = all_sources(ledger, source);
+    if (std::none_of(sources.begin(), sources.end(), [&](const std::string& id) { return !ledger.at(id).over.empty(); })) return {};
+    const Print p = right_form(source);
+    std::set<std::string> names;
+    for (const char* side : {"lhs", "rhs"}) names.merge(symbols_of(written_out(ledger, p(side))));
+    std::vector<Range> box;
+    for (const std::string& name : names) box.push_back({name, ledger.symbols.at(name).low, ledger.symbols.at(name).high});
+    return box;
+}
+
+/// From a bound the same bound follows, both sides of it; from what is printed with ~ that alone.
+std::optional<Check> bound_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     const Follows& f = *e.follows;
+    for (std::size_t i = 1; i < e.rests_on.size(); ++i) // what "@ID" puts in
+        if (const std::string r = right_form(ledger.at(e.rests_on[i])).text("relation"); r != "=")
+            return Check{Verdict::undecided, "(" + e.rests_on[i] + ") is printed with " + r + ": nothing is equal to its right side"};
     const Print source = right_form(ledger.at(f.equation));
-    const std::string relation = source.text("relation");
-    if (relation != "=" && (p.text("relation") != relation || !f.derivative_by.empty()))
-        return Check{Verdict::undecided, "(" + f.equation + ") is printed with " + relation + ", from which only the same follows"};
-    const GiNaC::lst with = replacements(ledger, f);
+    const std::string relation = source.text("relation"), from = "(" + f.equation + ") is printed with " + relation;
+    if (relation == "=") return std::nullopt;
+    if (p.text("relation") != relation || !f.derivative_by.empty() || f.side != "rhs" || (!is_bound(relation) && !f.with.empty()))
+        return Check{Verdict::undecided, from + ", from which only the same follows"};
+    const Check left = same({ledger, p, "0."}, p("lhs"), replaced(ledger, source("lhs"), replacements(ledger, f)));
+    if (left.verdict == Verdict::proved || left.verdict == Verdict::verified) return left;
+    return Check{Verdict::undecided, from + ", and what stands on its left side is not the same: " + left.detail};
+}
+
+/// What was looked at over a range follows within it.
+std::optional<Check> range_forbids(const OwnLedger& whole, const OwnLedger& ledger, const OwnEntry& e)
+{
+    const GiNaC::lst with = replacements(ledger, *e.follows);
+    for (std::size_t i = 0; i < e.rests_on.size(); ++i) {
+        const std::string& id = e.rests_on[i];
+        const std::vector<Range> box = box_of(whole, whole.at(id));
+        for (const Range& r : box)
+            if (!stays_within(ledger, i == 0 ? replaced(ledger, sym(r.symbol), with) : sym(r.symbol), r))
+                return Check{Verdict::undecided, "(" + id + ") is looked at for " + r.symbol + " in [" + r.low.get_str() + ", " +
+                                                     r.high.get_str() + "], and this is not seen to stay in there"};
+        for (const ex& one : i == 0 && !box.empty() ? with : GiNaC::lst{})
+            if (std::none_of(box.begin(), box.end(), [&](const Range& r) { return one.lhs().is_equal(sym(r.symbol)); }) &&
+                !is_the_same_in_other_words(ledger, one.lhs(), one.rhs()))
+                return Check{Verdict::undecided, "(" + id + ") is looked at over a range, and " + str(one.lhs()) + " has none there"};
+    }
+    return std::nullopt;
+}
+
+/// What has a condition holds where that does.
+std::optional<Check> condition_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    const GiNaC::lst with = replacements(ledger, *e.follows);
     for (const std::string& id : e.rests_on) {
         const Print other = right_form(ledger.at(id));
         for (const Point& point : points_all_over(ledger))
-            if (condition_at(ledger, other, "0.", id == f.equation ? with : GiNaC::lst{}, point) == Truth::no &&
+            if (condition_at(ledger, other, "0.", id == e.follows->equation ? with : GiNaC::lst{}, point) == Truth::no &&
                 certainly(condition_at(ledger, p, "0.", {}, point)))
                 return Check{Verdict::undecided, "at " + as_text(point) + " the condition of (" + id + "), " +
                                                      other.text("condition") + ", does not hold"};
+    }
+    return std::nullopt;
+}
+
+/// Whether what is put in leaves a quantity what it is: equals are put for equals, or symbols are written in new ones, each in its own.
+bool is_only_rewritten(const OwnLedger& ledger, const OwnEntry& e)
+{
+    if (!e.follows->derivative_by.empty()) return false;
+    std::set<std::string> taken;
+    for (const std::string& id : all_sources(ledger, e))
+        for (const auto& [field, text] : right_form(ledger.at(id)).fields)
+            if (field.ends_with(".lhs") || field.ends_with(".rhs")) taken.merge(symbols_of(written_out(ledger, read(text))));
+    for (const auto& [symbol, by] : e.follows->with) {
+        const ex put = with_references(ledger, by);
+        const bool is_an_entry = by.starts_with("@") && ledger.has(by.substr(1));
+        if (is_an_entry && right_form(ledger.at(by.substr(1)))("lhs").is_equal(sym(symbol))) continue;
+        if (is_the_same_in_other_words(ledger, sym(symbol), put)) continue;
+        const std::set<std::string> names = symbols_of(written_out(ledger, put));
+        if (names.empty()) return false;
+        for (const std::string& name : names)
+            if (!taken.insert(name).second) return false;
+    }
+    return true;
+}
+
+/// A symbol that names the right side may have been given another by what the entry follows from: y = x^2 and y = 2*x, its derivative.
+std::optional<Check> named_before(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    const Follows& f = *e.follows;
+    const ex name = p("lhs");
+    std::set<std::string> sources = all_sources(ledger, e);
+    if (right_form(ledger.at(f.equation))(f.side == "rhs" ? "lhs" : "rhs").is_equal(name)) {
+        if (is_only_rewritten(ledger, e)) return std::nullopt;
+        sources = {f.equation}; // which was compared with its own sources itself
+    }
+    for (const std::string& id : sources) {
+        const Print other = right_form(ledger.at(id));
+        const bool is_direct = id == f.equation && f.side == "lhs";
+        if (other.text("relation") != "=" || !other(is_direct ? "rhs" : "lhs").is_equal(name)) continue;
+        const Check c = same({ledger, p, "0."}, p("rhs"), other(is_direct ? "lhs" : "rhs"));
+        if (c.verdict == Verdict::verified) return c;
+        if (c.verdict != Verdict::proved)
+            return Check{Verdict::undecided, "(" + id + ") is of '" + str(name) + "' too, and is not the same: what is put in, or a " +
+                                                 "derivative, makes another quantity, which wants a symbol of its own"};
+    }
+    return std::nullopt;
+}
+
+/// The left side of what follows from an equation. A symbol that stands for nothing names the right side; all else has a value already.
+std::optional<Check> left_side(const OwnLedger& whole, const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    const auto symbol = whole.symbols.find(p.text("lhs"));
+    const bool has_a_range = std::any_of(e.over.begin(), e.over.end(), [&](const Range& r) { return r.symbol == p.text("lhs"); });
+    if (symbol != whole.symbols.end() && symbol->second.is.empty() && !has_a_range) return named_before(ledger, e, p);
+    if (right_form(ledger.at(e.follows->equation)).text("relation") != "=") return std::nullopt; // bound_forbids compares both sides
+    if (p.text("relation") != "=") return Check{Verdict::verified, "a bound that follows from an equation, at the samples"};
+    const Check c = same({ledger, p, "0."}, p("lhs"), derived(ledger, *e.follows));
+    return c.verdict == Verdict::proved ? std::nullopt : std::optional(c);
+}
+
+/// Of a positive symbol roots and moduli were simplified before something else was put for it: has that its sign?
+std::optional<Check> sign_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    for (const auto& [name, by] : e.follows->with) {
+        const ex put = with_references(ledger, by);
+        if (alphabet().symbols.at(name).real || is_positive(put)) continue;
+        const Check c = not_negative(ledger, put);
+        if (c.verdict == Verdict::proved) continue;
+        const bool is_wrong = c.verdict == Verdict::refuted && !p.has("condition");
+        return Check{is_wrong ? Verdict::undecided : Verdict::verified,
+                     "'" + name + "' is positive, and " + by + " is not " + (is_wrong ? "" : "shown to be ") + "so: " + c.detail};
     }
     return std::nullopt;
 }
@@ -356,7 +514,12 @@ Check printed(const OwnTable& t, std::size_t row, const std::string& digits, boo
     }
     const auto number = parse_rational(digits);
     if (!number) return {Verdict::refuted, "not a number: " + digits};
-    const Ball value = evaluate(read(t.formula), at);
+    Ball value;
+    try {
+        value = evaluate(read(t.formula), at);
+    } catch (const std::exception& wrong) {
+        return {Verdict::undecided, "at " + where + " the formula cannot be read: " + wrong.what()};
+    }
     if (!value.is_finite()) return {Verdict::undecided, "at " + where + " the formula has no value"};
     const std::size_t mark = digits.find_first_of("eE"), point = digits.find('.');
     const long exponent = mark == std::string::npos ? 0 : std::stol(digits.substr(mark + 1));
@@ -414,9 +577,15 @@ void must_have_their_signs(const OwnLedger& ledger)
         }
         return value.is_finite() && certainly(less(value, Ball(0)));
     };
+    const auto surely_holds_at = [&](const OwnEntry& e, const Point& point) {
+        try {
+            return certainly(condition_at(ledger, e.print, "0.", {}, point));
+        } catch (const std::exception&) {
+            return false;
+        }
+    };
     const auto look = [&](const std::string& where, const std::string& name, const std::string& text,
                           const std::function<bool(const Point&)>& counts) {
-        if (alphabet().symbols.at(name).real) return;
         for (const Point& point : points_all_over(ledger)) {
             Ball value;
             if (is_negative(text, point, value) && counts(point))
@@ -425,12 +594,12 @@ void must_have_their_signs(const OwnLedger& ledger)
         }
     };
     for (const auto& [name, symbol] : ledger.symbols)
-        if (!symbol.is.empty()) look("symbol '" + name + "'", name, symbol.is, [](const Point&) { return true; });
+        if (!symbol.is.empty() && symbol.positive) look("symbol '" + name + "'", name, symbol.is, [](const Point&) { return true; });
     for (const OwnEntry& e : ledger.entries)
         if (e.follows)
             for (const auto& [name, by] : e.follows->with)
-                look("entry '" + e.print.id + "'", name, by,
-                     [&](const Point& point) { return certainly(condition_at(ledger, e.print, "0.", {}, point)); });
+                if (!alphabet().symbols.at(name).real) look("entry '" + e.print.id + "'", name, by,
+                     [&](const Point& point) { return surely_holds_at(e, point); });
 }
 
 /// Does anything say what the left side should be?
@@ -444,12 +613,15 @@ bool readable(const OwnLedger& ledger, const OwnEntry& e)
     return true;
 }
 
-/// What the symbols of an entry are worth: the samples; the left side is what it follows from.
-Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e)
+/// What the symbols of an entry are worth: the samples; the left side is what it follows from. Where what is put for a positive symbol is
+/// positive by the printed condition, what it follows from says nothing outside of that.
+Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     Meaning m;
     m.every_situation_decides = true;
+    const bool only_inside = e.follows && sign_forbids(ledger, e, p);
     for (int set = 0; set < sample_sets; ++set) {
+        if (only_inside && condition_at(ledger, p, "0.", {}, samples(ledger, set)) == Truth::no) continue;
         Situation s = situation(ledger, set);
         const auto left = ledger.symbols.find(e.print.text("lhs"));
         if (e.follows && left != ledger.symbols.end() && left->second.is.empty()) {
@@ -469,9 +641,9 @@ namespace {
 /// undecided narrow ones may decide.
 Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
-    const Check usual = read_whole_as(p, meaning_of(ledger, e));
+    const Check usual = read_whole_as(p, meaning_of(ledger, e, p));
     const WorkingPrecision closer(bits_of_a_closer_look);
-    const Check narrow = read_whole_as(p, meaning_of(ledger, e));
+    const Check narrow = read_whole_as(p, meaning_of(ledger, e, p));
     return usual.verdict == Verdict::verified && narrow.verdict == Verdict::verified ? usual : narrow;
 }
 
@@ -487,7 +659,9 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
         if (e.follows) {
             const std::string what = "the right side follows from (" + e.follows->equation + ")";
             a.add(what, same({ledger, p, "0."}, p("rhs"), derived(ledger, *e.follows)));
-            if (const auto no = source_forbids(ledger, e, p)) a.add(what, *no);
+            for (const auto& no : {bound_forbids(ledger, e, p), range_forbids(whole, ledger, e), condition_forbids(ledger, e, p),
+                                   left_side(whole, ledger, e, p), sign_forbids(ledger, e, p)})
+                if (no) a.add(what, *no);
         }
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
@@ -512,25 +686,31 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
 
 namespace {
 
-/// What follows from a print that is refuted, and has no correction that holds, is not proved by that; nor what follows from it in turn.
+bool stands(const Finding& f)
+{
+    return f.verdict == Verdict::proved || f.verdict == Verdict::verified || f.verdict == Verdict::definition;
+}
+
+/// What follows from a print that is refuted and has no correction that holds, or from one of which nothing is known, is not proved by
+/// that; nor what follows from it in turn.
 void withdraw_what_rests_on_nothing(std::vector<OwnResult>& all)
 {
     std::set<std::string> nothing;
-    for (const OwnResult& r : all) {
-        const Finding& right = r.corrected ? *r.corrected : r.finding;
-        if (right.verdict == Verdict::refuted) nothing.insert(r.entry->print.id);
-    }
+    for (const OwnResult& r : all)
+        if (!stands(r.corrected ? *r.corrected : r.finding)) nothing.insert(r.entry->print.id);
     const auto rests_on_nothing = [&](const std::string& id) { return nothing.count(id) > 0; };
     for (bool is_new = true; is_new;) {
         is_new = false;
         for (OwnResult& r : all) {
             const auto& sources = r.entry->rests_on;
             const auto source = std::find_if(sources.begin(), sources.end(), rests_on_nothing);
-            if (source == sources.end() || !nothing.insert(r.entry->print.id).second) continue;
-            is_new = true;
-            if (r.finding.verdict == Verdict::refuted) continue;
-            r.finding.verdict = Verdict::undecided;
-            r.finding.reason = "(" + *source + "), from which it follows, does not hold as it stands";
+            if (source == sources.end()) continue;
+            is_new = nothing.insert(r.entry->print.id).second || is_new;
+            for (Finding* f : {&r.finding, r.corrected ? &*r.corrected : nullptr})
+                if (f && stands(*f)) {
+                    f->verdict = Verdict::undecided;
+                    f->reason = "(" + *source + "), from which it follows, is not known to hold as it stands";
+                }
         }
     }
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/own/own_ledger.hpp"
 
+#include "proofs/own/own_symbols.hpp"
 #include "proofs/symbols.hpp"
+#include "proofs/symbolic/symbolic.hpp"
 #include "proofs/symbolic/units.hpp"
 #include "touchstone/table/json_text.hpp"
 
@@ -35,6 +37,18 @@ private:
     std::string where_;
 };
 
+/// Of two keys of one name the last would be taken, and the other one not be seen.
+json::parser_callback_t no_key_twice(const Place& at)
+{
+    return [at, keys = std::vector<std::set<std::string>>()](int, json::parse_event_t event, json& parsed) mutable {
+        if (event == json::parse_event_t::object_start) keys.emplace_back();
+        if (event == json::parse_event_t::object_end) keys.pop_back();
+        if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+            at.fail("the key '" + parsed.get<std::string>() + "' comes twice in one object");
+        return true;
+    };
+}
+
 /// An object of which every key must be known.
 void only(const json& object, std::initializer_list<const char*> keys, const Place& at)
 {
@@ -62,9 +76,18 @@ std::string text(const json& object, const char* key, const Place& at, const std
     return of_some_length(object[key], at);
 }
 
+/// A number as it stands there. JSON's numbers with a point, and very long ones, become doubles, which are other numbers.
+std::string digits(const json& value, const Place& at)
+{
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_float())
+        at.fail("a number with a point or an exponent, or a very long one, stands in quotes, \"0.1\", not as " + value.dump());
+    return value.dump();
+}
+
 Rational number(const json& value, const Place& at)
 {
-    const std::string t = value.is_string() ? value.get<std::string>() : value.dump();
+    const std::string t = digits(value, at);
     const auto r = parse_rational(t);
     if (!r) at.fail("not an exact number: " + t);
     return *r;
@@ -78,12 +101,6 @@ std::pair<Rational, Rational> range(const json& value, const Place& at)
     return r;
 }
 
-void collect(const ex& e, std::set<std::string>& names)
-{
-    if (GiNaC::is_a<GiNaC::symbol>(e)) names.insert(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
-    for (std::size_t i = 0; i < e.nops(); ++i) collect(e.op(i), names);
-}
-
 /// The formula, if it parses and all its symbols are declared.
 ex formula(const std::string& t, const Place& at)
 {
@@ -95,10 +112,22 @@ ex formula(const std::string& t, const Place& at)
     } catch (const std::exception&) {
         at.fail("does not parse: '" + t + "'");
     }
-    std::set<std::string> names;
-    collect(e, names);
-    for (const std::string& name : names)
+    for (const std::string& name : symbols_of(e))
         if (!alphabet().symbols.count(name)) at.fail("symbol '" + name + "' has no dimension; declare it in \"symbols\"");
+    return e;
+}
+
+/// The same, with no root of a negative number in it. A print may have one, and is refuted.
+ex real_formula(const std::string& t, const Place& at)
+{
+    const ex e = formula(t, at);
+    const std::function<bool(const ex&)> is_real = [&](const ex& part) {
+        if (GiNaC::is_a<GiNaC::numeric>(part)) return part.info(GiNaC::info_flags::real);
+        for (std::size_t i = 0; i < part.nops(); ++i)
+            if (!is_real(part.op(i))) return false;
+        return true;
+    };
+    if (!is_real(e)) at.fail("has no real value: '" + t + "'");
     return e;
 }
 
@@ -108,11 +137,39 @@ void must_be_symbol(const std::string& name, const Place& at)
     if (!alphabet().symbols.count(name)) at.fail("no symbol '" + name + "' is declared");
 }
 
+/// A name that formulas have a meaning for, `Pi` or `sin`, cannot be that of a symbol.
+void must_be_free(const std::string& name, const Place& at)
+{
+    bool is_symbol = false;
+    try {
+        is_symbol = read(name).is_equal(sym(name));
+    } catch (const std::exception&) { // a function of nothing
+    }
+    if (!is_symbol) at.fail("the name is that of a function or a number in formulas; choose another");
+}
+
 /// Roots and moduli are simplified by the sign of what is in them, so that no number against it may be put in.
 void must_have_the_sign(const std::string& name, const Rational& value, const Place& at)
 {
     if (!alphabet().symbols.at(name).real && value < 0)
         at.fail("'" + name + "' is positive, " + value.get_str() + " is not; \"sign\": \"real\" says that it need not be");
+}
+
+/// "0 < x <= a": formulas between < and >.
+void check_condition(const std::string& where, const Place& at)
+{
+    for (std::size_t i = 0; i < where.size(); ++i)
+        if (where[i] == '=' && (i == 0 || (where[i - 1] != '<' && where[i - 1] != '>')))
+            at.fail("a condition is written with < or >, not '" + where + "'; \"with\" puts a value in");
+    if (where.find_first_of("<>") == std::string::npos) at.fail("no relation in '" + where + "'; write x < a");
+    std::string side;
+    for (const char c : where + "<")
+        if (c == '<' || c == '>' || c == '=') {
+            if (side.find_first_not_of(' ') != std::string::npos) real_formula(side, at);
+            side.clear();
+        } else {
+            side += c;
+        }
 }
 
 /// "A = B <= C" as parts of a print.
@@ -144,17 +201,7 @@ void take_chain(Print& p, const std::string& says, const std::string& where, con
         p.fields[part + "rhs"] = sides[i + 1];
         if (!where.empty()) p.fields[part + "condition"] = where;
     }
-    for (std::size_t i = 0; i < where.size(); ++i)
-        if (where[i] == '=' && (i == 0 || (where[i - 1] != '<' && where[i - 1] != '>')))
-            at.in("where").fail("a condition is written with < or >, not '" + where + "'; \"with\" puts a value in");
-    std::string side;
-    for (const char c : where + "<")
-        if (c == '<' || c == '>' || c == '=') {
-            if (side.find_first_not_of(' ') != std::string::npos) formula(side, at.in("where"));
-            side.clear();
-        } else {
-            side += c;
-        }
+    if (!where.empty()) check_condition(where, at.in("where"));
 }
 
 Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file)
@@ -175,6 +222,7 @@ Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file
         kind.real = sign == "real";
         OwnSymbol& s = ledger.symbols[name];
         s.is = text(content, "is", at);
+        s.positive = !kind.real;
         std::tie(s.low, s.high) = content.contains("range") ? range(content["range"], at) : std::pair{Rational(1, 4), Rational(9, 4)};
         if (!kind.real && s.low < 0) at.fail("is positive, its range is not");
         of_dimension[*kind.dimension].push_back(name);
@@ -216,16 +264,14 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
         must_be_symbol(c, at);
         table.columns.push_back(c);
     }
-    std::set<std::string> names;
-    collect(formula(table.formula, at), names);
-    for (const std::string& n : names)
+    for (const std::string& n : symbols_of(real_formula(table.formula, at)))
         if (std::find(table.columns.begin(), table.columns.end(), n) == table.columns.end())
             at.fail("the formula asks for '" + n + "', which is no column");
     std::vector<std::vector<std::string>> rows;
     if (t.contains("rows")) {
         for (const auto& row : t["rows"]) {
             rows.emplace_back();
-            for (const auto& cell : row) rows.back().push_back(cell.is_string() ? cell.get<std::string>() : cell.dump());
+            for (const auto& cell : row) rows.back().push_back(digits(cell, at.in("row " + std::to_string(rows.size()))));
         }
     } else {
         std::istringstream in(file_in(dir, text(t, "file", at, "table.txt")));
@@ -273,6 +319,36 @@ std::vector<std::string> references(const std::string& t)
     return all;
 }
 
+/// What stands between two relations of a chain is the right side of one part and the left side of the next: edits mend both.
+std::vector<Edit> with_both_fields(const Print& p, const std::vector<Edit>& edits)
+{
+    std::vector<Edit> all = edits;
+    const auto is_edited = [&](const std::string& field) {
+        return std::any_of(edits.begin(), edits.end(), [&](const Edit& e) { return e.field == field; });
+    };
+    for (std::size_t i = 0; i + 1 < p.parts(); ++i) {
+        const std::string left = std::to_string(i) + ".rhs", right = std::to_string(i + 1) + ".lhs";
+        const bool is_left = is_edited(left) || (i == 0 && is_edited("rhs"));
+        if (is_left == is_edited(right)) continue;
+        for (const Edit& e : edits)
+            if (e.field == left || e.field == right || (i == 0 && e.field == "rhs")) all.push_back({is_left ? right : left, e.from, e.to});
+    }
+    return all;
+}
+
+/// The corrected form is one that could be printed.
+void check_corrected(const Print& print, const std::vector<Edit>& edits, const Place& at)
+{
+    Print p;
+    try {
+        p = print.edited(edits);
+    } catch (const std::exception& wrong) {
+        at.fail(wrong.what());
+    }
+    for (std::size_t i = 0; i < p.parts(); ++i)
+        for (const char* side : {".lhs", ".rhs"}) formula(p.text(std::to_string(i) + side), at);
+}
+
 OwnEntry read_entry(const json& content, const std::string& dir, const Place& file, std::size_t index)
 {
     if (!content.is_object() || !content.contains("id") || !content["id"].is_string())
@@ -306,7 +382,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
                 must_be_symbol(symbol, at.in("with"));
                 of_some_length(by.get_ref<const std::string&>(), at.in("with"));
                 follows.with.emplace_back(symbol, by);
-                formula(std::regex_replace(by.get<std::string>(), reference(), "1"), at.in("with"));
+                real_formula(std::regex_replace(by.get<std::string>(), reference(), "1"), at.in("with"));
                 for (const std::string& id : references(by)) e.rests_on.push_back(id);
             }
         }
@@ -329,11 +405,8 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
             only(edit, {"field", "from", "to"}, at.in("correction"));
             correction.edits.push_back({text(edit, "field", at, "rhs"), text(edit, "from", at), text(edit, "to", at)});
         }
-        try {
-            e.print.edited(correction.edits);
-        } catch (const std::exception& wrong) {
-            at.in("correction").fail(wrong.what());
-        }
+        correction.edits = with_both_fields(e.print, correction.edits);
+        check_corrected(e.print, correction.edits, at.in("correction"));
         e.correction = correction;
     }
     for (const auto& excuse : content.value("excuses", json::array())) {
@@ -347,10 +420,9 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
 void must_have_a_range_each(const OwnLedger& ledger, const OwnEntry& e, const Place& file)
 {
     if (e.over.empty()) return;
+    bool is_any = false;
     const std::function<void(const ex&)> look = [&](const ex& of) {
-        std::set<std::string> names;
-        collect(of, names);
-        for (const std::string& name : names) {
+        for (const std::string& name : symbols_of(of)) {
             if (std::any_of(e.over.begin(), e.over.end(), [&](const Range& r) { return r.symbol == name; })) continue;
             const std::string& is = ledger.symbols.at(name).is;
             if (is.empty()) file.in("entry '" + e.print.id + "'").fail("\"over\" has no range of '" + name + "'");
@@ -360,9 +432,11 @@ void must_have_a_range_each(const OwnLedger& ledger, const OwnEntry& e, const Pl
     for (std::size_t i = 0; i < e.print.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = e.print.text(part + "relation");
         if (relation == "=" || relation == "~") continue; // compared as formulas
+        is_any = true;
         look(e.print(part + "lhs"));
         look(e.print(part + "rhs"));
     }
+    if (!is_any) file.in("entry '" + e.print.id + "'").fail("\"over\" is of a bound, and nothing here is printed with < or >");
 }
 
 /// A name on a way back to itself, with that way; or nothing.
@@ -386,6 +460,42 @@ std::string cycle_in(const std::map<std::string, std::vector<std::string>>& next
     for (const auto& [name, others] : next)
         if (visit(name, "")) break;
     return path;
+}
+
+/// What stands for something is positive where that is shown; where it is not, it is real, by which no root or modulus is simplified. A
+/// symbol keeps the sign that it was first read with: so what it stands for comes first.
+void take_signs_that_are_shown(const OwnLedger& ledger, Alphabet a, const Place& file)
+{
+    std::map<std::string, std::vector<std::string>> stands_for;
+    for (const auto& [name, symbol] : ledger.symbols) {
+        const std::set<std::string> all = words(symbol.is);
+        const auto is_symbol = [&](const std::string& word) { return ledger.symbols.count(word) > 0; };
+        std::copy_if(all.begin(), all.end(), std::back_inserter(stands_for[name]), is_symbol);
+    }
+    if (const std::string path = cycle_in(stands_for); !path.empty())
+        file.fail("symbol '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
+    use_alphabet(a);
+    std::set<std::string> done;
+    const std::function<void(const std::string&)> take = [&](const std::string& name) {
+        if (!done.insert(name).second) return;
+        for (const std::string& other : stands_for.at(name)) take(other);
+        const OwnSymbol& symbol = ledger.symbols.at(name);
+        if (symbol.is.empty() || !symbol.positive) return;
+        Check shown;
+        try {
+            const ex is = read(symbol.is);
+            shown = is_positive(is) ? Check{Verdict::proved, ""} : not_negative(ledger, is);
+        } catch (const std::exception& wrong) { // told where the symbol is read
+            shown = {Verdict::undecided, wrong.what()};
+        }
+        if (shown.verdict == Verdict::refuted)
+            file.in("symbol '" + name + "'").fail("is positive, and what it stands for is not: " + shown.detail +
+                                                  "; \"sign\": \"real\" says that it need not be, \"range\" where one looks");
+        if (shown.verdict == Verdict::proved) return;
+        a.symbols.at(name).real = true;
+        use_alphabet(a);
+    };
+    for (const auto& [name, symbol] : ledger.symbols) take(name);
 }
 
 } // namespace
@@ -415,7 +525,7 @@ OwnLedger read_ledger(const std::string& written, const std::string& dir)
     if (shallow(written).size() < written.size()) file.fail("brackets nest too deep");
     json all;
     try {
-        all = json::parse(written, nullptr, true, true); // comments are allowed
+        all = json::parse(written, no_key_twice(file), true, true); // comments are allowed
     } catch (const json::exception& e) {
         const std::string what = e.what();
         file.fail("not JSON: " + what.substr(std::min(what.find("parse error"), what.size())));
@@ -424,24 +534,20 @@ OwnLedger read_ledger(const std::string& written, const std::string& dir)
     ledger.title = text(all, "title", file);
     if (!all.contains("symbols") || !all["symbols"].is_object()) file.fail("\"symbols\" is missing: { name: { \"dimension\": ... }, ... }");
     if (!all.contains("entries") || !all["entries"].is_array() || all["entries"].empty()) file.fail("\"entries\" is missing or empty");
-    use_alphabet(read_alphabet(all["symbols"], ledger, file));
-    std::map<std::string, std::vector<std::string>> stands_for;
+    take_signs_that_are_shown(ledger, read_alphabet(all["symbols"], ledger, file), file);
     for (const auto& [name, symbol] : ledger.symbols) {
         const Place at = file.in("symbol '" + name + "'");
+        must_be_free(name, at);
         Print p;
         p.id = name;
         p.fields = {{"0.lhs", name}, {"0.relation", "="}, {"0.rhs", symbol.is.empty() ? name : symbol.is}};
-        std::set<std::string> names;
-        if (!symbol.is.empty()) collect(formula(symbol.is, at), names);
+        if (!symbol.is.empty()) real_formula(symbol.is, at);
         try {
             if (const Check c = units(p); c.verdict == Verdict::refuted) at.fail(c.detail);
         } catch (const std::invalid_argument& e) {
             at.fail(e.what());
         }
-        stands_for[name].assign(names.begin(), names.end());
     }
-    if (const std::string path = cycle_in(stands_for); !path.empty())
-        file.fail("symbol '" + path.substr(0, path.find(' ')) + "': a cycle: " + path);
     std::map<std::string, std::vector<std::string>> rests_on;
     for (std::size_t i = 0; i < all["entries"].size(); ++i) {
         OwnEntry e;

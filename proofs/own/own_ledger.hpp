@@ -59,6 +59,7 @@ struct OwnEntry {
 struct OwnSymbol {
     std::string is;                ///< what it stands for in terms of others; empty: free
     Rational low, high;            ///< where it is sampled
+    bool positive = true;          ///< as it is declared
 };
 
 struct OwnLedger {

@@ -30,7 +30,8 @@ ex bottom_up(const ex& e, const std::function<ex(const ex&)>& f)
     return map(e);
 }
 
-/// Is e positive wherever its real symbols are real and its positive symbols positive? No means: not seen to be.
+} // namespace
+
 bool is_positive(const ex& e)
 {
     if (is_a<numeric>(e)) return ex_to<numeric>(e).is_positive();
@@ -48,6 +49,8 @@ bool is_positive(const ex& e)
     }
     return false;
 }
+
+namespace {
 
 /// sqrt(q) if q is the square of a monomial with positive rational coefficient. The root of g^2k is |g|^k: it is g^k only
 /// where k is even or g is positive, and a g without a known sign has no root here.
@@ -206,9 +209,9 @@ bool hides_a_sign(const ex& e)
         int unknown = 0;
         const auto look = [&unknown](const ex& factor) {
             if (is_positive(factor) || is_a<numeric>(factor)) return; // GiNaC writes 1 - nu^2 as -(nu^2 - 1)
-            const bool power = is_a<GiNaC::power>(factor);
-            if (power && !(is_a<numeric>(factor.op(1)) && ex_to<numeric>(factor.op(1)).is_integer())) return; // a root is not negative
-            const bool odd = !power || (is_a<numeric>(factor.op(1)) && ex_to<numeric>(factor.op(1)).is_odd());
+            const bool power = is_a<GiNaC::power>(factor), number = power && is_a<numeric>(factor.op(1));
+            if (number && !ex_to<numeric>(factor.op(1)).is_integer()) return; // a root is not negative
+            const bool odd = !power || (number && ex_to<numeric>(factor.op(1)).is_odd()); // a symbol may stand for an even number
             unknown += odd ? 1 : 2;
         };
         if (is_a<GiNaC::mul>(e.op(0)))
@@ -243,6 +246,71 @@ ex log_of(const ex& e)
     return log_symbol(e);
 }
 
+bool is_whole(const ex& e) { return is_a<numeric>(e) && ex_to<numeric>(e).is_integer(); }
+
+/// The symbol that stands for the sign of e, of which -e has another.
+ex sign_symbol(const ex& e)
+{
+    static std::vector<std::pair<ex, ex>> known;
+    for (const auto& [of, symbol] : known)
+        if (GiNaC::normal(GiNaC::expand(of - e)).is_zero()) return symbol;
+    known.emplace_back(e, GiNaC::realsymbol("sign(" + str(e) + ")"));
+    return known.back().second;
+}
+
+ex signs_of(const ex& e);
+
+/// Of what is raised to a power that is no whole number. Its numbers give their sign to the factor without a known one, of which there is
+/// one at most (hides_a_sign): 1 - nu^2 is found again in -(nu^2 - 1).
+ex signs_of_base(const ex& base)
+{
+    ex sum = 0, sign = 1, unknown = 1, power = 1;
+    const auto take = [&](const ex& f) {
+        const bool is_power = is_a<GiNaC::power>(f);
+        if (is_a<numeric>(f)) sign *= ex_to<numeric>(f).is_negative() ? -1 : 1;
+        else if (is_power && !is_whole(f.op(1))) sum += signs_of(f);
+        else if (!is_positive(f)) {
+            unknown *= is_power ? f.op(0) : f;
+            power = is_power ? f.op(1) : ex(1);
+        }
+    };
+    if (is_a<GiNaC::mul>(base))
+        for (const ex& f : base) take(f);
+    else
+        take(base);
+    const ex alone = sign * unknown;
+    return alone.is_equal(1) ? sum : ex(sum + power * sign_symbol(alone));
+}
+
+/// log_of leaves signs out, which is right under whole powers alone: (-x)^n is not x^n. This is the sum of the other powers' signs.
+ex signs_of(const ex& e)
+{
+    ex sum = 0;
+    if (is_a<GiNaC::mul>(e))
+        for (const ex& f : e) sum += signs_of(f);
+    if (is_a<GiNaC::power>(e)) sum = e.op(1) * (is_whole(e.op(1)) ? signs_of(e.op(0)) : signs_of_base(e.op(0)));
+    return sum;
+}
+
+/// Both sides have each sign equally often, but for a whole number of times, which their signs at a point tell.
+bool have_the_same_signs(const ex& left, const ex& right)
+{
+    const ex off = GiNaC::expand(GiNaC::normal(GiNaC::expand(signs_of(left) - signs_of(right))));
+    const auto is_right = [](const ex& term) {
+        int symbols = 0;
+        const auto look = [&symbols](const ex& f) { symbols += is_a<GiNaC::symbol>(f) ? 1 : is_whole(f) ? 0 : 2; };
+        if (is_a<GiNaC::mul>(term))
+            for (const ex& f : term) look(f);
+        else
+            look(term);
+        return symbols < 2; // of which one is the sign
+    };
+    if (!is_a<GiNaC::add>(off)) return is_right(off);
+    for (const ex& term : off)
+        if (!is_right(term)) return false;
+    return true;
+}
+
 } // namespace
 
 ex log_form(const ex& e) { return GiNaC::normal(GiNaC::expand(log_of(e))); }
@@ -254,7 +322,7 @@ Check power_identity(const ex& left, const ex& right, const Points& points)
     if (numbers.verdict == Verdict::refuted || points.empty() || !evaluates_at(left, right, points)) return numbers;
     if (hides_a_sign(left) || hides_a_sign(right))
         return {Verdict::undecided, "the root of an even power of something without a known sign"};
-    if (GiNaC::normal(GiNaC::expand(log_form(left) - log_form(right))).is_zero())
+    if (have_the_same_signs(left, right) && GiNaC::normal(GiNaC::expand(log_form(left) - log_form(right))).is_zero())
         return {Verdict::proved, "the logarithms of both sides have the same normal form"};
     return numbers;
 }

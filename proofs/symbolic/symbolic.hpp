@@ -16,6 +16,9 @@ namespace touchstone::proofs {
 
 std::string str(const ex&);
 
+/// Is e positive wherever its real symbols are real and its positive symbols positive? No means: not seen to be.
+bool is_positive(const ex&);
+
 /// Square roots and sines as algebraic elements: t with t^2 = a polynomial or rational
 /// expression in what was adjoined before. An expression in them is zero if the numerator of its
 /// normal form leaves remainder zero on division by every relation.

@@ -283,9 +283,8 @@ class Changed(unittest.TestCase):
         a = {"id": "A", "says": "y = x", "is": "definition"}
         self.assertEqual(self.verdicts(symbols, a), {"A": "definition"})
         self.assertEqual(self.verdicts(symbols, a, {"id": "B", "says": "y = a", "follows": {"equation": "A"}})["B"], "refuted")
-        torn = {**a, "correction": {"wrong": "a bracket", "edits": [{"from": "x", "to": "x*("}]}}
-        found = self.verdicts({"x": {}, "y": y}, torn, {"id": "B", "says": "y = 2", "follows": {"equation": "A", "with": {"x": "@A"}}})
-        self.assertEqual(found["B"], "refuted")
+        c = {"id": "C", "says": "y = x", "where": "s < 1/(w-x)", "follows": {"equation": "A", "with": {"x": "s-9"}}}
+        self.assertEqual(self.verdicts({"x": {}, "w": {"is": "x"}, "s": {}, "y": y}, a, c)["C"], "refuted")
 
     def test_what_follows_from_a_refuted_print_is_not_proved_by_it(self):
         y = {"sign": "real"}
@@ -328,6 +327,182 @@ class Changed(unittest.TestCase):
         for wrong in ("z = t^2 < 1/5", "z = t^2 = t^3 < 1/3", "z = t^3 < 1/3"):
             self.assertEqual(self.verdicts(t, a, {**chain, "says": wrong})["B"], "refuted", wrong)
         self.assertEqual(self.verdicts(t, {"id": "B", "says": "5.*t > 1", "over": over}), {"B": "proved"})
+
+    def test_a_number_is_what_stands_there_and_not_the_nearest_double(self):
+        """JSON's numbers with a point are doubles when they are read: they have to stand in quotes."""
+        def judged(rows, **more):
+            table = {"formula": "x", "columns": ["x"], "rows": "ROWS"}
+            ledger = {"symbols": {"x": {"dimension": "1", "range": "RANGE"}}, "entries": [{"id": "T", "table": table}, {"id": "B", "says": "x < 9", "over": {"x": "OVER"}}]}
+            text = json.dumps(ledger).replace('"ROWS"', rows)
+            for name in ("RANGE", "OVER"):
+                text = text.replace(f'"{name}"', more.get(name, '["1/4", "1"]'))
+            return self.judge_text(text)
+        for rows in ('[["1/2", 0.50000000000000000004]]', '[["2/3", 0.66666666666666666667]]', '[[0.1000000000000000000001, "0.1"]]',
+                     '[[123456789012345678901234567890, "0.1"]]', '[["1/2", 5e-1]]'):
+            r = judged(rows)
+            self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stdout + r.stderr)
+            self.assertRegex(r.stderr, "'T': table: row 1: .* in quotes")
+        for name, where in (("RANGE", "'x'"), ("OVER", "'B': over x")):
+            r = judged('[["1/2", "0.5"]]', **{name: "[0, 0.10000000000000000000001]"})
+            self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stdout + r.stderr)
+            self.assertIn(where, r.stderr)
+        self.assertEqual(judged('[["1/2", "0.50000000000000000004"]]').returncode, 1)
+        self.assertEqual(judged('[["2/3", "0.66666666666666666667"], [2, 2]]', OVER="[0, 1]").returncode, 0)
+
+    def test_from_a_bound_the_bound_of_the_same_follows_within_its_range(self):
+        real = {"sign": "real", "range": ["0", "1"]}
+        a = {"id": "A", "says": "x^2 <= 1", "over": {"x": ["-1/2", "1/2"]}}
+        b = {"id": "B", "says": "x^80*2 <= 1", "follows": {"equation": "A"}}
+        self.assertEqual(self.verdicts({"x": real}, a, b), {"A": "proved", "B": "undecided"})
+        side = {"id": "B", "says": "1/30 < x", "follows": {"equation": "A", "side": "lhs"}}
+        self.assertEqual(self.verdicts({"x": real}, {"id": "A", "says": "x < 2", "over": {"x": ["0", "1"]}}, side), {"A": "proved", "B": "undecided"})
+        c = {"id": "C", "says": "x^2 < x+3", "over": {"x": ["0", "2"]}}
+
+        def from_c(low, high, says="x^2 < x+3", **follows):
+            return self.verdicts({"x": {"range": [low, high]}, "u": {"range": [low, high]}}, c, {"id": "D", "says": says, "follows": {"equation": "C", **follows}})["D"]
+        self.assertEqual(from_c("0", "12/5"), "undecided")
+        self.assertEqual(from_c("1/4", "2"), "proved")
+        self.assertEqual(from_c("1/4", "1", "4*u^2 < 2*u+3", **{"with": {"x": "2*u"}}), "proved")
+        self.assertEqual(from_c("1/4", "11/10", "4*u^2 < 2*u+3", **{"with": {"x": "2*u"}}), "undecided")
+        self.assertEqual(from_c("1/4", "1", "1 < 4", **{"with": {"x": "1"}}), "proved")
+        # and further on
+        d = {"id": "D", "says": "x^2 < x+3", "follows": {"equation": "C"}}
+        e = {"id": "E", "says": "100*u^2 < 10*u+3", "follows": {"equation": "D", "with": {"x": "10*u"}}}
+        self.assertEqual(self.verdicts({"x": {"range": ["0", "1"]}, "u": {"range": ["0", "1/4"]}}, c, d, e), {"C": "proved", "D": "proved", "E": "undecided"})
+        # what stands for something that is looked at has no range of its own
+        t = {"t": {"range": ["1/4", "1/2"]}, "x": {"is": "t^40"}}
+        b = {"id": "B", "says": "109*10^10*x < 1", "follows": {"equation": "A", "with": {"x": "109*10^10*x"}}}
+        self.assertEqual(self.verdicts(t, {"id": "A", "says": "x < 1", "over": {"t": ["1/4", "1/2"]}}, b)["B"], "undecided")
+
+    def test_what_is_put_in_by_its_name_is_an_equation(self):
+        symbols = {"a": {"range": ["1", "2"]}, "y": {"sign": "real"}, "z": {"sign": "real"}}
+        b = {"id": "B", "says": "a < 4", "over": {"a": ["1", "2"]}}
+        d = {"id": "D", "says": "y = a^2", "is": "definition"}
+        c = {"id": "C", "says": "z = 16", "follows": {"equation": "D", "with": {"a": "@B"}}}
+        self.assertEqual(self.verdicts(symbols, b, d, c), {"B": "proved", "D": "definition", "C": "undecided"})
+
+    def test_what_follows_from_an_undecided_print_is_undecided(self):
+        real = {"sign": "real"}
+        symbols = {"x": {**real, "range": ["-1", "1"]}, "y": real, "z": real, "w": real}
+        a = {"id": "A", "says": "y = abs(x)", "is": "definition"}
+        b = {"id": "B", "says": "z = x", "where": "x > 0", "is": "definition"}
+        c = {"id": "C", "says": "w = x", "follows": {"equation": "B"}}
+        d = {"id": "D", "says": "y = x", "follows": {"equation": "C"}}
+        self.assertEqual(self.verdicts(symbols, a, b, c, d), {"A": "definition", "B": "definition", "C": "undecided", "D": "undecided"})
+        n = {"id": "N", "says": "2*y = 2*x"}
+        self.assertEqual(self.verdicts(symbols, n, {"id": "C", "says": "w = 2*x", "follows": {"equation": "N"}}), {"N": "undecided", "C": "undecided"})
+
+    def test_a_left_side_that_has_a_value_is_compared_too(self):
+        real = {"sign": "real"}
+        symbols = {"x": {**real, "range": ["-1/100", "1"]}, "y": real, "w": real, "a": {"is": "abs(x)"}, "b": {**real, "is": "(x+1)^2-x^2"}}
+        b = {"id": "B", "says": "y = x", "is": "definition"}
+
+        def verdict(says, *entries, **follows):
+            return self.verdicts(symbols, *(entries or [b]), {"id": "C", "says": says, "follows": {"equation": "B", **follows}})["C"]
+        for says in ("abs(x) = x", "a = x"):
+            self.assertEqual(verdict(says), "refuted", says)
+        self.assertEqual(verdict("(x+1)^2-x^2-x-1 = x"), "proved")
+        self.assertEqual(verdict("b = 2*x+1", {"id": "B", "says": "y = 2*x+1", "is": "definition"}), "proved")
+        self.assertEqual(verdict("abs(x) >= x"), "verified")
+        # y is x^2: its derivative is something else, and so is its value at a place
+        square = {"id": "B", "says": "y = x^2", "is": "definition"}
+        for says, follows in (("y = 2*x", {"derivative_by": "x"}), ("y = 4*x^2", {"with": {"x": "2*x"}}), ("y = 1/4", {"with": {"x": "1/2"}})):
+            self.assertEqual(verdict(says, square, **follows), "undecided", says)
+            self.assertEqual(verdict(says.replace("y", "w"), square, **follows), "proved", says)
+        d = {"id": "D", "says": "w = 2*x", "follows": {"equation": "B", "derivative_by": "x"}}
+        self.assertEqual(self.verdicts(symbols, square, d, {"id": "C", "says": "y = 2*x", "follows": {"equation": "D"}})["C"], "undecided")
+        self.assertEqual(self.verdicts({**symbols, "z": {}}, square, {"id": "C", "says": "y = z^2", "follows": {"equation": "B", "with": {"x": "z"}}})["C"], "proved")
+
+    def test_a_power_with_a_symbol_in_its_exponent_has_the_sign_of_what_is_under_it(self):
+        real = {"sign": "real"}
+        symbols = {"a": {**real, "range": ["1", "2"]}, "b": {**real, "range": ["3", "4"]}, "n": {**real, "range": ["0", "92"]}, "p": {}, "y": real, "z": real}
+
+        def verdict(of, says):
+            return self.verdicts(symbols, {"id": "B", "says": f"y = {of}", "is": "definition"}, {"id": "C", "says": f"z = {says}", "follows": {"equation": "B"}})["C"]
+        for of, says in (("(a-b)^n", "(b-a)^n"), ("a^n", "(-a)^n"), ("p^n", "(-p)^n"), ("((-a)^n)^(1/2)", "(-a)^(n/2)")):
+            self.assertNotEqual(verdict(of, says), "proved", of)
+        for of, says in (("(b-a)^n*(b-a)", "(b-a)^(n+1)"), ("(b-a)^(2*n)", "((b-a)^n)^2"), ("(1-a/b)^n*(1-a/b)", "(1-a/b)^(n+1)"), ("(5-a^2)^n", "1/(5-a^2)^(-n)"), ("(-p)^n*p^2", "(-p)^(n+2)")):
+            self.assertEqual(verdict(of, says), "proved", of)
+
+    def test_a_sign_is_shown_over_all_of_the_ranges_or_not_used(self):
+        near = "abs(x-1/3)-1/10^3"  # below 0 between the points that are looked at
+        symbols = {"x": {"sign": "real", "range": ["0", "1"]}, "y": {}, "z": {}}
+        b = {"id": "B", "says": "y = sqrt(s^2)", "is": "definition"}
+        c = {"id": "C", "says": f"z = {near}", "follows": {"equation": "B"}}
+        refused = self.verdicts({**symbols, "s": {"is": near}}, b, c)
+        self.assertIsInstance(refused, str)
+        self.assertIn("symbol 's': is positive", refused)
+        self.assertEqual(self.verdicts({**symbols, "s": {}}, b, {**c, "follows": {"equation": "B", "with": {"s": near}}})["C"], "undecided")
+        # what is 0 at an end is not shown to be positive in balls: it is not simplified, and proved where that needs no sign
+        zero = {"is": "x-x^2/sqrt(1+x^2)"}
+        self.assertEqual(self.verdicts({**symbols, "s": zero}, b, {**c, "says": "z = x-x^2/sqrt(1+x^2)"})["C"], "verified")
+        self.assertEqual(self.verdicts({**symbols, "s": zero}, {**b, "says": "y = 2*s"}, {**c, "says": "z = 2*x-2*x^2/sqrt(1+x^2)"})["C"], "proved")
+        for put in ("x", "1-x", "z^2+1", "2-x^2", "0"):
+            self.assertEqual(self.verdicts({**symbols, "s": {}, "w": {}}, b, {**c, "says": f"w = {put}", "follows": {"equation": "B", "with": {"s": put}}})["C"], "proved", put)
+
+    def test_a_condition_is_read_with_its_equality_and_what_it_leaves_out_refutes_nothing(self):
+        real = {"sign": "real"}
+        b = {"id": "B", "says": "y = x^2", "where": "x <= 1", "is": "definition"}
+        symbols = {"x": {"range": ["1/4", "3/4"]}, "y": {}, "w": {}}
+        for where, verdict in (("x <= 1", "proved"), ("1 >= x", "proved"), ("x < 1", "undecided"), ("1 > x", "undecided"), ("x <= 99/100", "undecided")):
+            c = {"id": "C", "says": "w = 1", "follows": {"equation": "B", "with": {"x": "1"}}}
+            self.assertEqual(self.verdicts(symbols, {**b, "where": where}, c)["C"], verdict, where)
+        s = {"x": {**real, "range": ["-1", "1"]}, "s": {}, "y": {}}
+        root = {"id": "B", "says": "y = sqrt(s^2)", "is": "definition"}
+        self.assertEqual(self.verdicts(s, root, {"id": "C", "says": "y = x", "where": "x > 0", "follows": {"equation": "B", "with": {"s": "x"}}})["C"], "verified")
+        a = {"id": "B", "says": "y = abs(x)", "is": "definition"}
+        c = {"id": "C", "says": "w = x", "where": "x > 0", "follows": {"equation": "B"}}
+        wide = {"x": {**real, "range": ["-1", "3"]}, "y": {}, "w": {}}
+        self.assertEqual(self.verdicts(wide, a, c)["C"], "verified")
+        self.assertEqual(self.verdicts(wide, a, {**c, "where": "x > -1/2"})["C"], "refuted")
+
+    def test_names_of_numbers_that_a_text_does_not_mean_are_symbols(self):
+        about = {"F": "force", "L": "length", "E": "force/length^2", "I": "length^4", "w": "length", "Euler": "1", "Catalan": "1", "symbol_I": "length^4"}
+        symbols = {name: {"dimension": dimension} for name, dimension in about.items()}
+        beam = {"id": "1", "says": "w = F*L^3/(3*E*I)*Euler/Catalan", "is": "definition"}
+        for says, verdict in (("w = 8*F*L^3/(24*E*I)/Catalan*Euler", "proved"), ("w = F*L^3/(3*E*symbol_I)*Euler/Catalan", "refuted")):
+            self.assertEqual(self.verdicts(symbols, beam, {"id": "2", "says": says, "follows": {"equation": "1"}})["2"], verdict)
+        gamma = {"id": "B", "says": "y = log(tgamma(x))-log(tgamma(x-2/3))", "is": "definition"}
+        c = {"id": "C", "says": "z = Pi/(2*sqrt(3))+3/2*log(3)", "follows": {"equation": "B", "derivative_by": "x", "with": {"x": "1"}}}
+        self.assertEqual(self.verdicts({"x": {"range": ["3/4", "2"]}, "y": {"sign": "real"}, "z": {}}, gamma, c)["C"], "verified")
+
+    def test_long_powers_are_not_multiplied_out(self):
+        for of, says, verdict in (("(x+1)^1000", "(x+2)^1000", "refuted"), ("(a+b+c+d)^30", "(a+b+2*c+d)^30", "refuted"), ("(x+1)^1000", "(x+1)^998*(x^2+2*x+1)", "verified"),
+                                  ("(x+1)^1000", "(x+1)^1001/(1+x)", "proved"), ("(a+b)^900*c^n", "(b+a)^900*c^(n+1)/c", "proved")):
+            symbols = {**{name: {} for name in "abcdxn"}, "y": {}}
+            found = self.verdicts(symbols, {"id": "B", "says": f"y = {of}", "is": "definition"}, {"id": "C", "says": f"y = {says}", "follows": {"equation": "B"}})
+            self.assertEqual(found["C"], verdict, says)
+
+    def test_what_has_no_meaning_is_refused_when_it_is_read(self):
+        symbols = {"x": {}, "y": {"is": "x"}, "s": {"sign": "real"}}
+        a = {"id": "A", "says": "y = x", "is": "definition"}
+
+        def refused(answer, *words):
+            self.assertIsInstance(answer, str, answer)
+            self.assertEqual(answer.count("\n"), 1, answer)
+            for word in ("ledger.json", *words):
+                self.assertIn(word, answer)
+        for formula in ("sqrt(-4)*x", "log(-1)*x"):
+            table = {"formula": formula, "columns": ["x"], "rows": [["0.5", "1.0"]]}
+            refused(self.verdicts(symbols, {"id": "T", "table": table}), "'T'", "no real value")
+            refused(self.verdicts({**symbols, "p": {"is": formula}}, a), "'p'", "no real value")
+            refused(self.verdicts(symbols, {**a, "where": f"x < {formula}"}), "'A': where", "no real value")
+            refused(self.verdicts(symbols, {"id": "B", "says": "s = x", "follows": {"equation": "A", "with": {"x": formula}}}, a), "'B': with", "no real value")
+        refused(self.verdicts(symbols, {"id": "T", "table": {"formula": "Euler*x", "columns": ["x"], "rows": [["0.5", "1.0"]]}}), "'Euler' has no dimension")
+        for name in ("Pi", "sin", "sqrt"):
+            refused(self.verdicts({**symbols, name: {}}, a), f"'{name}'", "function or a number")
+        for where in ("x - 100", "0"):
+            refused(self.verdicts(symbols, {**a, "where": where}), "'A': where", "no relation")
+        refused(self.verdicts(symbols, {"id": "A", "says": "y = x", "over": {"x": ["0", "1"]}}), "'A'", "over")
+        for to, word in (("x*(", "parse"), ("x+q", "'q' has no dimension")):
+            refused(self.verdicts(symbols, {**a, "correction": {"wrong": "a bracket", "edits": [{"from": "x", "to": to}]}}), "'A': correction", word)
+        r = self.judge_text('{"symbols": {"x": {"dimension": "1"}}, "entries": [{"id": "A", "says": "x = 2", "says": "x = 1", "is": "definition"}]}')
+        self.assertEqual(r.returncode, 65)
+        self.assertIn("'says' comes twice", r.stderr)
+        # what stands between two relations is mended on both sides
+        chain = {"id": "A", "says": "y = 2*x < 3", "over": {"x": ["1/4", "9/4"]}, "correction": {"wrong": "a factor", "edits": [{"from": "2*x", "to": "x"}]}}
+        ledger = {"symbols": {name: {"dimension": "1", **about} for name, about in symbols.items()}, "entries": [chain]}
+        self.assertEqual(json.loads(self.judge_text(json.dumps(ledger), "--json").stdout)[0]["correction_verdict"], "proved")
 
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):

@@ -29,7 +29,7 @@ import time
 PARSERS = ["scalar/rational.cpp", "scalar/exact.cpp", "scalar/exact_text.cpp", "catalogue/named_inputs.cpp", "catalogue/quantity.cpp",
            "table/rows.cpp", "table/ranges.cpp", "table/own_table.cpp", "table/shard.cpp", "table/format.cpp", "oracle/baseline.cpp",
            "oracle/printed.cpp", "oracle/subject.cpp", "quadrature/expression.cpp", "quadrature/expression_tree.cpp"]
-LEDGER = ["own/own_ledger.cpp", "print.cpp", "symbols.cpp", "symbolic/units.cpp"]  # of proofs/
+LEDGER = ["own/own_ledger.cpp", "own/own_symbols.cpp", "print.cpp", "symbols.cpp", "symbolic/units.cpp"]  # of proofs/
 COMMON = ["-O2", "-g1", "-fno-omit-frame-pointer", "-D_GLIBCXX_ASSERTIONS"]
 SANITIZERS = {"sanitized": ["-fsanitize=address,undefined", "-fno-sanitize=vptr", "-fno-sanitize-recover=all"], "bare": []}
 TARGETS = re.compile(r'\{"(\w+)", \w+, (\d+)\}')
