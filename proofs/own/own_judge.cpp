@@ -169,9 +169,8 @@ std::string differ_by_a_number(const ex& print, const ex& wanted)
         return GiNaC::is_a<GiNaC::numeric>(n) ? std::optional(n) : std::nullopt;
     };
     if (const auto off = number(print - wanted)) return off->is_zero() ? "" : "the two differ by " + str(*off);
-    if (const auto ratio = wanted.is_zero() ? std::nullopt : number(print / wanted))
-        return "it is " + str(*ratio) + " times what it should be";
-    return "";
+    const auto ratio = wanted.is_zero() ? std::nullopt : number(print / wanted);
+    return ratio && !ratio->is_equal(1) ? "it is " + str(*ratio) + " times what it should be" : "";
 }
 
 bool is_bound(const std::string& relation) { return relation == "<" || relation == ">" || relation == "<=" || relation == ">="; }
@@ -324,6 +323,9 @@ std::vector<Range> box_of(const OwnLedger& ledger, const OwnEntry& source)
 std::optional<Check> bound_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     const Follows& f = *e.follows;
+    if (const ex side = right_form(ledger.at(f.equation))(f.side); f.side == "lhs" && !f.derivative_by.empty() &&
+        GiNaC::is_a<GiNaC::symbol>(side) && ledger.symbols.at(str(side)).is.empty() && str(side) != f.derivative_by)
+        return Check{Verdict::undecided, "how '" + str(side) + "' varies is not said by a left side alone"};
     for (std::size_t i = 1; i < e.rests_on.size(); ++i) // what "@ID" puts in
         if (const std::string r = right_form(ledger.at(e.rests_on[i])).text("relation"); r != "=")
             return Check{Verdict::undecided, "(" + e.rests_on[i] + ") is printed with " + r + ": nothing is equal to its right side"};
@@ -371,7 +373,8 @@ std::optional<Check> condition_forbids(const OwnLedger& ledger, const OwnEntry& 
     return std::nullopt;
 }
 
-/// Whether what is put in leaves a quantity what it is: equals are put for equals, or symbols are written in new ones, each in its own.
+/// Whether what is put in leaves a quantity what it is: equals are put for equals, or symbols are written in new ones, each in one of its
+/// own that it varies with, beside known ones: x = a xi.
 bool is_only_rewritten(const OwnLedger& ledger, const OwnEntry& e)
 {
     if (!e.follows->derivative_by.empty()) return false;
@@ -384,12 +387,35 @@ bool is_only_rewritten(const OwnLedger& ledger, const OwnEntry& e)
         const bool is_an_entry = by.starts_with("@") && ledger.has(by.substr(1));
         if (is_an_entry && right_form(ledger.at(by.substr(1)))("lhs").is_equal(sym(symbol))) continue;
         if (is_the_same_in_other_words(ledger, sym(symbol), put)) continue;
-        const std::set<std::string> names = symbols_of(written_out(ledger, put));
-        if (names.empty()) return false;
-        for (const std::string& name : names)
-            if (!taken.insert(name).second) return false;
+        const ex full = written_out(ledger, put);
+        bool varies = false;
+        for (const std::string& name : symbols_of(full))
+            if (!taken.count(name)) varies = varies || !GiNaC::normal(full.diff(GiNaC::ex_to<GiNaC::symbol>(sym(name)))).is_zero();
+        if (!varies) return false;
+        taken.merge(symbols_of(full));
     }
     return true;
+}
+
+/// Whether a source has the symbol in it elsewhere than as the left side, or the side, that it names there; or something is put for it.
+std::optional<Check> means_something_else(const OwnLedger& ledger, const OwnEntry& e, const ex& name)
+{
+    const Follows& f = *e.follows;
+    for (const std::string& id : all_sources(ledger, e)) {
+        const Print other = right_form(ledger.at(id));
+        for (const auto& [field, text] : other.fields) {
+            const bool is_left = field.ends_with("lhs"), is_first = field == "lhs" || field.starts_with("0.");
+            if ((!is_left && !field.ends_with("rhs")) || text.empty()) continue;
+            const ex side = read(text);
+            const bool named_here = is_first && (is_left || (id == f.equation && f.side == "lhs")) && side.is_equal(name);
+            if (!named_here && symbols_of(written_out(ledger, side)).count(str(name)))
+                return Check{Verdict::undecided, "(" + id + ") has '" + str(name) + "' in it: the right side wants a symbol of its own"};
+        }
+    }
+    for (const auto& [symbol, by] : f.with)
+        if (symbol == str(name) && !is_the_same_in_other_words(ledger, name, with_references(ledger, by)))
+            return Check{Verdict::undecided, "something else is put for '" + symbol + "': the right side wants a symbol of its own"};
+    return std::nullopt;
 }
 
 /// A symbol that names the right side may have been given another by what the entry follows from: y = x^2 and y = 2*x, its derivative.
@@ -397,6 +423,7 @@ std::optional<Check> named_before(const OwnLedger& ledger, const OwnEntry& e, co
 {
     const Follows& f = *e.follows;
     const ex name = p("lhs");
+    if (const auto no = means_something_else(ledger, e, name)) return no;
     std::set<std::string> sources = all_sources(ledger, e);
     if (right_form(ledger.at(f.equation))(f.side == "rhs" ? "lhs" : "rhs").is_equal(name)) {
         if (is_only_rewritten(ledger, e)) return std::nullopt;
@@ -427,19 +454,48 @@ std::optional<Check> left_side(const OwnLedger& whole, const OwnLedger& ledger, 
     return c.verdict == Verdict::proved ? std::nullopt : std::optional(c);
 }
 
-/// Of a positive symbol roots and moduli were simplified before something else was put for it: has that its sign?
+/// The symbols of the print and of all that it follows from, and those that they stand for.
+std::set<std::string> all_names(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    std::set<std::string> all, todo;
+    const auto take = [&](const Print& print) {
+        for (const auto& [field, text] : print.fields)
+            if (field.ends_with("lhs") || field.ends_with("rhs")) todo.merge(words(text));
+    };
+    take(p);
+    for (const std::string& id : all_sources(ledger, e)) take(right_form(ledger.at(id)));
+    while (!todo.empty()) {
+        const std::string name = *todo.begin();
+        todo.erase(todo.begin());
+        const auto symbol = ledger.symbols.find(name);
+        if (symbol != ledger.symbols.end() && all.insert(name).second) todo.merge(words(symbol->second.is));
+    }
+    return all;
+}
+
+/// Roots and moduli are simplified by the sign of a positive symbol: has what is put for it, or what it stands for over the entry's own
+/// ranges, this sign?
 std::optional<Check> sign_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
-    for (const auto& [name, by] : e.follows->with) {
-        const ex put = with_references(ledger, by);
-        if (alphabet().symbols.at(name).real || is_positive(put)) continue;
+    std::optional<Check> worst;
+    const auto look = [&](const std::string& name, const ex& put) {
+        if (is_positive(put)) return;
         const Check c = not_negative(ledger, put);
-        if (c.verdict == Verdict::proved) continue;
+        if (c.verdict == Verdict::proved) return;
         const bool is_wrong = c.verdict == Verdict::refuted && !p.has("condition");
-        return Check{is_wrong ? Verdict::undecided : Verdict::verified,
-                     "'" + name + "' is positive, and " + by + " is not " + (is_wrong ? "" : "shown to be ") + "so: " + c.detail};
+        if (!worst || is_wrong)
+            worst = Check{is_wrong ? Verdict::undecided : Verdict::verified,
+                          "'" + name + "' is positive, and " + str(put) + " is not " + (is_wrong ? "" : "shown to be ") + "so: " + c.detail};
+    };
+    const GiNaC::lst with = e.follows ? replacements(ledger, *e.follows) : GiNaC::lst{};
+    for (const std::string& name : all_names(ledger, e, p)) {
+        const OwnSymbol& symbol = ledger.symbols.at(name);
+        if (alphabet().symbols.at(name).real) continue;
+        const ex put = replaced(ledger, sym(name), with);
+        const bool is_moved = !put.is_equal(sym(name));
+        if (is_moved || (!symbol.is.empty() && !e.over.empty())) look(name, is_moved ? put : read(symbol.is));
     }
-    return std::nullopt;
+    return worst;
 }
 
 /// By how much a part of the print holds, if it is a bound: positive where it does.
@@ -598,7 +654,7 @@ void must_have_their_signs(const OwnLedger& ledger)
     for (const OwnEntry& e : ledger.entries)
         if (e.follows)
             for (const auto& [name, by] : e.follows->with)
-                if (!alphabet().symbols.at(name).real) look("entry '" + e.print.id + "'", name, by,
+                if (ledger.symbols.at(name).positive) look("entry '" + e.print.id + "'", name, by,
                      [&](const Point& point) { return surely_holds_at(e, point); });
 }
 
@@ -664,6 +720,7 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
                 if (no) a.add(what, *no);
         }
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
+        if (const auto no = e.follows ? std::nullopt : sign_forbids(ledger, e, p)) a.add("signs over its range", *no);
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
         if (readable(ledger, e)) {
             const Check read = read_closely(ledger, e, p);
@@ -715,6 +772,34 @@ void withdraw_what_rests_on_nothing(std::vector<OwnResult>& all)
     }
 }
 
+/// What follows from a bound, or from what follows itself, that is looked at at some points alone is known no better; nor is that into which
+/// an equation known no better is put. (An equation that stands at the beginning is what the others are said to follow from.)
+void withdraw_proofs_from_samples(std::vector<OwnResult>& all)
+{
+    std::set<std::string> verified, handed_on;
+    for (const OwnResult& r : all) {
+        if ((r.corrected ? *r.corrected : r.finding).verdict != Verdict::verified || r.entry->table) continue;
+        verified.insert(r.entry->print.id);
+        if (r.entry->follows || is_bound(right_form(*r.entry).text("relation"))) handed_on.insert(r.entry->print.id);
+    }
+    for (bool is_new = true; is_new;) {
+        is_new = false;
+        for (OwnResult& r : all) {
+            const auto& sources = r.entry->rests_on;
+            const auto source = std::find_if(sources.begin(), sources.end(), [&](const std::string& id) {
+                return handed_on.count(id) > 0 || (id != sources.front() && verified.count(id) > 0);
+            });
+            if (source == sources.end()) continue;
+            is_new = handed_on.insert(r.entry->print.id).second || is_new;
+            for (Finding* f : {&r.finding, r.corrected ? &*r.corrected : nullptr})
+                if (f && f->verdict == Verdict::proved) {
+                    f->verdict = Verdict::verified;
+                    f->reason += "; (" + *source + "), from which it follows, is verified";
+                }
+        }
+    }
+}
+
 } // namespace
 
 std::vector<OwnResult> judge_all(const OwnLedger& ledger)
@@ -727,6 +812,7 @@ std::vector<OwnResult> judge_all(const OwnLedger& ledger)
         all.push_back(std::move(r));
     }
     withdraw_what_rests_on_nothing(all);
+    withdraw_proofs_from_samples(all);
     return all;
 }
 

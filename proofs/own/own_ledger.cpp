@@ -149,9 +149,9 @@ void must_be_free(const std::string& name, const Place& at)
 }
 
 /// Roots and moduli are simplified by the sign of what is in them, so that no number against it may be put in.
-void must_have_the_sign(const std::string& name, const Rational& value, const Place& at)
+void must_have_the_sign(const OwnLedger& ledger, const std::string& name, const Rational& value, const Place& at)
 {
-    if (!alphabet().symbols.at(name).real && value < 0)
+    if (ledger.symbols.at(name).positive && value < 0)
         at.fail("'" + name + "' is positive, " + value.get_str() + " is not; \"sign\": \"real\" says that it need not be");
 }
 
@@ -162,14 +162,11 @@ void check_condition(const std::string& where, const Place& at)
         if (where[i] == '=' && (i == 0 || (where[i - 1] != '<' && where[i - 1] != '>')))
             at.fail("a condition is written with < or >, not '" + where + "'; \"with\" puts a value in");
     if (where.find_first_of("<>") == std::string::npos) at.fail("no relation in '" + where + "'; write x < a");
-    std::string side;
-    for (const char c : where + "<")
-        if (c == '<' || c == '>' || c == '=') {
-            if (side.find_first_not_of(' ') != std::string::npos) real_formula(side, at);
-            side.clear();
-        } else {
-            side += c;
-        }
+    static const std::regex relation("[<>]=?");
+    for (std::sregex_token_iterator side(where.begin(), where.end(), relation, -1), end; side != end; ++side)
+        real_formula(side->str(), at); // none is empty
+    if (const char last = where[where.find_last_not_of(' ')]; last == '<' || last == '>' || last == '=')
+        at.fail("does not parse: '" + where + "'");
 }
 
 /// "A = B <= C" as parts of a print.
@@ -251,7 +248,7 @@ std::string file_in(const std::string& dir, const std::string& name)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place& at)
+void read_table(const OwnLedger& ledger, OwnEntry& e, const json& t, const std::string& dir, const Place& at)
 {
     only(t, {"formula", "columns", "rounding", "rows", "file"}, at);
     OwnTable table;
@@ -290,7 +287,7 @@ void read_table(OwnEntry& e, const json& t, const std::string& dir, const Place&
         for (std::size_t c = 0; c < rows[k].size(); ++c) {
             const auto value = parse_rational(rows[k][c]);
             if (!value) row.fail("not a number: " + rows[k][c]);
-            if (c < table.columns.size()) must_have_the_sign(table.columns[c], *value, row);
+            if (c < table.columns.size()) must_have_the_sign(ledger, table.columns[c], *value, row);
         }
         static const std::regex decimal(
             R"([-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]{1,6})?)"); // its last place says how it was rounded
@@ -346,10 +343,16 @@ void check_corrected(const Print& print, const std::vector<Edit>& edits, const P
         at.fail(wrong.what());
     }
     for (std::size_t i = 0; i < p.parts(); ++i)
-        for (const char* side : {".lhs", ".rhs"}) formula(p.text(std::to_string(i) + side), at);
+    {
+        const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
+        for (const char* side : {"lhs", "rhs"}) formula(p.text(part + side), at);
+        if (p.has(part + "condition")) check_condition(p.text(part + "condition"), at);
+        static const std::set<std::string> relations{"=", "~", "<", ">", "<=", ">="};
+        if (!relations.count(relation)) at.fail("no relation: '" + relation + "'");
+    }
 }
 
-OwnEntry read_entry(const json& content, const std::string& dir, const Place& file, std::size_t index)
+OwnEntry read_entry(const OwnLedger& ledger, const json& content, const std::string& dir, const Place& file, std::size_t index)
 {
     if (!content.is_object() || !content.contains("id") || !content["id"].is_string())
         file.fail("entry " + std::to_string(index + 1) + " has no \"id\"");
@@ -362,7 +365,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
     e.print.domain = text(content, "where", at);
     if (const std::string is = text(content, "is", at); is == "definition") e.definition = true;
     else if (!is.empty()) at.fail("\"is\" can be \"definition\", not '" + is + "'");
-    if (content.contains("table")) read_table(e, content["table"], dir, at.in("table"));
+    if (content.contains("table")) read_table(ledger, e, content["table"], dir, at.in("table"));
     else if (!content.contains("says")) at.fail("\"says\" is missing: the formula as printed");
     if (content.contains("says")) take_chain(e.print, text(content, "says", at), e.print.domain, at);
     if (content.contains("follows")) {
@@ -393,7 +396,7 @@ OwnEntry read_entry(const json& content, const std::string& dir, const Place& fi
         for (const auto& [symbol, value] : content["over"].items()) {
             must_be_symbol(symbol, at.in("over"));
             const auto [low, high] = range(value, at.in("over " + symbol));
-            must_have_the_sign(symbol, low, at.in("over"));
+            must_have_the_sign(ledger, symbol, low, at.in("over"));
             e.over.push_back({symbol, low, high});
         }
     }
@@ -552,7 +555,7 @@ OwnLedger read_ledger(const std::string& written, const std::string& dir)
     for (std::size_t i = 0; i < all["entries"].size(); ++i) {
         OwnEntry e;
         try {
-            e = read_entry(all["entries"][i], dir, file, i);
+            e = read_entry(ledger, all["entries"][i], dir, file, i);
         } catch (const json::exception& wrong) {
             file.fail("entry " + std::to_string(i + 1) + ": " + wrong.what());
         }

@@ -95,7 +95,7 @@ Check not_negative(const OwnLedger& ledger, const ex& e)
     }
     if (const auto least = least_at_corners(full, box))
         return {least->info(GiNaC::info_flags::negative) ? Verdict::refuted : Verdict::proved, "it is " + str(*least) + " at least"};
-    constexpr int pieces = 2000;
+    constexpr int pieces = 500;
     return positive_on(full, box, pieces, Bound::may_be_reached);
 }
 

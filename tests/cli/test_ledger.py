@@ -29,8 +29,9 @@ class Example(unittest.TestCase):
         self.assertEqual({i for i, e in entries.items() if e["verdict"] == "refuted"}, {"H4", "S4"})
         for misprint in ("H4", "S4"):
             self.assertIn(entries[misprint]["correction_verdict"], ("proved", "verified"))
-        for right in ("H3", "H6", "S5", "W5"):
+        for right in ("H3", "H6", "S5"):
             self.assertEqual(entries[right]["verdict"], "proved", entries[right])
+        self.assertEqual((entries["W4"]["verdict"], entries["W5"]["verdict"]), ("verified", "verified"))  # a root of a square; and what follows from that
         self.assertEqual(entries["T1"]["verdict"], "verified")
         self.assertFalse([e for e in entries.values() if e["failures"] or e["verdict"] == "undecided"])
 
@@ -373,6 +374,64 @@ class Changed(unittest.TestCase):
         t = {"t": {"range": ["1/4", "1/2"]}, "x": {"is": "t^40"}}
         b = {"id": "B", "says": "109*10^10*x < 1", "follows": {"equation": "A", "with": {"x": "109*10^10*x"}}}
         self.assertEqual(self.verdicts(t, {"id": "A", "says": "x < 1", "over": {"t": ["1/4", "1/2"]}}, b)["B"], "undecided")
+
+    def test_signs_hold_over_the_entrys_own_ranges(self):
+        real, s = {"sign": "real", "range": ["1", "2"]}, {"is": "x-1/2"}
+        symbols = {"x": real, "u": real, "s": s, "y": {"sign": "real"}, "z": {"sign": "real"}}
+        b = {"id": "B", "says": "y = sqrt(s^2)", "is": "definition"}
+        over = {"over": {"x": ["0", "1/4"]}}  # where s is negative
+        self.assertEqual(self.verdicts(symbols, {"id": "A", "says": "sqrt(s^2) < 1/100", **over}), {"A": "undecided"})
+        self.assertEqual(self.verdicts(symbols, b, {"id": "C", "says": "y = s < 0", "follows": {"equation": "B"}, **over})["C"], "undecided")
+        for put, says, verdict in (("u-3", "z = u-7/2", "undecided"), ("u+3", "z = u+5/2", "proved")):
+            self.assertEqual(self.verdicts(symbols, b, {"id": "C", "says": says, "follows": {"equation": "B", "with": {"x": put}}})["C"], verdict, put)
+        # what is declared positive has no negative numbers, shown to be so or not
+        squared = {"x": {"sign": "real", "range": ["-1", "1"]}, "s": {"is": "x^2"}}
+        for entry in ({"table": {"formula": "s^3", "columns": ["s"], "rows": [["-1", "-1"]]}}, {"says": "s < 3", "over": {"s": ["-1", "1"]}}):
+            self.assertIn("'s' is positive, -1 is not", self.verdicts(squared, {"id": "A", **entry}))
+
+    def test_what_is_looked_at_at_points_alone_is_not_handed_on_as_proved(self):
+        real = {"sign": "real", "range": ["0", "231/100"]}
+        bound = self.verdicts({"x": real, "a": {"sign": "real", "is": "x^2"}}, {"id": "B", "says": "a < x+3"}, {"id": "C", "says": "x^2 < x+3", "follows": {"equation": "B"}})
+        self.assertEqual(bound, {"B": "verified", "C": "verified"})  # false at 2.305
+        b, part = {"id": "B", "says": "y = sqrt(s^2)", "is": "definition"}, {"says": "y = abs(x-1/3)-1/10^3", "where": "x < 2"}
+        c = {"id": "C", **part, "follows": {"equation": "B", "with": {"s": "abs(x-1/3)-1/10^3"}}}
+        self.assertEqual(self.verdicts({"x": {**real, "range": ["0", "1"]}, "s": {}, "y": {"sign": "real"}}, b, c, {"id": "D", **part, "follows": {"equation": "C"}}),
+                         {"B": "definition", "C": "verified", "D": "verified"})
+        symbols = {"x": {**real, "range": ["-1/100", "1"]}, "a": {"sign": "real", "is": "abs(x)"}, "y": {"sign": "real"}}
+        self.assertEqual(self.verdicts(symbols, {"id": "B", "says": "a = x"}, {"id": "D", "says": "y = a^3", "is": "definition"},
+                                       {"id": "C", "says": "y = x^3", "follows": {"equation": "D", "with": {"a": "@B"}}})["C"], "verified")
+
+    def test_a_name_means_one_thing_in_all_that_an_entry_follows_from(self):
+        symbols = {name: {"sign": "real", "range": ["1", "2"]} for name in "xuywz"}
+
+        def last(*entries):
+            return list(self.verdicts(symbols, *({"id": "ABC"[k], **e} for k, e in enumerate(entries))).values())[-1]
+        definition, from_a = {"is": "definition"}, {"follows": {"equation": "A"}}
+        slope = {"follows": {"equation": "A", "derivative_by": "x"}}
+        self.assertEqual(last({"says": "2*y = x^2", **definition}, {"says": "y = x^2", **from_a}), "undecided")
+        self.assertEqual(last({"says": "w = x^2 = y", **definition}, {"says": "y = 2*x", **slope}), "undecided")
+        self.assertEqual(last({"says": "w = y+1", **definition}, {"says": "y = 5", "follows": {"equation": "A", "with": {"y": "4"}}}), "undecided")
+        self.assertEqual(last({"says": "y = x^2", **definition}, {"says": "w = 2*x", **slope}, {"says": "x = 2", "follows": {"equation": "B", "derivative_by": "x"}}), "undecided")
+        self.assertEqual(last({"says": "y = x^2", **definition}, {"says": "z = 0", "follows": {"equation": "A", "side": "lhs", "derivative_by": "x"}}), "undecided")
+        self.assertEqual(last({"says": "y = x^2", **definition}, {"says": "y = 1", "follows": {"equation": "A", "with": {"x": "u/(u+1)+1/(u+1)"}}}), "undecided")
+        # a variable that is scaled is the same quantity in other words
+        self.assertEqual(last({"says": "y = w*sqrt(4-x^2/z^2)", **definition}, {"says": "y = w*sqrt(4-u^2)", "follows": {"equation": "A", "with": {"x": "z*u"}}}), "proved")
+
+    def test_two_forms_of_a_root_are_not_one_times_each_other(self):
+        symbols = {"p": {}, "nu": {"sign": "real", "range": ["0", "1/2"]}, "y": {"sign": "real"}, "z": {"sign": "real"}}
+        for first, second in (("sqrt(p/(1-nu^2))", "sqrt(p)/sqrt(1-nu^2)"), ("sqrt(p)/sqrt(1-nu)", "sqrt(p/(1-nu))")):
+            self.assertIn(self.verdicts(symbols, {"id": "B", "says": f"y = {first}", "is": "definition"}, {"id": "C", "says": f"z = {second}", "follows": {"equation": "B"}})["C"],
+                          ("proved", "verified"))
+
+    def test_a_condition_has_something_on_both_sides_in_corrections_too(self):
+        a = {"id": "A", "says": "y = x", "is": "definition"}
+        for where in ("x >> 0", "0 < x <", "x <= <= 1/2", "< x"):
+            self.assertIn("where", self.verdicts({"x": {}, "y": {}}, {**a, "where": where}))
+        for field, to in (("condition", "= 0"), ("condition", "> sqrt("), ("relation", "&&"), ("relation", "==")):
+            edits = [{"field": field, "from": {"relation": "=", "condition": "> 0"}[field], "to": to}]
+            said = self.verdicts({"x": {}, "y": {}}, {**a, "where": "x > 0", "correction": {"wrong": "w", "edits": edits}})
+            self.assertIn("correction", str(said))
+            self.assertIsInstance(said, str)
 
     def test_what_is_put_in_by_its_name_is_an_equation(self):
         symbols = {"a": {"range": ["1", "2"]}, "y": {"sign": "real"}, "z": {"sign": "real"}}

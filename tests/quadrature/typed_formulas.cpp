@@ -1212,16 +1212,18 @@ TEST_CASE("on a range formulas as they stand are had where few bits cancel, and 
         CHECK(is_near(straight.beside(Side::right, part), (Ball(1) - cos(to_left)) / to_left / to_left * sqrt(part + part) * Ball(2)));
     }
     const Ball near(power(Rational(1, 2), 8));
-    CHECK(is_near(straight.beside(Side::left, near), evaluate_at(*parse_expression("(1-cos(x-1))/(x-1)^2*sqrt(3-x)"), Ball(1) + near + near) * Ball(2)));
+    const Ball f_near = evaluate_at(*parse_expression("(1-cos(x-1))/(x-1)^2*sqrt(3-x)"), Ball(1) + near + near);
+    CHECK(is_near(straight.beside(Side::left, near), f_near * Ball(2)));
     CHECK_FALSE(straight.beside(Side::left, Ball(power(Rational(1, 2), 100)))); // 1 - cos cancels twice as many
     CHECK_FALSE(straight.beside(Side::right, Ball(power(Rational(1, 2), 200)))); // 3 takes more than are worth it
 }
 
-TEST_CASE("beside an end that is 0 a formula as it stands takes no more bits however near it is, and its constants as many as are asked for")
+TEST_CASE("beside an end that is 0 a formula as it stands takes no more bits however near it is, and its constants as many as asked for")
 {
     const auto f = RealFormula::of(parse_expression("pi*log(x)"));
     REQUIRE(f);
-    const Range right_of_zero{parse_limit("0"), parse_limit("2"), Map::finite}, left_of_zero{parse_limit("-2"), parse_limit("0"), Map::finite};
+    const Range right_of_zero{parse_limit("0"), parse_limit("2"), Map::finite};
+    const Range left_of_zero{parse_limit("-2"), parse_limit("0"), Map::finite};
     StraightValues from_zero(*f, right_of_zero);
     for (const slong bits : {100, 64, 600, 620, 100}) {
         const WorkingPrecision precision(bits);
