@@ -484,8 +484,8 @@ std::optional<Check> sign_forbids(const OwnLedger& ledger, const OwnEntry& e, co
         if (c.verdict == Verdict::proved) return;
         const bool is_wrong = c.verdict == Verdict::refuted && !p.has("condition");
         if (!worst || is_wrong)
-            worst = Check{is_wrong ? Verdict::undecided : Verdict::verified,
-                          "'" + name + "' is positive, and " + str(put) + " is not " + (is_wrong ? "" : "shown to be ") + "so: " + c.detail};
+            worst = Check{is_wrong ? Verdict::undecided : Verdict::verified, "'" + name + "' is positive, and " + str(put) + " is not " +
+                                                                                 (is_wrong ? "" : "shown to be ") + "so: " + c.detail};
     };
     const GiNaC::lst with = e.follows ? replacements(ledger, *e.follows) : GiNaC::lst{};
     for (const std::string& name : all_names(ledger, e, p)) {
@@ -772,8 +772,8 @@ void withdraw_what_rests_on_nothing(std::vector<OwnResult>& all)
     }
 }
 
-/// What follows from a bound, or from what follows itself, that is looked at at some points alone is known no better; nor is that into which
-/// an equation known no better is put. (An equation that stands at the beginning is what the others are said to follow from.)
+/// What follows from a bound, or from what follows itself, that is looked at at some points alone is known no better; nor is that into
+/// which an equation known no better is put. (An equation that stands at the beginning is what the others are said to follow from.)
 void withdraw_proofs_from_samples(std::vector<OwnResult>& all)
 {
     std::set<std::string> verified, handed_on;
