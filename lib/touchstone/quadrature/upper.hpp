@@ -11,26 +11,29 @@
 
 namespace touchstone::quadrature {
 
-/// An upper bound of |x|, exact.
-inline Ball upper_ball(const Ball& x)
+namespace detail {
+/// What `get` sets a magnitude to, of x, as an exact number.
+template <class X>
+Ball magnitude(void (*get)(mag_t, const X*), const X* x)
 {
     mag_t m;
     mag_init(m);
-    arb_get_mag(m, x.get());
+    get(m, x);
     Ball r;
     arf_set_mag(arb_midref(r.get()), m);
     mag_clear(m);
     return r;
 }
+} // namespace detail
+
+/// An upper bound of |x|, exact.
+inline Ball upper_ball(const Ball& x)
+{
+    return detail::magnitude<arb_struct>([](mag_t m, const arb_struct* b) { arb_get_mag(m, b); }, x.get());
+}
 inline Ball upper_ball(const ComplexBall& z)
 {
-    mag_t m;
-    mag_init(m);
-    acb_get_mag(m, z.get());
-    Ball r;
-    arf_set_mag(arb_midref(r.get()), m);
-    mag_clear(m);
-    return r;
+    return detail::magnitude<acb_struct>([](mag_t m, const acb_struct* b) { acb_get_mag(m, b); }, z.get());
 }
 
 inline double upper(const Ball& x)
