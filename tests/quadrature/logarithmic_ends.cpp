@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/logarithmic_ends.hpp"
+#include "touchstone/quadrature/upper.hpp"
 
 #include "place.hpp"
 
@@ -174,6 +176,64 @@ TEST_CASE("K(1 - u) on a box about 0 holds what it is at the points of the box")
             CHECK(holds(found.factor_without_logarithm(), elliptic_k(ComplexBall(1) - u) - over * log(u)));
         }
     }
+}
+
+TEST_CASE("K(1 - u) and E(1 - u) where logarithms are kept are one function across the negative axis")
+{
+    for (const auto& [middle, half] : {std::pair(Rational(-3, 2), Rational(1, 4)),
+                                       {Rational(-1, 5), Rational(1, 20)},
+                                       {Rational(-4, 5), Rational(1, 10)},
+                                       {Rational(-30), Rational(5)}}) {
+        CAPTURE(middle.get_str());
+        const WorkingPrecision precise(true_bits);
+        ComplexBall box = number(middle, 0);
+        arb_add_error(acb_realref(box.get()), Ball(half).get());
+        arb_add_error(acb_imagref(box.get()), Ball(half).get());
+        const Place<ComplexBall> place(box);
+        const auto k = elliptic_of_complement(Op::elliptic_k_of_complement, place.left());
+        const auto e = elliptic_of_complement(Op::elliptic_e_of_complement, place.left());
+        REQUIRE(k.logarithms().size() == 1);
+        REQUIRE(e.logarithms().size() == 1);
+        CHECK(k.factor_without_logarithm().is_finite());
+        CHECK(e.factor_without_logarithm().is_finite());
+        for (const auto& [re, im] : {std::pair(half, half), {-half, half}, {half, -half}, {Rational(half / 3), Rational(-half / 9)}}) {
+            // next to the axis, on either side of it, where Arb's principal functions are known
+            const ComplexBall u = number(middle + re, im), own = elliptic_k(u), over = own / ComplexBall(-pi<Ball>());
+            const ComplexBall free = elliptic_k(ComplexBall(1) - u) - over * log(u), beside = own - elliptic_e(u);
+            CHECK(holds(k.factor_without_logarithm(), free));
+            CHECK(holds(k.logarithms().front().c, over));
+            CHECK(holds(e.factor_without_logarithm(), (ComplexBall(pi<Ball>() / Ball(2)) + beside * free) / own));
+            CHECK(holds(e.logarithms().front().c, beside * over / own));
+        }
+    }
+}
+
+TEST_CASE("K and E of a box by means hold what they are in it, and are hardly wider")
+{
+    for (const auto& [re, im] : {std::pair(Rational(1), Rational(0)), {Rational(1, 2), Rational(3, 4)}, {Rational(3), Rational(-2)}})
+        for (const Rational& half : {Rational(1, 4), Rational(1, 100), Rational(1, 100000)}) {
+            CAPTURE(re.get_str());
+            CAPTURE(half.get_str());
+            const WorkingPrecision precise(true_bits);
+            ComplexBall box = number(re, im);
+            arb_add_error(acb_realref(box.get()), Ball(half).get());
+            arb_add_error(acb_imagref(box.get()), Ball(half).get());
+            const WorkingPrecision few(53);
+            const auto found = elliptic_of_complement(box);
+            const ComplexBall k_alone = first_kind_of_complement(box);
+            const WorkingPrecision again(true_bits);
+            Ball spread(0);
+            const ComplexBall middle = elliptic_k(ComplexBall(1) - number(re, im));
+            for (const auto& [x, y] : {std::pair(half, half), {-half, half}, {half, -half}, {-half, -half}, {Rational(half / 3), half}}) {
+                const ComplexBall m = ComplexBall(1) - number(re + x, im + y), k = elliptic_k(m);
+                CHECK(holds(found.k, k));
+                CHECK(holds(k_alone, k));
+                CHECK(holds(found.e, elliptic_e(m)));
+                const Ball far = abs(k - middle);
+                if (arb_gt(far.get(), spread.get())) spread = far;
+            }
+            CHECK(arb_lt(radius_of(k_alone).get(), (Ball(4) * spread).get())); // of two parts together
+        }
 }
 
 TEST_CASE("K(1 - u) and E(1 - u) at a node are those of the real number")

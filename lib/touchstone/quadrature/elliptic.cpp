@@ -6,21 +6,24 @@
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace touchstone::quadrature {
 namespace {
 
 Ball real_part(const Ball& x) { return x; }
 Ball real_part(const ComplexBall& z) { return z.real(); }
 
+// in place: the means are most of the cost of K and E
 void shift(Ball& x, slong e) { arb_mul_2exp_si(x.get(), x.get(), e); }
 void shift(ComplexBall& z, slong e) { acb_mul_2exp_si(z.get(), z.get(), e); }
-
-/// About log2 of an exact number >= 0.
-slong exponent_of(const Ball& x)
-{
-    constexpr slong none = -(WORD(1) << 40);
-    return arb_is_zero(x.get()) ? none : arf_abs_bound_lt_2exp_si(arb_midref(x.get()));
-}
+void subtract(Ball& x, const Ball& a, const Ball& b, slong bits) { arb_sub(x.get(), a.get(), b.get(), bits); }
+void subtract(ComplexBall& z, const ComplexBall& a, const ComplexBall& b, slong bits) { acb_sub(z.get(), a.get(), b.get(), bits); }
+void multiply(Ball& x, const Ball& a, const Ball& b, slong bits) { arb_mul(x.get(), a.get(), b.get(), bits); }
+void multiply(ComplexBall& z, const ComplexBall& a, const ComplexBall& b, slong bits) { acb_mul(z.get(), a.get(), b.get(), bits); }
+void principal_root(Ball& x, const Ball& a, slong bits) { arb_sqrt(x.get(), a.get(), bits); }
+void principal_root(ComplexBall& z, const ComplexBall& a, slong bits) { acb_sqrt_analytic(z.get(), a.get(), 1, bits); }
 
 Ball lower_ball(const Ball& x)
 {
@@ -28,6 +31,11 @@ Ball lower_ball(const Ball& x)
     arb_get_lbound_arf(arb_midref(low.get()), x.get(), 53);
     return low;
 }
+
+double log2_radius(const Ball& x) { return mag_get_d_log2_approx(arb_radref(x.get())); }
+double log2_radius(const ComplexBall& z) { return std::max(log2_radius(z.real()), log2_radius(z.imag())); }
+double log2_upper(const ComplexBall& z) { return quadrature::log2_upper(upper_ball(z)); }
+double log2_upper(const Ball& x) { return quadrature::log2_upper(x); }
 
 /// The least real part of either, as a number.
 template <class V>
@@ -38,47 +46,51 @@ Ball least_real_part(const V& a, const V& b)
 }
 
 /// a_0 = 1, b_0 = sqrt v, c_n = (a_(n-1) - b_(n-1))/2: K = pi/(2 a), E = K (1 - m/2 - sum over n >= 1 of 2^(n-1) c_n^2), a the limit; all
-/// means have a real part of delta = min(Re a_n, Re b_n) at least from n on (lemmas.hpp).
+/// means have a real part of delta = min(Re a_n, Re b_n) at least from n on (lemmas.hpp). E where it is asked for.
 template <class V>
-Elliptic<V> by_means(const V& v)
+Elliptic<V> by_means(const V& v, bool with_e)
 {
     constexpr int most = 64;
+    constexpr double spare = 4; // bits of a number; of a box the means are no better known than it is wide
     const slong bits = WorkingPrecision::bits();
-    V a(1), b = analytic::sqrt(v), sum = V(1) - v, c, product;
-    shift(sum, -1);
-    Ball size;
-    slong before = WORD_MAX;
+    V a(1), b = analytic::sqrt(v), sum, c, product;
+    if (with_e) {
+        sum = V(1) - v;
+        shift(sum, -1);
+    }
+    double before = std::numeric_limits<double>::infinity();
     int n = 0;
-    for (slong now = 0; n < most; before = now) {
+    for (double now = 0; n < most; before = now) {
         ++n;
-        c = a;
-        c -= b;
+        subtract(c, a, b, bits);
         shift(c, -1);
-        product = a;
-        product *= b;
+        multiply(product, a, b, bits);
         a += b; // not a - c, whose ball is wider
         shift(a, -1);
-        b = analytic::sqrt(product);
-        c *= c;
-        size = upper_ball(c);
-        shift(c, n - 1);
-        sum += c;
-        now = exponent_of(size);
-        if (now < -bits - 4 || now >= before) break; // no smaller than the balls are wide
+        principal_root(b, product, bits);
+        if (with_e) {
+            multiply(product, c, c, bits);
+            shift(product, n - 1);
+            sum += product;
+        }
+        now = 2 * log2_upper(c);
+        if (!(now >= std::max(-static_cast<double>(bits) - spare, log2_radius(a))) || now >= before) break;
     }
+    const Ball size = upper_ball(c), square = size * size;
     const Ball delta = least_real_part(a, b);
     if (!arb_is_positive(delta.get())) return {V::indeterminate(), V::indeterminate()};
-    widen(a, lemma::limit_of_means(size, delta));
-    widen(sum, lemma::rest_of_means(size, delta, n));
+    widen(a, lemma::limit_of_means(square, delta));
     shift(a, 1);
     const V k = V(pi<Ball>()) / a;
+    if (!with_e) return {k, V::indeterminate()};
+    widen(sum, lemma::rest_of_means(square, delta, n));
     return {k, k * (V(1) - sum)};
 }
 
 } // namespace
 
-Elliptic<Ball> elliptic_of_complement(const Ball& v) { return by_means(v); }
-Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v) { return by_means(v); }
+Elliptic<Ball> elliptic_of_complement(const Ball& v) { return by_means(v, true); }
+Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v) { return by_means(v, true); }
 
 Ball first_kind_of_complement(const Ball& v)
 {
@@ -87,6 +99,6 @@ Ball first_kind_of_complement(const Ball& v)
     arb_agm(mean.get(), Ball(1).get(), sqrt(v).get(), WorkingPrecision::bits());
     return pi<Ball>() / (mean + mean);
 }
-ComplexBall first_kind_of_complement(const ComplexBall& v) { return by_means(v).k; }
+ComplexBall first_kind_of_complement(const ComplexBall& v) { return by_means(v, false).k; }
 
 } // namespace touchstone::quadrature

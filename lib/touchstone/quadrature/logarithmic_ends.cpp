@@ -33,9 +33,9 @@ long terms_for(const Ball& q, const Ball& radius)
     return bits > 0 ? std::min(most, static_cast<long>(wanted / bits) + 2) : most;
 }
 
-/// 2 a_n s_n and b_n, a_n = ((1/2)_n/n!)^2, b_n = (1/2)_n (3/2)_n/((2)_n n!), s_n = 1/(1 2) + 1/(3 4) + ... (n terms).
+/// a_n, 2 a_n s_n and b_n, a_n = ((1/2)_n/n!)^2, b_n = (1/2)_n (3/2)_n/((2)_n n!), s_n = 1/(1 2) + 1/(3 4) + ... (n terms).
 struct EllipticCoefficients {
-    std::vector<Ball> logarithmic, regular;
+    std::vector<Ball> own, logarithmic, regular;
 };
 
 /// The first of them to the precision at work, kept.
@@ -48,7 +48,8 @@ const EllipticCoefficients& elliptic_coefficients(long terms)
     if (c.regular.size() >= static_cast<std::size_t>(terms)) return c;
     c = {};
     Ball a(1), b(1), s(0);
-    for (long n = 0; n < terms; ++n) {
+    for (long n = 0; n < 2 * terms; ++n) { // others will soon ask for some more
+        c.own.push_back(a);
         c.logarithmic.push_back(Ball(2) * a * s);
         c.regular.push_back(b);
         s += Ball(1) / Ball((2 * n + 1) * (2 * n + 2));
@@ -58,21 +59,23 @@ const EllipticCoefficients& elliptic_coefficients(long terms)
     return c;
 }
 
-/// sum of 2 a_n s_n u^n and sum of b_n u^n, for |u| < 1.
-template <class V>
-std::pair<V, V> elliptic_series(const V& u)
+/// 1, u, u^2, ...
+std::vector<ComplexBall> powers_of(const ComplexBall& u, long count)
 {
-    const Ball q = upper_ball(u);
-    const long terms = terms_for(q, radius_of(u));
-    const EllipticCoefficients& c = elliptic_coefficients(terms);
-    V logarithmic(0), regular(0);
-    for (auto n = static_cast<std::size_t>(terms); n-- > 0;) {
-        logarithmic = logarithmic * u + V(c.logarithmic[n]);
-        regular = regular * u + V(c.regular[n]);
-    }
-    widen(logarithmic, lemma::elliptic_remainder(q, terms));
-    widen(regular, lemma::remainder(Ball(1), q, terms)); // b_n <= 1
-    return {logarithmic, regular};
+    std::vector<ComplexBall> p{ComplexBall(1), u};
+    for (auto n = p.size(); n < static_cast<std::size_t>(count); ++n) p.push_back(p[n / 2] * p[n - n / 2]);
+    return p;
+}
+
+ComplexBall sum_of(const std::vector<Ball>& c, const std::vector<ComplexBall>& powers, long terms)
+{
+    constexpr slong parts = 2; // which stand side by side
+    ComplexBall sum;
+    const slong bits = WorkingPrecision::bits();
+    acb_srcptr first = powers.front().get();
+    arb_dot(acb_realref(sum.get()), nullptr, 0, c.front().get(), 1, acb_realref(first), parts, terms, bits);
+    arb_dot(acb_imagref(sum.get()), nullptr, 0, c.front().get(), 1, acb_imagref(first), parts, terms, bits);
+    return sum;
 }
 
 /// Whether the number is off the negative axis with its principal logarithm for the one that is continued.
@@ -112,11 +115,22 @@ struct AboutOne {
     V regular; ///< (K(u) - E(u))/u, or nothing where E is not asked for
 };
 
-template <class V>
-AboutOne<V> by_series(const V& u)
+/// |u| < 1: K(u) = (pi/2) sum of a_n u^n, S(u) = sum of 2 a_n s_n u^n and (pi/4) sum of b_n u^n.
+AboutOne<ComplexBall> by_series(const ComplexBall& u, bool of_k)
 {
-    const auto [logarithmic, regular] = elliptic_series(u);
-    return {first_kind_of_complement(V(1) - u), logarithmic, regular * V(pi<Ball>() / Ball(4))};
+    const Ball q = upper_ball(u), quarter = pi<Ball>() / Ball(4);
+    const long terms = std::max(2L, terms_for(q, radius_of(u)));
+    const EllipticCoefficients& c = elliptic_coefficients(terms);
+    const std::vector<ComplexBall> powers = powers_of(u, terms);
+    AboutOne<ComplexBall> sums{sum_of(c.own, powers, terms), sum_of(c.logarithmic, powers, terms), ComplexBall::indeterminate()};
+    widen(sums.k, lemma::remainder(Ball(1), q, terms)); // a_n <= 1
+    sums.k = sums.k * ComplexBall(quarter + quarter);
+    widen(sums.rest, lemma::elliptic_remainder(q, terms));
+    if (of_k) return sums;
+    sums.regular = sum_of(c.regular, powers, terms);
+    widen(sums.regular, lemma::remainder(Ball(1), q, terms)); // b_n <= 1
+    sums.regular = sums.regular * ComplexBall(quarter);
+    return sums;
 }
 
 /// Off the cuts, by principal functions.
@@ -128,9 +142,23 @@ AboutOne<V> by_values(const V& u, bool of_k)
     return {own.k, own.k / V(-pi<Ball>()) * logarithm - first_kind_of_complement(u), of_k ? own.e : (own.k - own.e) / u};
 }
 
-/// `near`: |u| < 1/2, where a box may hold 0.
+/// For Re u < 0, across the cuts of log u and K(1 - u): S(u) = -(K(u)/pi) (log(-u) - log 16) - (1 - u)^(-1/2) K(1/(1 - u)).
+AboutOne<ComplexBall> by_reciprocal(const ComplexBall& u, bool of_k)
+{
+    const ComplexBall v = ComplexBall(1) - u;
+    const auto own = of_k ? Elliptic<ComplexBall>{first_kind_of_complement(v), ComplexBall::indeterminate()} : elliptic_of_complement(v);
+    const ComplexBall logarithm = analytic::log(-u) - ComplexBall(log_of_16());
+    const ComplexBall other = first_kind_of_complement(-u / v) / analytic::sqrt(v);
+    return {own.k, own.k / ComplexBall(-pi<Ball>()) * logarithm - other, of_k ? own.e : (own.k - own.e) / u};
+}
+
+/// `near`: |u| < 3/4, where a box may hold 0.
 AboutOne<Ball> about_one(const Ball& u, bool, bool of_k) { return by_values(u, of_k); }
-AboutOne<ComplexBall> about_one(const ComplexBall& u, bool near, bool of_k) { return near ? by_series(u) : by_values(u, of_k); }
+AboutOne<ComplexBall> about_one(const ComplexBall& u, bool near, bool of_k)
+{
+    if (near) return by_series(u, of_k);
+    return arb_is_negative(u.real().get()) != 0 ? by_reciprocal(u, of_k) : by_values(u, of_k);
+}
 
 template <class V>
 N<V> elliptic(Op op, const N<V>& u)
@@ -138,7 +166,7 @@ N<V> elliptic(Op op, const N<V>& u)
     const bool is_k = op == Op::elliptic_k_of_complement, keeps = keeps_its_logarithm(u);
     const V v = u.value();
     if (!v.is_finite()) return N<V>(V::indeterminate());
-    const bool near = vanishes_at_an_end(u) && is_below(v, Rational(1, 2));
+    const bool near = vanishes_at_an_end(u) && is_below(v, Rational(3, 4));
     if (keeps && !vanishes_at_an_end(u)) return N<V>(V::indeterminate());
     if (!keeps && (std::same_as<V, Ball> || !near)) {
         if (!u.is_plain() && !is_principal(u)) return N<V>(V::indeterminate());
