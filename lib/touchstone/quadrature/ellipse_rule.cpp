@@ -111,7 +111,9 @@ private:
     std::vector<Ball> middles_; // m_k: of the first box looked at
 };
 
+constexpr long closer_nodes = 48; // that show how far F is analytic where the first, fewer ones don't
 constexpr double nodes_a_box = 3; // a value in the plane costs about as much as so many at nodes
+constexpr int boxes_of_a_bound = 4; // that the boundary takes, of an even F half of them
 constexpr double shrunk = 0.7;    // times the sigma of an ellipse that failed: the next to be tried
 
 void take_larger(Ball& a, const Ball& b)
@@ -236,7 +238,7 @@ std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_to
         const double saved = worth(proved_->sigma) - worth(middle);
         if (saved < least_saved) break;
         try_up_to(middle, proved_->sigma, is_blind ? std::min(a_glance, saved / nodes_a_box) : saved / nodes_a_box);
-        if (is_blind && failed_) look_closer();
+        if (is_blind && failed_ && worth(proved_->sigma) - worth(*failed_) > closer_nodes) look_closer();
     }
     return proved_;
 }
@@ -249,7 +251,7 @@ std::optional<Bounds> EllipseProof::bounds_on(double sigma)
         std::optional<Bounds> sizes;
         double bits; // log2 of the largest
     };
-    const int at_first = f_.is_even ? 2 : 4;
+    const int at_first = f_.is_even ? boxes_of_a_bound / 2 : boxes_of_a_bound;
     constexpr int most_halvings = 12;
     constexpr double worth_while = 1; // in bits
     constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -287,11 +289,11 @@ std::optional<EllipseProof::Ellipse> EllipseProof::best(double log2_tolerance)
     constexpr double high = 1.25, least = 0.05;
     const auto proved = largest_proved(log2_tolerance);
     if (!proved) return std::nullopt;
+    const auto nodes_of_one = [&](const Ellipse& e) { return nodes_for({e.sigma, Bounds(e.bounds.size(), Ball(1))}, -bits_); };
     // nodes as many times as a bound of 1 would take
-    const auto excess = [&](const Ellipse& e) {
-        return nodes_for(e, log2_tolerance) / nodes_for({e.sigma, Bounds(e.bounds.size(), Ball(1))}, -bits_);
-    };
-    if (excess(*proved) < high) return proved;
+    const auto excess = [&](const Ellipse& e) { return nodes_for(e, log2_tolerance) / nodes_of_one(e); };
+    const double saved = nodes_for(*proved, log2_tolerance) - nodes_of_one(*proved); // at the most
+    if (excess(*proved) < high || saved < nodes_a_box * boxes_of_a_bound) return proved;
     std::optional<Ellipse> best;
     double sigma = proved->sigma;
     if (auto bounds = bounds_on(sigma)) best = Ellipse{sigma, std::move(*bounds)};
@@ -461,7 +463,7 @@ std::string EllipseIntegral::proof(const Ball& scale) const
 
 std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits, bool of_absolute, long most_nodes)
 {
-    constexpr long rough = 16, closer = 48; // nodes that show the size, and how far F is analytic
+    constexpr long rough = 16; // nodes that show the size, and how far F is analytic
     constexpr double believed = 10; // bits that may cancel, where the rough values show that some do
     constexpr int most_attempts = 3;
     constexpr slong guard = 12;
@@ -473,7 +475,7 @@ std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits,
     const Guess guess = guessed_ellipse(first, f.rule);
     const double size = of_absolute || (guess.is_resolved && rough_size > absolute - 1) ? absolute - 1 : absolute - believed;
     double log2_tolerance = size - bits - 2;
-    const auto closer_guess = [&] { return guessed_ellipse(sum_of(f, closer, strip_bits, true), f.rule).sigma; };
+    const auto closer_guess = [&] { return guessed_ellipse(sum_of(f, closer_nodes, strip_bits, true), f.rule).sigma; };
     EllipseProof proof(f, bits, guess.sigma, closer_guess, most_nodes);
     const WorkingPrecision coarse(strip_bits);
     const auto ellipse = proof.best(log2_tolerance);

@@ -30,7 +30,8 @@ Maybe product(const Polynomial& a, const Polynomial& b)
     if (a.size() + b.size() - 1 > most_terms) return std::nullopt;
     Polynomial r(a.size() + b.size() - 1);
     for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j) r[i + j] = r[i + j] + a[i] * b[j];
+        for (std::size_t j = 0; j < b.size(); ++j)
+            if (!a[i].is_zero() && !b[j].is_zero()) r[i + j] = r[i + j] + a[i] * b[j]; // most are 0
     return trimmed(std::move(r));
 }
 
@@ -66,8 +67,8 @@ Maybe polynomial(const Expression& e)
         if (!q || q.value().get_den() != 1 || *q < 1 || *q >= static_cast<long>(most_terms)) return std::nullopt;
         const auto a = polynomial(*e.args[0]);
         if (!a) return std::nullopt;
-        Polynomial r{ExactSum(1)};
-        for (long k = 0; k < q->get_num().get_si(); ++k) {
+        Polynomial r = *a;
+        for (long k = 1; k < q->get_num().get_si(); ++k) {
             auto next = product(r, *a);
             if (!next) return std::nullopt;
             r = std::move(*next);
