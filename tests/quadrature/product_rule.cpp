@@ -166,6 +166,29 @@ TEST_CASE("what is taken, and by which rule")
     }
 }
 
+TEST_CASE("what is singular inside its own factors is cut close to the end with the logarithm")
+{
+    for (const char* formula : {"ellipk(x^2)", "ellipe(x^2)"}) {
+        CAPTURE(std::string(formula));
+        const Integral i = integral(formula, "0", "1", 50);
+        REQUIRE(i.parts.size() == 1);
+        CHECK(i.parts.front().rule == "product integration");
+        CHECK(i.parts.front().evaluations < 260); // 338 and 323 where it was cut in the middle
+        const Integral mirrored = integral(formula, "-1", "0", 50);
+        CHECK(mirrored.value.overlaps(i.value));
+        CHECK(mirrored.parts.front().evaluations < 260);
+    }
+}
+
+TEST_CASE("a bound is not improved where that costs more than the nodes it saves")
+{
+    const Integral i = integral("x*sqrt(x)", "0", "1", 50);
+    CHECK(i.value.contains(Rational(2, 5)));
+    CHECK(i.parts.front().evaluations < 40); // 43 with the boxes of the ellipse's boundary
+    const Integral wave = integral("sin(60*x)/sqrt(x)", "0", "1", 50); // whose bound is worth it
+    CHECK(wave.status == Status::certified);
+}
+
 TEST_CASE("both rules agree where both apply")
 {
     for (const char* formula :

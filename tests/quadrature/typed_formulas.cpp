@@ -1112,7 +1112,8 @@ TEST_CASE("formulas as they stand enclose what compiled ones do, at any precisio
     for (const char* formula :
          {"sqrt(1-x^2)", "x^(-3/2)+x^(2/3)*(1+x)^(-1/3)", "exp(x)*cos(3*x)-tan(x)/x^5", "log(x/2)^2-(-x)^3", "asin(x)+acos(x/2)*atan(7*x)",
           "sinh(x)+cosh(x)^-2-tanh(x)", "asinh(x)*acosh(1+x)+atanh(x/3)", "expm1(-x)+log1p(x^2)", "sqrt(sqrt(x))-pi*e^x/3+2^(1/2)",
-          "(x+1)^0+x", "2^x+(1/3)^(x^2)", "2^(3^(5^x))+7^(2^x)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x"}) {
+          "(x+1)^0+x", "2^x+(1/3)^(x^2)", "2^(3^(5^x))+7^(2^x)", "(x^2+1)/(x^2+1)+1/(x^2+1)", "sqrt(2+log(3))*x",
+          "ellipk(x)-ellipe(x/2)", "ellipe(x)*ellipk(-7*x)"}) {
         CAPTURE(std::string(formula));
         const auto straight = RealFormula::of(parse_expression(formula));
         REQUIRE(straight);
@@ -1127,7 +1128,7 @@ TEST_CASE("formulas as they stand enclose what compiled ones do, at any precisio
     }
     const Ball wide = hull(Ball(Rational(1, 4)), Ball(Rational(1, 2)));
     CHECK(RealFormula::of(parse_expression("x^2-x"))->at(wide).contains(Rational(-2, 9))); // at x = 1/3
-    for (const char* formula : {"sqrt(x-2)", "(x-2)^(1/3)", "log(x-2)", "asin(x+2)", "1/(x-1/2)"})
+    for (const char* formula : {"sqrt(x-2)", "(x-2)^(1/3)", "log(x-2)", "asin(x+2)", "1/(x-1/2)", "ellipk(2*x)", "ellipe(x+2)"})
         CHECK_FALSE(RealFormula::of(parse_expression(formula))->at(hull(Ball(Rational(1, 4)), Ball(1))).is_finite());
     const auto refused = RealFormula::of(parse_expression("x+2^(1e30)")); // a constant that has no value is asked for again
     for (int k = 0; k < 2; ++k) CHECK_THROWS_AS(refused->at(Ball(1)), DomainError);
@@ -1196,6 +1197,10 @@ TEST_CASE("on a range formulas as they stand are had where few bits cancel, and 
         const Ball f_of_x = evaluate_at(*parse_expression("(1-cos(x-1))/(x-1)^2*sqrt(3-x)"), x);
         CHECK(is_near(straight.on_the_line(z, mirrored), f_of_x));
         CHECK(is_near(straight.in_fraction(z, mirrored), f_of_x * Ball(2)));
+        // the part [1/3, 3/4] of the range: its middle is at 13/24 of it, its half 5/24
+        const Ball of_part = Ball(1) + Ball(2) * (Ball(Rational(13, 24)) + Ball(Rational(mirrored ? -5 : 5, 24)) * z);
+        const Ball f_of_part = evaluate_at(*parse_expression("(1-cos(x-1))/(x-1)^2*sqrt(3-x)"), of_part);
+        CHECK(is_near(straight.in_part(Rational(1, 3), Rational(3, 4), z, mirrored), f_of_part * Ball(Rational(5, 6))));
     }
     for (const Rational& part : {Rational(1, 10), Rational(9, 10), Rational(1, 2)}) { // f dx/da = f 4 sin a cos a
         const Ball a = Ball(part) * pi<Ball>() / Ball(2), sine = sin(a), cosine = cos(a);

@@ -85,6 +85,7 @@ public:
         return d;
     }
     const std::vector<SingularWeight>& weights() const { return weights_; }
+    bool is_without_weight() const { return weights_.size() == 1 && weights_.front().is_one(); }
     /// Whether with each weight its mirror image is there.
     bool is_symmetric() const
     {
@@ -137,19 +138,21 @@ private:
     std::vector<SingularWeight> weights_;
 };
 
-/// Whether the integrand is of the kind about both ends.
-bool is_of_the_kind(const PanelIntegrand& f, const Decomposition& d)
+/// Whether the integrand is of the kind about an end, z = -1 or 1.
+bool is_of_the_kind_at(long end, const PanelIntegrand& f, const Decomposition& d)
 {
     std::vector<ComplexBall> c;
-    for (const long end : {-1L, 1L}) {
-        ComplexBall z(end);
-        constexpr double beside = 1e-3;
-        widen(z, Ball::exactly(beside));
-        const Segment<ComplexBall> there(z);
-        d.take(f.on_strip(there), there, c);
-        if (!std::all_of(c.begin(), c.end(), [](const ComplexBall& x) { return x.is_finite(); })) return false;
-    }
-    return true;
+    ComplexBall z(end);
+    constexpr double beside = 1e-3;
+    widen(z, Ball::exactly(beside));
+    const Segment<ComplexBall> there(z);
+    d.take(f.on_strip(there), there, c);
+    return std::all_of(c.begin(), c.end(), [](const ComplexBall& x) { return x.is_finite(); });
+}
+
+bool is_of_the_kind(const PanelIntegrand& f, const Decomposition& d)
+{
+    return is_of_the_kind_at(-1, f, d) && is_of_the_kind_at(1, f, d);
 }
 
 /// A part of the range, and what it is there.
@@ -204,27 +207,44 @@ EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& 
         f.at_node(there, values);
         d.take(values.front(), there, c);
     };
-    if (f.straight_in_fraction)
+    if (!f.straight_in_fraction) return g;
+    if (d.is_without_weight())
+        g.at_node = [&, by_parts = g.at_node](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
+            if (auto y = f.straight_in_fraction(e.z, mirrored)) c.assign(1, std::move(*y));
+            else by_parts(e, mirrored, c);
+        };
+    else
         g.with_weight = [&](const GaussNodes::Entry& e, bool mirrored) { return f.straight_in_fraction(e.z, mirrored); };
     return g;
+}
+
+/// Where a part is cut that is of the kind at these ends. At one alone: close to it, for what stands beside the weights there, as of K(1 - u)
+/// and log u, takes the dearer values and is singular at the other end, while the rest is ordinary.
+Rational place_of_cut(const Rational& from, const Rational& to, bool at_left, bool at_right)
+{
+    const Rational beside(1, 8); // of the part
+    const Rational width = to - from;
+    if (at_left == at_right) return from + width / 2;
+    return at_left ? Rational(from + beside * width) : Rational(to - beside * width);
 }
 
 bool ProductRule::cut_until_of_the_kind(const Rational& from, const Rational& to, int cuts, std::vector<WholePanel>& panels) const
 {
     PanelIntegrand f = make_(from, to);
+    Rational middle;
     {
         const WorkingPrecision precision(strip_bits);
         f.prepare();
         const auto d = Decomposition::of(f);
         if (!d) return false;
-        if (is_of_the_kind(f, *d)) {
+        const bool at_left = is_of_the_kind_at(-1, f, *d), at_right = is_of_the_kind_at(1, f, *d);
+        if (at_left && at_right) {
             panels.push_back({from, to, std::move(f), *d});
             return true;
         }
+        middle = place_of_cut(from, to, at_left, at_right);
     }
-    if (cuts == 0) return false;
-    const Rational middle = (from + to) / 2;
-    return cut_until_of_the_kind(from, middle, cuts - 1, panels) && cut_until_of_the_kind(middle, to, cuts - 1, panels);
+    return cuts > 0 && cut_until_of_the_kind(from, middle, cuts - 1, panels) && cut_until_of_the_kind(middle, to, cuts - 1, panels);
 }
 
 bool ProductRule::add(const WholePanel& panel, int cuts, Panels& all) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/real_formula.hpp"
 
+#include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/exact_series.hpp"
 
 #include <unordered_map>
@@ -11,6 +12,15 @@ namespace {
 
 /// y = f(x) of arb's functions of one argument, which are NaN where no real value is.
 using RealFunction = void (*)(arb_t, const arb_t, slong);
+
+Ball one_minus(const arb_t m, slong bits)
+{
+    Ball v;
+    arb_sub_si(v.get(), m, 1, bits);
+    return -v;
+}
+void first_kind(arb_t y, const arb_t m, slong bits) { arb_set(y, first_kind_of_complement(one_minus(m, bits)).get()); }
+void second_kind(arb_t y, const arb_t m, slong bits) { arb_set(y, elliptic_of_complement(one_minus(m, bits)).e.get()); }
 
 RealFunction function_of(Op op)
 {
@@ -32,6 +42,8 @@ RealFunction function_of(Op op)
     case Op::atanh: return arb_atanh;
     case Op::expm1: return arb_expm1;
     case Op::log1p: return arb_log1p;
+    case Op::elliptic_k: return first_kind;
+    case Op::elliptic_e: return second_kind;
     default: return nullptr;
     }
 }
@@ -241,6 +253,21 @@ std::optional<Ball> StraightValues::in_fraction(const Ball& z, bool mirrored)
 {
     auto y = on_the_line(z, mirrored);
     if (y) *y *= width_;
+    return y;
+}
+
+std::optional<Ball> StraightValues::in_part(const Rational& from, const Rational& to, const Ball& z, bool mirrored)
+{
+    Ball share, of_the_range;
+    {
+        const WorkingPrecision precision(WorkingPrecision::bits() + spare_bits);
+        share = Ball(to - from);
+        of_the_range = share * z;
+        if (mirrored) arb_neg(of_the_range.get(), of_the_range.get());
+        of_the_range += Ball(from + to - 1);
+    }
+    auto y = in_fraction(of_the_range, false);
+    if (y) *y *= share;
     return y;
 }
 

@@ -51,6 +51,8 @@ public:
     std::optional<Ball> on_the_line(const Ball& z, bool mirrored);
     /// The same times the width.
     std::optional<Ball> in_fraction(const Ball& z, bool mirrored);
+    /// The same on the part between two fractions of the range.
+    std::optional<Ball> in_part(const Rational& from, const Rational& to, const Ball& z, bool mirrored);
     /// f at a fraction of the range from one of its ends, times the width.
     std::optional<Ball> beside(Side end, const Ball& fraction);
 

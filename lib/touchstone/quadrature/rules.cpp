@@ -217,6 +217,10 @@ std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f
         panel.is_even = even && is_whole;
         if (straight && is_whole)
             panel.straight_in_fraction = [&straight](const Ball& z, bool mirrored) { return straight->in_fraction(z, mirrored); };
+        else if (straight)
+            panel.straight_in_fraction = [&straight, from, to](const Ball& z, bool mirrored) {
+                return straight->in_part(from, to, z, mirrored);
+            };
         return panel;
     };
     const auto e = detail::integrate_by_product_rule(make, options);

@@ -116,7 +116,7 @@ struct PanelIntegrand {
     /// f dx/da where the fractions of the range are u = sin^2 a, r = cos^2 a, straight in balls, if about the working precision is left of
     /// it; there may be none.
     std::function<std::optional<Ball>(const Ball& sine, const Ball& cosine)> straight;
-    /// f dx/du where u = (1 + z)/2, or, mirrored, (1 - z)/2, in the same way.
+    /// f dx/du where u = (1 + z)/2 of the panel, or, mirrored, (1 - z)/2, in the same way.
     std::function<std::optional<Ball>(const Ball& z, bool mirrored)> straight_in_fraction;
     /// f dx/du at the fraction u next to the left end, or r next to the right one, in the same way.
     std::function<std::optional<Ball>(Side end, const Ball& fraction)> straight_beside;
