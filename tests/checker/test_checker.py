@@ -21,6 +21,7 @@ parser.add_argument("--every-row", action="store_true", help="all rows of all ta
 parser.add_argument("--program", help="with --every-row: rows of the recursion too, by certificates that it writes: an hour")
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
+import at_once  # noqa: E402
 import check  # noqa: E402
 import scale_one  # noqa: E402
 import units  # noqa: E402
@@ -153,7 +154,7 @@ class Checker(unittest.TestCase):
             for name, text in bad.items():
                 path = pathlib.Path(folder) / "t.txt"
                 path.write_bytes(text.encode("latin-1"))
-                result = run(path)
+                result = at_once.check(path)
                 with self.subTest(name):
                     self.assertEqual(result.returncode, 65)
                     self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
@@ -222,7 +223,7 @@ class Checker(unittest.TestCase):
                 title = words.get("title", comments({**sealed, **said}, words.get("columns", "").endswith("forced")))
                 columns = words.get("columns", " ".join([*map(str, sealed["inputs"] if isinstance(sealed["inputs"], list) else []), "value", "error"]))
                 path.write_text(f"{title}\n# {json.dumps(sealed)}\n# {columns}\n{row}\n".replace("null", "[" * 100000 + "]" * 100000))
-                return run(path, timeout=60)
+                return at_once.check(path)
 
             for name, (code, changes, row) in cases.items():
                 result = written(changes, row)
@@ -281,7 +282,7 @@ class Checker(unittest.TestCase):
                     if all(row.endswith(" 0") for row in rows):
                         header["status"] = "exact"
                     path.write_text("\n".join([comments(header), "# " + json.dumps(header), "# " + " ".join([*header["inputs"], "value", "error"]), *rows]) + "\n")
-                    result = run(path, timeout=60)
+                    result = at_once.check(path)
                     with self.subTest(quantity):
                         self.assertEqual(result.returncode, code, result.stderr)
                         self.assertEqual(result.stdout.split()[-2 - bool(not code) * 2], str(len(rows)), result.stdout + result.stderr)
