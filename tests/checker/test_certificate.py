@@ -2,12 +2,10 @@
 """Certificates: what the program writes the checker proves, piece by piece too; what is changed in any kind of line it refuses, or proves to be true."""
 import argparse
 import cmath
-import contextlib
 import copy
 import decimal
 import functools
 import hashlib
-import io
 import itertools
 import json
 import math
@@ -31,6 +29,7 @@ parser.add_argument("--long", action="store_true", help="proofs that take minute
 parser.add_argument("--seed", type=int, default=20261122)
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
+import at_once  # noqa: E402
 import certificate  # noqa: E402
 import certificate_text  # noqa: E402
 import distributions  # noqa: E402
@@ -61,12 +60,7 @@ def check(*arguments):
 
 
 def answered(*arguments):
-    """What check gives, without a process of its own: a start of Python takes longer than most refusals, of which there are hundreds."""
-    out, err = io.StringIO(), io.StringIO()
-    with unittest.mock.patch.object(sys, "argv", ["certificate.py", *map(str, arguments)]), unittest.mock.patch.object(certificate.memory, "bound"), \
-            contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        code = certificate.main()
-    return subprocess.CompletedProcess(arguments, code, out.getvalue(), err.getvalue())
+    return at_once.ask(certificate, *arguments)
 
 
 def answered_to_claim(path):

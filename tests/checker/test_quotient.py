@@ -4,10 +4,8 @@ one wave above a pressure, against sums and complex points in binary64."""
 import argparse
 import cmath
 import collections
-import contextlib
 import functools
 import hashlib
-import io
 import itertools
 import json
 import math
@@ -27,6 +25,7 @@ parser.add_argument("--program", required=True)
 parser.add_argument("--long", action="store_true", help="the whole proof of every quotient, that of segments too, and refusals of each kind of mean")
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
+import at_once  # noqa: E402
 import certificate  # noqa: E402
 import certificate_text  # noqa: E402
 import check  # noqa: E402
@@ -192,12 +191,9 @@ class Quotients(unittest.TestCase):
     def no(self, text, lines="", codes=(1, ), why=""):
         """the checker's no to a text, of which these lines are proved"""
         self.path.write_text(signed(text))
-        out, err = io.StringIO(), io.StringIO()
-        with unittest.mock.patch.object(sys, "argv", ["certificate.py", *(["--lines", lines] if lines else []), str(self.path)]), \
-                unittest.mock.patch.object(certificate.memory, "bound"), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            code = certificate.main()  # without a process of its own, whose start takes longer than most refusals
-        self.assertIn(code, codes, out.getvalue() + err.getvalue())
-        self.assertIn(why, out.getvalue())
+        said = at_once.ask(certificate, *(["--lines", lines] if lines else []), self.path)
+        self.assertIn(said.returncode, codes, said.stdout + said.stderr)
+        self.assertIn(why, said.stdout)
 
     def last(self, quantity):
         number = self.texts[quantity].splitlines()[2].split("lines=")[1]

@@ -20,6 +20,7 @@ parser.add_argument("--program", required=True, help="that writes files of rows"
 known, rest = parser.parse_known_args()
 sys.path.insert(0, str(known.checker))
 import at_once  # noqa: E402
+import check  # noqa: E402
 import exact_text  # noqa: E402
 import rows as rows_file  # noqa: E402
 import units  # noqa: E402
@@ -71,7 +72,7 @@ class Rows(unittest.TestCase):
     def found(self, text, code, *numbers, said=""):
         """exit code, and numbers of rows right, open and wrong"""
         self.path.write_text(text)
-        result = at_once.check(self.path)
+        result = at_once.ask(check, self.path)
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertEqual(len(result.stderr.splitlines()), 0 if not code else 1, result.stderr)
         self.assertIn(said, result.stderr)
@@ -164,7 +165,7 @@ class Rows(unittest.TestCase):
             row = f"1 0.1 3 nan inf # refused: why{between}1 0.1 3 0.061432 5e-07 # certified"
             with self.subTest(row):
                 self.path.write_bytes(sealed(text, [row], status="refused", statuses={"refused": 1}).encode("utf-8", "surrogateescape"))
-                result = at_once.check(self.path)
+                result = at_once.ask(check, self.path)
                 self.assertEqual((result.returncode, len(result.stderr.splitlines())), (code, bool(code)), result.stderr)
 
     def test_a_bound_is_on_its_side(self):
@@ -236,7 +237,7 @@ class Rows(unittest.TestCase):
                 with self.subTest(quantity, way=way, digits=digits, seed=seed):
                     self.found(sealed(text, right), 0, len(right), 0, 0)
                     self.path.write_text(sealed(text, wrong))
-                    result = at_once.check(self.path)
+                    result = at_once.ask(check, self.path)
                     said = {line.split(": ")[-1] for line in result.stderr.splitlines()}
                     self.assertEqual((result.returncode, [row for row in wrong if row not in said]), (1, []))
 
