@@ -54,6 +54,7 @@ private:
     Case of_several_kinds(long family);
     Case on_half_lines(long family);
     Case even_or_a_power_of_two_factors(long family);
+    Case elliptic(long family);
     std::mt19937_64 random_;
 };
 
@@ -274,9 +275,29 @@ Case Draw::even_or_a_power_of_two_factors(long family)
     }
 }
 
+/// Moments of K and E: n^2 K_n = (n - 1)^2 K_(n-2) + 1, (n + 2) E_n = K_n + 1.
+Case Draw::elliptic(long family)
+{
+    const long n = 2 * between(0, 6) + 1;
+    Rational k = 1;
+    for (long j = 3; j <= n; j += 2) k = (k * (j - 1) * (j - 1) + 1) / (j * j);
+    const Rational b = positive(), e = (k + 1) / (n + 2);
+    const std::string B = text(b), power = "^" + std::to_string(n), half = "^" + std::to_string((n - 1) / 2), share = "(x/" + B + ")";
+    const std::string rest = "((" + B + "-x)/" + B + ")", beside = "(1-" + share + "^2)";
+    switch (family) {
+    case 0: return {"moment of K", share + power + "*ellipk(" + share + "^2)", "0", B, text(b * k)};
+    case 1: return {"moment of E", share + power + "*ellipe(" + share + "^2)", "0", B, text(b * e)};
+    case 2: return {"moment of K, mirrored", rest + power + "*ellipk(" + rest + "^2)", "0", B, text(b * k)};
+    case 3: return {"moment of E, to the left", "(-" + share + ")" + power + "*ellipe(" + share + "^2)", "-" + B, "0", text(b * e)};
+    case 4: return {"moment in m", "x" + half + "*(ellipk(x)-ellipe(x))", "0", "1", text(2 * (k - e))};
+    case 5: return {"complementary K", share + "*" + beside + half + "*ellipk(" + beside + ")", "0", B, text(b * k)};
+    default: return {"complementary E", share + "*" + beside + half + "*ellipe(" + beside + ")", "0", B, text(b * e)};
+    }
+}
+
 Case Draw::next()
 {
-    const long kind = between(0, 7), family = between(0, 6);
+    const long kind = between(0, 8), family = between(0, 6);
     Case c = kind == 0   ? at_the_ends(family)
              : kind == 1 ? beside(family)
              : kind == 2 ? infinite(family)
@@ -284,6 +305,7 @@ Case Draw::next()
              : kind == 4 ? in_the_plane(family)
              : kind == 5 ? of_several_kinds(family)
              : kind == 6 ? on_half_lines(family)
+             : kind == 7 ? elliptic(family)
                          : even_or_a_power_of_two_factors(family);
     if (c.value.empty()) c.value = c.formula.find(")^0") != std::string::npos ? "1/a" : "1/a^2";
     return c;
