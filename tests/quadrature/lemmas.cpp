@@ -112,6 +112,50 @@ TEST_CASE("log(1 - y)/y: its slope, and how far it is from -1, at a y where both
     }
 }
 
+TEST_CASE("sinc: its slope, attained at 0; half of it where the slope is largest on the real axis, and on the imaginary one")
+{
+    const WorkingPrecision precision(128);
+    const auto attained = [](const Ball& slope, const Ball& size, const Ball& height, const Rational& share) {
+        attains(abs(slope), lemma::slope_of_sinc(size, height), share);
+    };
+    const auto on_the_line = [](const Ball& x) { return (x * cos(x) - sin(x)) / (x * x); };
+    attained(on_the_line(decimal("0.001")), decimal("0.001"), Ball(0), Rational(999, 1000));
+    attained(on_the_line(decimal("1")), Ball(1), Ball(0), Rational(9, 10));
+    attained(on_the_line(decimal("2.0816")), decimal("2.0816"), Ball(0), Rational(4, 5));
+    for (const char* text : {"0.01", "1", "1.4", "5"}) { // sinc(i y) = sinh(y)/y
+        const Ball y = decimal(text);
+        Ball sinh, cosh;
+        arb_sinh_cosh(sinh.get(), cosh.get(), y.get(), 128);
+        attained((y * cosh - sinh) / (y * y), y, y, Rational(1, 4));
+    }
+}
+
+TEST_CASE("sinc of a box holds what it is in it, and is hardly wider")
+{
+    for (const auto& [re, im] : {std::pair(Rational(0), Rational(0)), {Rational(3, 10), Rational(2, 5)}, {Rational(3), Rational(-1)}, {Rational(-1, 9), Rational(6)}})
+        for (const Rational& half : {Rational(1, 2), Rational(1, 100), Rational(0)}) {
+            const WorkingPrecision precise(200);
+            ComplexBall box{Ball(re), Ball(im)};
+            arb_add_error(acb_realref(box.get()), Ball(half).get());
+            arb_add_error(acb_imagref(box.get()), Ball(half).get());
+            const ComplexBall found = analytic::sinc(box);
+            Ball spread(0);
+            const auto at = [](const Rational& x, const Rational& y) {
+                ComplexBall w;
+                acb_sinc(w.get(), ComplexBall(Ball(x), Ball(y)).get(), 200);
+                return w;
+            };
+            for (const long x : {-1L, 0L, 1L})
+                for (const long y : {-1L, 0L, 1L}) {
+                    const ComplexBall w = at(re + x * half, im + y * half);
+                    CHECK(found.overlaps(w));
+                    const Ball far = abs(w - at(re, im));
+                    if (arb_gt(far.get(), spread.get())) spread = far;
+                }
+            CHECK(arb_le(radius_of(found).get(), (Ball(5) * spread + Ball(power(Rational(1, 2), 150))).get())); // of two parts together
+        }
+}
+
 TEST_CASE("truncation: what the lemma sums, by a fine step")
 {
     const WorkingPrecision precision(100);

@@ -182,7 +182,7 @@ V odd_over_argument(const V& z, F&& f)
     }
     return f(z) / z;
 }
-inline ComplexBall sinc(const ComplexBall& z) { ComplexBall w; acb_sinc(w.get(), z.get(), WorkingPrecision::bits()); return w; }
+ComplexBall sinc(const ComplexBall& z);
 inline Ball sinc(const Ball& x) { Ball y; arb_sinc(y.get(), x.get(), WorkingPrecision::bits()); return y; }
 inline bool is_one(const ComplexBall& z) { return acb_is_one(z.get()) != 0; }
 inline bool is_one(const Ball& x) { return arb_is_one(x.get()) != 0; }

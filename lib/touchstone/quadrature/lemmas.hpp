@@ -75,6 +75,13 @@ inline Ball slope(const Ball& bound, const Ball& R, const Ball& distance) { retu
 /// Slope of a logarithm: the derivative of log(1 - y)/y, |y| <= size < 1.
 inline Ball slope_of_logarithm(const Ball& size) { return Ball(1) / Ball(2) + size / (Ball(1) - size); }
 
+/// Slope of sinc: |sinc'(z)|, |z| <= size, |Im z| <= height.
+inline Ball slope_of_sinc(const Ball& size, const Ball& height)
+{
+    const Ball half = Ball(1) / Ball(2), third = size / Ball(3), cosh = half * (exp(height) + exp(-height));
+    return (arb_lt(third.get(), half.get()) != 0 ? third : half) * cosh;
+}
+
 /// Logarithm over argument: |log(1 + v)/v - 1| of the principal logarithm, |v| <= size < 1.
 inline Ball logarithm_over_argument(const Ball& size) { return size / (Ball(2) * (Ball(1) - size)); }
 

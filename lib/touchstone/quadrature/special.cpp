@@ -4,6 +4,8 @@
 #include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/endpoint_number.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
+#include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #if __has_include(<flint/acb_hypgeom.h>)
@@ -15,6 +17,19 @@
 #include <cmath>
 
 namespace touchstone::quadrature {
+
+/// About the middle: Arb's value of a box is some times as wide as sinc varies there.
+ComplexBall analytic::sinc(const ComplexBall& z)
+{
+    ComplexBall middle, w;
+    acb_get_mid(middle.get(), z.get());
+    acb_sinc(w.get(), middle.get(), WorkingPrecision::bits());
+    const WorkingPrecision coarse(strip_bits);
+    const Ball radius = upper_ball(z - middle);
+    if (arb_is_zero(radius.get()) == 0) widen(w, radius * lemma::slope_of_sinc(upper_ball(z), upper_ball(z.imag())));
+    return w;
+}
+
 namespace {
 
 slong bits() { return WorkingPrecision::bits(); }
