@@ -118,11 +118,54 @@ void must_call_functions_of_something(const std::string& text)
     if (text.find('#') != std::string::npos) throw std::invalid_argument("a formula has no comments");
 }
 
+/// Where the operand that begins at `at` ends, with its powers: a name, a number, a bracket, a function with its bracket.
+std::size_t end_of_operand(const std::string& text, std::size_t at)
+{
+    const auto past = [&](std::size_t i, const auto& is) {
+        while (i < text.size() && is(static_cast<unsigned char>(text[i]))) ++i;
+        return i;
+    };
+    const auto is_blank = [](unsigned char c) { return std::isspace(c) != 0; };
+    while (true) {
+        const std::size_t begin = past(at, is_blank);
+        std::size_t end = past(begin, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; });
+        if (const std::size_t bracket = past(end, is_blank); bracket < text.size() && text[bracket] == '(') {
+            int depth = 0;
+            for (end = bracket; end < text.size(); ++end) {
+                depth += text[end] == '(' ? 1 : text[end] == ')' ? -1 : 0;
+                if (depth == 0) break;
+            }
+            if (end++ == text.size()) throw std::invalid_argument("a bracket is not closed");
+        }
+        if (end == begin) throw std::invalid_argument("a sign of nothing");
+        const std::size_t power = past(end, is_blank);
+        if (power == text.size() || text[power] != '^') return end;
+        at = power + 1;
+    }
+}
+
+/// After an operator GiNaC takes all that follows for the operand of a sign, and 10^-3*x for 10^(-3*x). So brackets are put around each
+/// such sign with its operand, from the last one on: what follows a sign has none left that is not in brackets.
+std::string with_signs_in_brackets(std::string text)
+{
+    static const std::string operators = "^*/+-", signs = "+-";
+    for (std::size_t i = text.size(); i-- > 0;) {
+        if (signs.find(text[i]) == std::string::npos) continue;
+        std::size_t before = i;
+        while (before > 0 && std::isspace(static_cast<unsigned char>(text[before - 1]))) --before;
+        if (before == 0 || operators.find(text[before - 1]) == std::string::npos) continue;
+        text.insert(end_of_operand(text, i + 1), ")");
+        text.insert(i, "(");
+    }
+    return text;
+}
+
 } // namespace
 
-ex read(const std::string& text)
+ex read(const std::string& as_written)
 {
-    must_call_functions_of_something(text);
+    must_call_functions_of_something(as_written);
+    const std::string text = with_signs_in_brackets(as_written);
     // Decimals as exact fractions: GiNaC would read a float.
     static const std::regex decimal(R"((\d+)\.(\d*))"), identifier(R"([A-Za-z_]\w*)");
     std::string exact;

@@ -563,6 +563,25 @@ class Changed(unittest.TestCase):
         ledger = {"symbols": {name: {"dimension": "1", **about} for name, about in symbols.items()}, "entries": [chain]}
         self.assertEqual(json.loads(self.judge_text(json.dumps(ledger), "--json").stdout)[0]["correction_verdict"], "proved")
 
+    def test_a_sign_after_an_operator_binds_its_operand_alone(self):
+        for formula, at_2 in (("10^-3*x", "0.002"), ("2^-x^2", "0.0625"), ("8/-x*2", "-8.0"), ("8/-x+1", "-3.0"), ("5--x+1", "8.0"), ("2^+x*3", "12"), ("5*+x+1", "11"), ("2*-x+3", "-1"),
+                              ("2*-+- x ^2*2+1", "17"), ("8/-sqrt(2*x)*2", "-8"), ("2^-x^-1*2", "1.4142"), ("4*-(x-1)^2+x", "-2")):
+            t = {"id": "T", "table": {"formula": formula, "columns": ["x"], "rows": [["2", at_2]]}}
+            self.assertEqual(self.verdicts({"x": {}}, t), {"T": "verified"}, formula)
+        real = {"sign": "real", "range": ["1", "3"]}
+        symbols = {"x": real, "y": real, "z": real, "w": real, "k": {**real, "is": "10^-3*x"}}
+        b = {"id": "B", "says": "y = x^-2*4", "is": "definition"}
+
+        def from_b(says, **follows):
+            return self.verdicts(symbols, b, {"id": "C", "says": says, "follows": {"equation": "B", **follows}})["C"]
+        self.assertEqual((from_b("z = x^(-8)"), from_b("z = 4/x^2"), from_b("z = 4*w^2", **{"with": {"x": "w^-1*1"}})), ("refuted", "proved", "proved"))
+        self.assertEqual(self.verdicts(symbols, {"id": "K", "says": "k = x/1000"}), {"K": "verified"})
+        self.assertEqual(self.verdicts(symbols, {"id": "K", "says": "2*-x+3 > 0", "over": {"x": ["1", "5/2"]}}), {"K": "refuted"})
+        powers = {"F": {"dimension": "force"}, "E": {"dimension": "force/length^2"}, "L": {"dimension": "length"}}
+        self.assertEqual(self.verdicts(powers, {"id": "B", "says": "F = E*L^2", "is": "definition"}, {"id": "C", "says": "F = E*L^-2*L^4", "follows": {"equation": "B"}})["C"], "proved")
+        for nothing in ("2*-", "x^-*2", "2*-(x"):
+            self.assertIn("does not parse", self.verdicts({"x": {}, "y": {}}, {"id": "A", "says": f"y = {nothing}", "is": "definition"}))
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
