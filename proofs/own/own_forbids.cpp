@@ -6,7 +6,9 @@
 #include "proofs/symbolic/symbolic.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace touchstone::proofs {
 
@@ -184,16 +186,12 @@ std::optional<Check> left_side(const OwnLedger& whole, const OwnLedger& ledger, 
     return c.verdict == Verdict::proved ? std::nullopt : std::optional(c);
 }
 
-/// The symbols of the print and of all that it follows from, and those that they stand for.
-std::set<std::string> all_names(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+/// The symbols of the print, and those that they stand for.
+std::set<std::string> all_names(const OwnLedger& ledger, const Print& p)
 {
     std::set<std::string> all, todo;
-    const auto take = [&](const Print& print) {
-        for (const auto& [field, text] : print.fields)
-            if (field.ends_with("lhs") || field.ends_with("rhs")) todo.merge(words(text));
-    };
-    take(p);
-    for (const std::string& id : all_sources(ledger, e)) take(right_form(ledger.at(id)));
+    for (const auto& [field, text] : p.fields)
+        if (field.ends_with("lhs") || field.ends_with("rhs") || field.ends_with("condition")) todo.merge(words(text));
     while (!todo.empty()) {
         const std::string name = *todo.begin();
         todo.erase(todo.begin());
@@ -203,27 +201,45 @@ std::set<std::string> all_names(const OwnLedger& ledger, const OwnEntry& e, cons
     return all;
 }
 
+/// What must be positive, by its text, and the symbol that it is put for.
+using Positive = std::map<std::string, std::pair<std::string, ex>>;
+
+/// By whose sign roots and moduli of a print were simplified, in what it follows from too: there with all that was put in on the way.
+Positive must_be_positive(const OwnLedger& whole, const OwnLedger& ledger, const OwnEntry& e, const Print& p,
+                          std::map<std::string, Positive>& known)
+{
+    Positive all;
+    const auto add = [&](const std::string& name, const ex& put) { all.try_emplace(str(put), name, put); };
+    for (const std::string& name : all_names(ledger, p))
+        if (!alphabet().symbols.at(name).real) add(name, sym(name));
+    const GiNaC::lst with = e.follows ? replacements(ledger, *e.follows) : GiNaC::lst{};
+    for (std::size_t i = 0; i < e.rests_on.size(); ++i) {
+        const OwnEntry& source = whole.at(e.rests_on[i]);
+        if (!known.count(source.print.id)) {
+            Positive of_source = must_be_positive(whole, whole, source, right_form(source), known);
+            known[source.print.id] = std::move(of_source);
+        }
+        for (const auto& [text, one] : known.at(source.print.id)) // what "@ID" puts in stays as it is
+            add(one.first, i == 0 ? replaced(ledger, one.second, with) : one.second);
+    }
+    return all;
+}
+
 } // namespace
 
-std::optional<Check> sign_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+std::optional<Check> sign_forbids(const OwnLedger& whole, const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     std::optional<Check> worst;
-    const auto look = [&](const std::string& name, const ex& put) {
-        if (is_positive(put)) return;
+    std::map<std::string, Positive> known;
+    for (const auto& [text, one] : must_be_positive(whole, ledger, e, p, known)) {
+        const ex put = e.over.empty() ? one.second : written_out(ledger, one.second); // symbols have their signs in their own ranges
+        if (is_positive(put)) continue;
         const Check c = not_negative(ledger, put);
-        if (c.verdict == Verdict::proved) return;
+        if (c.verdict == Verdict::proved) continue;
         const bool is_wrong = c.verdict == Verdict::refuted && !p.has("condition");
         if (!worst || is_wrong)
-            worst = Check{is_wrong ? Verdict::undecided : Verdict::verified, "'" + name + "' is positive, and " + str(put) + " is not " +
+            worst = Check{is_wrong ? Verdict::undecided : Verdict::verified, "'" + one.first + "' is positive, and " + text + " is not " +
                                                                                  (is_wrong ? "" : "shown to be ") + "so: " + c.detail};
-    };
-    const GiNaC::lst with = e.follows ? replacements(ledger, *e.follows) : GiNaC::lst{};
-    for (const std::string& name : all_names(ledger, e, p)) {
-        const OwnSymbol& symbol = ledger.symbols.at(name);
-        if (alphabet().symbols.at(name).real) continue;
-        const ex put = replaced(ledger, sym(name), with);
-        const bool is_moved = !put.is_equal(sym(name));
-        if (is_moved || (!symbol.is.empty() && !e.over.empty())) look(name, is_moved ? put : read(symbol.is));
     }
     return worst;
 }
@@ -232,7 +248,7 @@ std::vector<Check> what_forbids(const OwnLedger& whole, const OwnLedger& ledger,
 {
     std::vector<Check> all;
     for (const auto& no : {bound_forbids(ledger, e, p), range_forbids(whole, ledger, e), condition_forbids(ledger, e, p),
-                           left_side(whole, ledger, e, p), sign_forbids(ledger, e, p)})
+                           left_side(whole, ledger, e, p)})
         if (no) all.push_back(*no);
     return all;
 }

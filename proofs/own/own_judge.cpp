@@ -192,11 +192,10 @@ bool readable(const OwnLedger& ledger, const OwnEntry& e)
 
 /// What the symbols of an entry are worth: the samples; the left side is what it follows from. Where what is put for a positive symbol is
 /// positive by the printed condition, what it follows from says nothing outside of that.
-Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p, bool only_inside)
 {
     Meaning m;
     m.every_situation_decides = true;
-    const bool only_inside = e.follows && sign_forbids(ledger, e, p);
     for (int set = 0; set < sample_sets; ++set) {
         if (only_inside && condition_at(ledger, p, "0.", {}, samples(ledger, set)) == Truth::no) continue;
         Situation s = situation(ledger, set);
@@ -212,11 +211,11 @@ Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 
 /// Read in balls of the usual width, and in much narrower ones: sides that agree to many bits may yet differ, and what wide balls leave
 /// undecided narrow ones may decide.
-Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p, bool only_inside)
 {
-    const Check usual = read_whole_as(p, meaning_of(ledger, e, p));
+    const Check usual = read_whole_as(p, meaning_of(ledger, e, p, only_inside));
     const WorkingPrecision closer(bits_of_a_closer_look);
-    const Check narrow = read_whole_as(p, meaning_of(ledger, e, p));
+    const Check narrow = read_whole_as(p, meaning_of(ledger, e, p, only_inside));
     return usual.verdict == Verdict::verified && narrow.verdict == Verdict::verified ? usual : narrow;
 }
 
@@ -235,10 +234,11 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
             for (const Check& no : what_forbids(whole, ledger, e, p)) a.add(what, no);
         }
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
-        if (const auto no = e.follows ? std::nullopt : sign_forbids(ledger, e, p)) a.add("signs over its range", *no);
+        const auto signs = sign_forbids(whole, ledger, e, p);
+        if (signs) a.add("signs over its ranges", *signs);
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
         if (readable(ledger, e)) {
-            const Check read = read_closely(ledger, e, p);
+            const Check read = read_closely(ledger, e, p, e.follows && signs);
             bool is_proved = e.follows || !e.over.empty();
             if (e.follows && e.over.empty() && p.parts() > 1) { // the proof above is the first part's alone
                 const Check further = further_parts(ledger, e, p);

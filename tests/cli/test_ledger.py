@@ -582,6 +582,24 @@ class Changed(unittest.TestCase):
         for nothing in ("2*-", "x^-*2", "2*-(x"):
             self.assertIn("does not parse", self.verdicts({"x": {}, "y": {}}, {"id": "A", "says": f"y = {nothing}", "is": "definition"}))
 
+    def test_a_sign_is_kept_on_the_way_through_all_that_is_put_in(self):
+        real, y = {"sign": "real", "range": ["1", "2"]}, {"sign": "real"}
+        b = {"id": "B", "says": "y = sqrt(s^2)", "is": "definition"}
+        c = {"id": "C", "says": "w = t", "follows": {"equation": "B", "with": {"s": "t"}}}
+        to_v = {"equation": "C", "with": {"t": "-v"}}
+
+        def verdicts(*more):
+            free = {"s": {}, "t": real, "v": real, "y": y, "w": y, "z": y}
+            return self.verdicts(free, b, c, *more)
+        for further in ({"says": "z = -v"}, {"says": "z = -v < 0", "over": {"v": ["1", "2"]}}):
+            self.assertEqual(verdicts({"id": "D", **further, "follows": to_v}), {"B": "definition", "C": "proved", "D": "undecided"})
+        self.assertEqual(verdicts({"id": "D", "says": "z = v", "follows": {"equation": "C", "with": {"t": "v"}}})["D"], "proved")
+        stands_for = {"x": real, "u": {**real, "range": ["1", "2"]}, "s": {"is": "x-1/2"}, "y": y, "w": y, "z": y}
+        c = {"id": "C", "says": "w = u-1/2", "follows": {"equation": "B", "with": {"x": "u"}}}
+        f = {"id": "F", "says": "z = u-1/2", "follows": {"equation": "C"}, "over": {"u": ["0", "1/4"]}}
+        self.assertEqual(self.verdicts(stands_for, b, c, {**f, "says": "z = u-1/2 < 0"})["F"], "undecided")
+        self.assertEqual(self.verdicts(stands_for, b, c, {**f, "says": "z = u-1/2 < 1", "over": {"u": ["1", "5/4"]}})["F"], "proved")
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
