@@ -94,10 +94,11 @@ std::optional<Check> range_forbids(const OwnLedger& whole, const OwnLedger& ledg
 std::optional<Check> condition_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     const GiNaC::lst with = replacements(ledger, *e.follows);
-    for (const std::string& id : e.rests_on) {
+    for (std::size_t i = 0; i < e.rests_on.size(); ++i) {
+        const std::string& id = e.rests_on[i];
         const Print other = right_form(ledger.at(id));
-        for (const Point& point : points_all_over(ledger))
-            if (condition_at(ledger, other, "0.", id == e.follows->equation ? with : GiNaC::lst{}, point) == Truth::no &&
+        for (const Point& point : points_all_over(ledger)) // what "@ID" puts in stays as it is
+            if (condition_at(ledger, other, "0.", i == 0 ? with : GiNaC::lst{}, point) == Truth::no &&
                 certainly(condition_at(ledger, p, "0.", {}, point)))
                 return Check{Verdict::undecided, "at " + as_text(point) + " the condition of (" + id + "), " +
                                                      other.text("condition") + ", does not hold"};

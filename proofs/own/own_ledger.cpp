@@ -301,13 +301,6 @@ void read_table(const OwnLedger& ledger, OwnEntry& e, const json& t, const std::
     e.table = std::move(table);
 }
 
-/// What "@H2 + x" refers to an entry by.
-const std::regex& reference()
-{
-    static const std::regex name("@([\\w.-]+)");
-    return name;
-}
-
 /// "@H2 + x": the entries named.
 std::vector<std::string> references(const std::string& t)
 {
@@ -358,6 +351,10 @@ OwnEntry read_entry(const OwnLedger& ledger, const json& content, const std::str
         file.fail("entry " + std::to_string(index + 1) + " has no \"id\"");
     OwnEntry e;
     e.print.id = content["id"];
+    static const std::regex name("[\\w.:-]+"); // what "@ID" can name, and not a formula: "@H1+1" is the right side of H1 and 1
+    of_some_length(e.print.id, file);
+    if (!std::regex_match(e.print.id, name))
+        file.fail("entry " + std::to_string(index + 1) + ": an id is of letters, digits, and . _ - :, not " + content["id"].dump());
     const Place at = file.in("entry '" + e.print.id + "'");
     only(content, {"id", "print", "section", "says", "where", "is", "follows", "over", "table", "correction", "excuses", "comment"}, at);
     e.print.tex = text(content, "print", at);
@@ -502,6 +499,12 @@ void take_signs_that_are_shown(const OwnLedger& ledger, Alphabet a, const Place&
 }
 
 } // namespace
+
+const std::regex& reference()
+{
+    static const std::regex name("@([\\w.:-]+)");
+    return name;
+}
 
 const OwnEntry& OwnLedger::at(const std::string& id) const
 {

@@ -600,6 +600,19 @@ class Changed(unittest.TestCase):
         self.assertEqual(self.verdicts(stands_for, b, c, {**f, "says": "z = u-1/2 < 0"})["F"], "undecided")
         self.assertEqual(self.verdicts(stands_for, b, c, {**f, "says": "z = u-1/2 < 1", "over": {"u": ["1", "5/4"]}})["F"], "proved")
 
+    def test_what_is_put_in_by_its_name_keeps_its_condition_though_it_is_the_equation_itself(self):
+        real = {"sign": "real", "range": ["0", "3"]}
+        b = {"id": "B", "says": "y = 1-x", "where": "x < 1", "is": "definition"}
+        c = {"id": "C", "says": "w = x", "follows": {"equation": "B", "with": {"x": "@B"}}}
+        self.assertEqual(self.verdicts({"x": real, "y": real, "w": real}, b, c)["C"], "undecided")
+
+    def test_an_id_is_no_formula(self):
+        for name in ("H1+1", "", "H 1", "H1\n", "(1)", "é"):
+            self.assertIn("an id is of letters", self.verdicts({"x": {}, "y": {}}, {"id": name, "says": "y = x", "is": "definition"}))
+        a, b = {"id": "eq:2.1-a_b", "says": "y = x^2", "is": "definition"}, {"id": "B", "says": "w = y", "is": "definition"}
+        c = {"id": "C", "says": "z = x^2", "follows": {"equation": "B", "with": {"y": "@eq:2.1-a_b"}}}
+        self.assertEqual(self.verdicts({name: {} for name in "xywz"}, a, b, c)["C"], "proved")
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
