@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/own/own_forbids.hpp"
 
+#include "proofs/own/own_names.hpp"
 #include "proofs/own/own_sides.hpp"
 #include "proofs/symbols.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -13,21 +14,6 @@
 namespace touchstone::proofs {
 
 namespace {
-
-/// What the entry follows from, and what that follows from in turn.
-std::set<std::string> all_sources(const OwnLedger& ledger, const OwnEntry& e)
-{
-    std::set<std::string> all;
-    std::vector<std::string> todo = e.rests_on;
-    while (!todo.empty()) {
-        const std::string id = todo.back();
-        todo.pop_back();
-        if (!all.insert(id).second) continue;
-        const auto& further = ledger.at(id).rests_on;
-        todo.insert(todo.end(), further.begin(), further.end());
-    }
-    return all;
-}
 
 /// Whether a formula stays between two numbers wherever its symbols stay in their ranges; no means: not seen to.
 bool stays_within(const OwnLedger& ledger, const ex& e, const Range& r)
@@ -102,75 +88,6 @@ std::optional<Check> condition_forbids(const OwnLedger& ledger, const OwnEntry& 
                 certainly(condition_at(ledger, p, "0.", {}, point)))
                 return Check{Verdict::undecided, "at " + as_text(point) + " the condition of (" + id + "), " +
                                                      other.text("condition") + ", does not hold"};
-    }
-    return std::nullopt;
-}
-
-/// Whether what is put in leaves a quantity what it is: equals are put for equals, or symbols are written in new ones, each in one of its
-/// own that it varies with, beside known ones: x = a xi.
-bool is_only_rewritten(const OwnLedger& ledger, const OwnEntry& e)
-{
-    if (!e.follows->derivative_by.empty()) return false;
-    std::set<std::string> taken;
-    for (const std::string& id : all_sources(ledger, e))
-        for (const auto& [field, text] : right_form(ledger.at(id)).fields)
-            if (field.ends_with(".lhs") || field.ends_with(".rhs")) taken.merge(symbols_of(written_out(ledger, read(text))));
-    for (const auto& [symbol, by] : e.follows->with) {
-        const ex put = with_references(ledger, by);
-        const bool is_an_entry = by.starts_with("@") && ledger.has(by.substr(1));
-        if (is_an_entry && right_form(ledger.at(by.substr(1)))("lhs").is_equal(sym(symbol))) continue;
-        if (is_the_same_in_other_words(ledger, sym(symbol), put)) continue;
-        const ex full = written_out(ledger, put);
-        bool varies = false;
-        for (const std::string& name : symbols_of(full))
-            if (!taken.count(name)) varies = varies || !GiNaC::normal(full.diff(GiNaC::ex_to<GiNaC::symbol>(sym(name)))).is_zero();
-        if (!varies) return false;
-        taken.merge(symbols_of(full));
-    }
-    return true;
-}
-
-/// Whether a source has the symbol in it elsewhere than as the left side, or the side, that it names there; or something is put for it.
-std::optional<Check> means_something_else(const OwnLedger& ledger, const OwnEntry& e, const ex& name)
-{
-    const Follows& f = *e.follows;
-    for (const std::string& id : all_sources(ledger, e)) {
-        const Print other = right_form(ledger.at(id));
-        for (const auto& [field, text] : other.fields) {
-            const bool is_left = field.ends_with("lhs"), is_first = field == "lhs" || field.starts_with("0.");
-            if ((!is_left && !field.ends_with("rhs")) || text.empty()) continue;
-            const ex side = read(text);
-            const bool named_here = is_first && (is_left || (id == f.equation && f.side == "lhs")) && side.is_equal(name);
-            if (!named_here && symbols_of(written_out(ledger, side)).count(str(name)))
-                return Check{Verdict::undecided, "(" + id + ") has '" + str(name) + "' in it: the right side wants a symbol of its own"};
-        }
-    }
-    for (const auto& [symbol, by] : f.with)
-        if (symbol == str(name) && !is_the_same_in_other_words(ledger, name, with_references(ledger, by)))
-            return Check{Verdict::undecided, "something else is put for '" + symbol + "': the right side wants a symbol of its own"};
-    return std::nullopt;
-}
-
-/// A symbol that names the right side may have been given another by what the entry follows from: y = x^2 and y = 2*x, its derivative.
-std::optional<Check> named_before(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
-{
-    const Follows& f = *e.follows;
-    const ex name = p("lhs");
-    if (const auto no = means_something_else(ledger, e, name)) return no;
-    std::set<std::string> sources = all_sources(ledger, e);
-    if (right_form(ledger.at(f.equation))(f.side == "rhs" ? "lhs" : "rhs").is_equal(name)) {
-        if (is_only_rewritten(ledger, e)) return std::nullopt;
-        sources = {f.equation}; // which was compared with its own sources itself
-    }
-    for (const std::string& id : sources) {
-        const Print other = right_form(ledger.at(id));
-        const bool is_direct = id == f.equation && f.side == "lhs";
-        if (other.text("relation") != "=" || !other(is_direct ? "rhs" : "lhs").is_equal(name)) continue;
-        const Check c = same({ledger, p, "0."}, p("rhs"), other(is_direct ? "lhs" : "rhs"));
-        if (c.verdict == Verdict::verified) return c;
-        if (c.verdict != Verdict::proved)
-            return Check{Verdict::undecided, "(" + id + ") is of '" + str(name) + "' too, and is not the same: what is put in, or a " +
-                                                 "derivative, makes another quantity, which wants a symbol of its own"};
     }
     return std::nullopt;
 }

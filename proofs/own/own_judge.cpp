@@ -3,6 +3,7 @@
 
 #include "proofs/mutation/typesetter.hpp"
 #include "proofs/own/own_forbids.hpp"
+#include "proofs/own/own_names.hpp"
 #include "proofs/own/own_sides.hpp"
 #include "proofs/own/own_symbols.hpp"
 #include "proofs/reading/whole.hpp"
@@ -230,6 +231,7 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
         a.add("dimensions", units(p));
         if (e.follows) {
             const std::string what = "the right side follows from (" + e.follows->equation + ")";
+            if (const auto no = hidden_dependence(whole, e)) return a.add(what, *no).conclude(); // of the rest nothing is known
             a.add(what, same({ledger, p, "0."}, p("rhs"), derived(ledger, *e.follows)));
             for (const Check& no : what_forbids(whole, ledger, e, p)) a.add(what, no);
         }

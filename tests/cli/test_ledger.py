@@ -613,6 +613,52 @@ class Changed(unittest.TestCase):
         c = {"id": "C", "says": "z = x^2", "follows": {"equation": "B", "with": {"y": "@eq:2.1-a_b"}}}
         self.assertEqual(self.verdicts({name: {} for name in "xywz"}, a, b, c)["C"], "proved")
 
+    def test_a_name_means_one_thing_in_the_whole_ledger(self):
+        real = {"sign": "real", "range": ["1", "2"]}
+        symbols = {name: real for name in ("x", "u", "v", "w", "y", "z", "p")}
+
+        def verdicts(*entries):
+            return "".join({"definition": "d", "proved": "p", "verified": "v", "undecided": "u", "refuted": "r"}[v]
+                           for v in self.verdicts(symbols, *({"id": f"E{k}", **e} for k, e in enumerate(entries))).values())
+        y = {"says": "y = x^2", "is": "definition"}
+
+        def put(says, x, **more):
+            return {"says": says, "follows": {"equation": "E0", "with": {"x": x}}, **more}
+        # one symbol is not x, and half of it, and x+1
+        self.assertEqual(verdicts(y, put("y = u^2", "u"), put("y = 4*u^2", "2*u"), put("y = u^2-2*u+1", "u-1")), "duuu")
+        self.assertEqual(verdicts(y, {"says": "u = x", "is": "definition"}, put("y = 4*u^2", "2*u")), "ddu")
+        self.assertEqual(verdicts(y, put("y = 4*u^2", "2*u"), put("y = v^2", "v"), {"says": "w = 4*u^2", "follows": {"equation": "E1"}}), "dppp")
+        # nor is a constant, or what stays below 1, x
+        self.assertEqual(verdicts({**y, "says": "y = x"}, put("y = 2+cos(2*u)-2*cos(u)^2", "2+cos(2*u)-2*cos(u)^2")), "du")
+        self.assertEqual(verdicts({**y, "says": "y = x"}, put("y = sin(u) <= 1", "sin(u)", over={"u": ["1/4", "1"]})), "dv")
+        # a name that has a meaning gets no other from elsewhere
+        follows = {"follows": {"equation": "E0"}}
+        self.assertEqual(verdicts(y, {"says": "w = 5", "is": "definition"}, {"says": "w = x^2", **follows}), "ddu")
+        self.assertEqual(verdicts(y, {"says": "2*w = 5", "is": "definition"}, {"says": "w = x^2", **follows}), "ddu")
+        self.assertEqual(verdicts(y, {"says": "w = x*x+x-x", "is": "definition"}, {"says": "w = x^2", **follows}), "ddp")
+        p = {"says": "p = 2*x", "is": "definition"}
+        self.assertEqual(verdicts(y, p, {"says": "p = x^2", **follows}, {"says": "p = 2*x", "follows": {"equation": "E1"}}), "ddup")
+        self.assertEqual(verdicts(y, p, {"says": "w = x^2", **follows}, {"says": "w = 2*x", "follows": {"equation": "E1"}}), "ddpu")
+        # a bound is of the quantity on its left side where that is
+        self.assertEqual(verdicts({**y, "says": "y = x"}, {"says": "y <= x", **follows}, {"says": "y <= 1", "follows": {"equation": "E1", "with": {"x": "1"}}}), "dpu")
+        a = [{"says": "y = x-1/10", "is": "definition"}, {"says": "y <= x", "is": "definition"}]
+        self.assertEqual(verdicts(*a, {"says": "y <= -x^2-10^9", "follows": {"equation": "E1", "with": {"x": "-x^2-10^9"}}}), "ddu")
+
+    def test_what_depends_on_a_symbol_by_another_entry_is_not_taken_for_a_number(self):
+        real = {"sign": "real", "range": ["1", "2"]}
+        symbols = {name: real for name in ("x", "a", "b", "w", "y")}
+        a, y = {"id": "A", "says": "a = x^2", "is": "definition"}, {"id": "Y", "says": "y = a*x", "is": "definition"}
+
+        def verdict(says, *entries, **follows):
+            return self.verdicts(symbols, *entries, {"id": "C", "says": says, "follows": {"equation": "Y", **follows}})["C"]
+        self.assertEqual(verdict("w = a", a, y, derivative_by="x"), "undecided")
+        self.assertEqual(verdict("w = a", a, y, **{"with": {"x": "1"}}), "undecided")
+        self.assertEqual(verdict("w = 5*x", a, y, **{"with": {"a": "5"}}), "undecided")
+        self.assertEqual(verdict("w = b", {**a, "says": "b = x^2"}, {**a, "id": "B", "says": "b = a"}, {**y, "says": "y = a+x"}, **{"with": {"x": "0", "a": "b"}}), "undecided")
+        for says in ("w = x^2+1", "w = 1"):  # the second one is true
+            self.assertEqual(verdict(says, {**a, "says": "a = x^2+1"}, {**y, "says": "y = a+x"}, **{"with": {"x": "0", "a": "@A"}}), "undecided")
+        self.assertEqual(verdict("w = x^3", a, y, **{"with": {"a": "@A"}}), "proved")
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
