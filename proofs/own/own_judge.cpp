@@ -191,6 +191,24 @@ bool readable(const OwnLedger& ledger, const OwnEntry& e)
     return true;
 }
 
+/// A definition is believed where it gives a symbol its meaning that has none: what follows from something, or is of what stands for
+/// something, is judged like any other entry.
+bool is_believed(const OwnLedger& ledger, const OwnEntry& e)
+{
+    if (!e.definition || readable(ledger, e)) return false;
+    const auto has_a_value = [&](const std::string& side) {
+        const auto symbol = ledger.symbols.find(side);
+        return symbol != ledger.symbols.end() && !symbol->second.is.empty();
+    };
+    const std::string left = e.print.text("lhs");
+    const std::set<std::string> names = words(left);
+    if (!ledger.symbols.count(left) && std::any_of(names.begin(), names.end(), has_a_value)) return false;
+    bool is_any = has_a_value(left);
+    for (std::size_t i = 0; e.print.parts() > 1 && i < e.print.parts(); ++i)
+        is_any = is_any || has_a_value(e.print.text(std::to_string(i) + ".rhs"));
+    return !is_any;
+}
+
 /// What the symbols of an entry are worth: the samples; the left side is what it follows from. Where what is put for a positive symbol is
 /// positive by the printed condition, what it follows from says nothing outside of that.
 Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p, bool only_inside)
@@ -249,13 +267,13 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
             }
             // where a proof stands for all of it already, the reading only refutes
             if (read.verdict == Verdict::refuted || !is_proved) a.add("the whole print, each field", read);
-        } else if (!e.definition) {
+        } else if (!is_believed(ledger, e)) {
             a.add("what it should be", {Verdict::undecided, "nothing says so: \"follows\", \"over\", or \"is\" of the symbol on the left"});
         }
     } catch (const std::exception& wrong) { // a changed print that cannot be read
         a.add("it can be read", {Verdict::refuted, wrong.what()});
     }
-    return a.conclude("", e.definition ? Verdict::definition : Verdict::proved);
+    return a.conclude("", is_believed(whole, e) ? Verdict::definition : Verdict::proved);
 }
 
 namespace {
@@ -344,7 +362,7 @@ OwnMutation mutate_own(const OwnLedger& ledger, const std::string& id)
     must_have_their_signs(ledger);
     for (const OwnEntry& e : ledger.entries) {
         if (!id.empty() && e.print.id != id) continue;
-        if (e.definition && !readable(ledger, e)) {
+        if (is_believed(ledger, e)) {
             m.unjudged.push_back(e.print.id);
             continue;
         }

@@ -109,8 +109,8 @@ std::optional<Check> hidden_dependence(const OwnLedger& ledger, const OwnEntry& 
     for (const std::string& name : moved)
         for (const std::string& other : in_it)
             if (other != name && (reaches(other, name) || (in_it.count(name) && reaches(name, other))))
-                return Check{Verdict::undecided, "'" + other + "' and '" + name + "' depend on one another by another entry, which what is put " +
-                                                     "in, or a derivative, does not reach: put \"is\" there"};
+                return Check{Verdict::undecided, "'" + other + "' and '" + name + "' depend on one another by another entry, which " +
+                                                     "what is put in, or a derivative, does not reach: \"is\" says it for all"};
     return std::nullopt;
 }
 
@@ -157,8 +157,8 @@ bool varies(const OwnLedger& ledger, const ex& slope)
     return by.is_finite() && !by.contains_zero();
 }
 
-/// Whether what is put in leaves a quantity what it is: proved, where equals are put for equals, or each symbol is scaled or shifted to a new
-/// one; verified, where it is a function of a new one, which may not have all its values.
+/// Whether what is put in leaves a quantity what it is: proved, where equals are put for equals, or each symbol is scaled or shifted to a
+/// new one; verified, where it is a function of a new one, which may not have all its values.
 Verdict is_only_rewritten(const OwnLedger& ledger, const OwnEntry& e)
 {
     Verdict worst = e.follows->derivative_by.empty() ? Verdict::proved : Verdict::undecided;
@@ -249,7 +249,8 @@ std::optional<Check> named_before(const OwnLedger& ledger, const OwnEntry& e, co
     const bool goes_on = right_form(ledger.at(f.equation))(f.side == "rhs" ? "lhs" : "rhs").is_equal(name);
     const Verdict rewritten = goes_on ? is_only_rewritten(ledger, e) : Verdict::undecided; // the equation was compared itself
     if (rewritten == Verdict::proved) return std::nullopt;
-    if (rewritten == Verdict::verified) return Check{rewritten, "'" + str(name) + "' in terms of another symbol, which may not reach all of it"};
+    if (rewritten == Verdict::verified)
+        return Check{rewritten, "'" + str(name) + "' in terms of another symbol, which may not reach all of it"};
     for (const OwnEntry* other : meanings(ledger, e, str(name))) {
         const std::string& id = other->print.id;
         const auto meaning = meaning_in(right_form(*other), name);

@@ -659,6 +659,21 @@ class Changed(unittest.TestCase):
             self.assertEqual(verdict(says, {**a, "says": "a = x^2+1"}, {**y, "says": "y = a+x"}, **{"with": {"x": "0", "a": "@A"}}), "undecided")
         self.assertEqual(verdict("w = x^3", a, y, **{"with": {"a": "@A"}}), "proved")
 
+    def test_a_definition_of_what_has_a_meaning_is_judged_like_any_other_entry(self):
+        real = {"sign": "real"}
+        symbols = {"x": {**real, "range": ["-1/100", "1"]}, "a": {**real, "is": "abs(x)"}, "y": real, "z": real, "b": real}
+        d, c = {"id": "D", "says": "y = a^3", "is": "definition"}, {"id": "C", "says": "z = x^3", "follows": {"equation": "D", "with": {"a": "@B"}}}
+        b = {"id": "B", "says": "a = x", "is": "definition"}
+        self.assertEqual(self.verdicts(symbols, b, d, c), {"B": "verified", "D": "definition", "C": "verified"})
+        for says in ("2*a = 2*x", "b = a = x", "b = x = a"):
+            self.assertEqual(self.verdicts(symbols, {**b, "says": says})["B"], "undecided", says)
+        for says in ("b = a", "b = a+x = x+a", "2*b = x"):
+            self.assertEqual(self.verdicts(symbols, {**b, "says": says})["B"], "definition", says)
+        root = {"id": "B", "says": "y = sqrt(x^2)", "is": "definition"}
+        c = {"id": "C", "says": "y = x", "is": "definition", "follows": {"equation": "B"}}
+        e = {"id": "E", "says": "y = x", "follows": {"equation": "C"}}
+        self.assertEqual(self.verdicts({"x": {**real, "range": ["1/4", "2"]}, "y": real}, root, c, e), {"B": "definition", "C": "verified", "E": "verified"})
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
