@@ -48,14 +48,26 @@ Check bounds(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
     return {Verdict::proved, "over the whole range, by subdivision in balls"};
 }
 
+/// Whether the left side is a symbol that stands for nothing.
+bool is_of_a_free_symbol(const OwnLedger& ledger, const Print& p)
+{
+    const auto left = ledger.symbols.find(p.text("lhs"));
+    return left != ledger.symbols.end() && left->second.is.empty();
+}
+
+/// ... and is what the entry follows from, an equation. What is less than something is not known by that.
+bool names_its_right_side(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    return e.follows && is_of_a_free_symbol(ledger, p) && right_form(ledger.at(e.follows->equation)).text("relation") == "=";
+}
+
 /// What a chain says beyond its first right side, which alone follows from another equation: equal as formulas, and bounds at the points
 /// all over the ranges. Where a bound has no value it says nothing.
 Check further_parts(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     const WorkingPrecision closer(bits_of_a_closer_look);
     GiNaC::lst with; // the left side is what it follows from
-    if (const auto left = ledger.symbols.find(p.text("lhs")); left != ledger.symbols.end() && left->second.is.empty())
-        with.append(sym(left->first) == derived(ledger, *e.follows));
+    if (names_its_right_side(ledger, e, p)) with.append(sym(p.text("lhs")) == derived(ledger, *e.follows));
     bool are_proved = true;
     for (std::size_t i = 1; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
@@ -214,14 +226,13 @@ bool is_believed(const OwnLedger& ledger, const OwnEntry& e)
 Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p, bool only_inside)
 {
     Meaning m;
-    m.every_situation_decides = true;
+    m.every_situation_decides = m.may_say_less = true;
     for (int set = 0; set < sample_sets; ++set) {
         if (only_inside && condition_at(ledger, p, "0.", {}, samples(ledger, set)) == Truth::no) continue;
         Situation s = situation(ledger, set);
-        const auto left = ledger.symbols.find(e.print.text("lhs"));
-        if (e.follows && left != ledger.symbols.end() && left->second.is.empty()) {
-            s.value.erase(left->first);
-            s[left->first] = value_of(ledger, derived(ledger, *e.follows), s);
+        if (const std::string& left = e.print.text("lhs"); names_its_right_side(ledger, e, e.print)) {
+            s.value.erase(left);
+            s[left] = value_of(ledger, derived(ledger, *e.follows), s);
         }
         m.situations.push_back(std::move(s));
     }
@@ -257,7 +268,10 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
         const auto signs = sign_forbids(whole, ledger, e, p);
         if (signs) a.add("signs over its ranges", *signs);
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
-        if (readable(ledger, e)) {
+        if (e.follows && is_of_a_free_symbol(ledger, p) && !names_its_right_side(ledger, e, p)) {
+            if (e.over.empty() && p.parts() > 1)
+                a.add("the further parts", {Verdict::undecided, "what '" + p.text("lhs") + "' is worth is not said by a bound"});
+        } else if (readable(ledger, e)) {
             const Check read = read_closely(ledger, e, p, e.follows && signs);
             bool is_proved = e.follows || !e.over.empty();
             if (e.follows && e.over.empty() && p.parts() > 1) { // the proof above is the first part's alone

@@ -674,6 +674,25 @@ class Changed(unittest.TestCase):
         e = {"id": "E", "says": "y = x", "follows": {"equation": "C"}}
         self.assertEqual(self.verdicts({"x": {**real, "range": ["1/4", "2"]}, "y": real}, root, c, e), {"B": "definition", "C": "verified", "E": "verified"})
 
+    def test_what_is_true_is_not_refuted_for_saying_little(self):
+        real = {"sign": "real"}
+        symbols = {"x": {"range": ["0", "2"]}, "z": real, "w": real, "y": real}
+        b = {"id": "B", "says": "z = x", "is": "definition"}
+
+        def verdict(of, says, **more):
+            return self.verdicts(symbols, {**b, "says": of}, {"id": "C", "says": says, "follows": {"equation": "B"}, **more})["C"]
+        for of, says in (("z = x^2", "z = x^2 = x*x"), ("z = 2*x+2", "z = 2*(x+1) = 2*x+2"), ("w = x", "w = abs(x) = x"), ("w = x", "w = sqrt(x^2) = x"), ("y < x", "y < x"), ("y <= x", "y <= x")):
+            self.assertEqual(verdict(of, says), "proved", says)
+        self.assertEqual(verdict("w = x", "w = x < 3 = 6/2"), "verified")
+        for says in ("x <= x", "x < 3 = 6/2", "x-1 < x = 2*x-x"):
+            self.assertEqual(self.verdicts(symbols, {"id": "C", "says": says, "over": {"x": ["0", "2"]}})["C"], "proved", says)
+        self.assertEqual(self.verdicts(symbols, {"id": "C", "says": "x < x", "over": {"x": ["0", "2"]}})["C"], "refuted")
+        # it may hold outside of its condition, and this may be far from the samples
+        for where in ("x < 1", "x > 3/2", "x < 10^(-2)", "x > 3"):
+            self.assertIn(verdict("z = x", "z = x", where=where), ("proved", "undecided"), where)
+        self.assertEqual(verdict("z = x", "z = x", where="x < 1"), "proved")
+        self.assertEqual(self.verdicts(symbols, {"id": "C", "says": "x^2 < 2", "where": "x < 1/2", "over": {"x": ["0", "1"]}})["C"], "proved")
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
