@@ -38,14 +38,16 @@ namespace {
 /// Puts the operands of a formula in place from the innermost outwards, and stops before a number that would be too long is made of them.
 class Bounded : public GiNaC::map_function {
 public:
-    explicit Bounded(GiNaC::exmap operands) : operands_(std::move(operands)) {}
+    /// \param least_bits of a base without numbers: 0, if high powers of it are left as they are
+    Bounded(GiNaC::exmap operands, double least_bits) : operands_(std::move(operands)), least_bits_(least_bits) {}
 
     ex operator()(const ex& e) override
     {
         if (const auto found = operands_.find(e); found != operands_.end()) return found->second;
         if (GiNaC::is_a<GiNaC::power>(e)) {
             const ex base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
-            if (GiNaC::is_a<GiNaC::numeric>(exponent) && magnitude(exponent) * std::max(1.0, bits(base)) > most_bits) refuse();
+            if (base.is_equal(e.op(0)) && exponent.is_equal(e.op(1))) return e;
+            if (GiNaC::is_a<GiNaC::numeric>(exponent) && magnitude(exponent) * std::max(least_bits_, bits(base)) > most_bits) refuse();
             return GiNaC::pow(base, exponent);
         }
         const bool factorial = GiNaC::is_the_function<GiNaC::tgamma_SERIAL>(e);
@@ -76,6 +78,7 @@ private:
     }
 
     GiNaC::exmap operands_;
+    double least_bits_;
 };
 
 /// GiNaC evaluates numbers while it reads: 9^9^8 takes it a minute, tgamma(10^9) longer. So the formula is read first with a symbol of its
@@ -106,7 +109,7 @@ void must_be_of_bearable_size(const std::string& text, const std::set<std::strin
         }
     }
     form += text.substr(at);
-    Bounded evaluate(std::move(operands));
+    Bounded evaluate(std::move(operands), 1);
     evaluate(GiNaC::parser(table, true)(form));
 }
 
@@ -161,6 +164,12 @@ std::string with_signs_in_brackets(std::string text)
 }
 
 } // namespace
+
+ex with_put_in(const ex& e, const GiNaC::exmap& with)
+{
+    if (std::none_of(with.begin(), with.end(), [&](const auto& one) { return e.has(one.first); })) return e;
+    return Bounded(with, 0)(e);
+}
 
 ex read(const std::string& as_written)
 {

@@ -15,6 +15,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 namespace touchstone::proofs {
 
@@ -67,19 +68,21 @@ Check further_parts(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     const WorkingPrecision closer(bits_of_a_closer_look);
     GiNaC::lst with; // the left side is what it follows from
-    if (names_its_right_side(ledger, e, p)) with.append(sym(p.text("lhs")) == derived(ledger, *e.follows));
+    GiNaC::exmap left;
+    if (names_its_right_side(ledger, e, p)) left[sym(p.text("lhs"))] = derived(ledger, *e.follows);
+    for (const auto& [name, is] : left) with.append(name == is);
     bool are_proved = true;
     for (std::size_t i = 1; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
         if (relation == "=" && !p.has(part + "condition")) {
-            const Check c = same({ledger, p, part, with}, p(part + "rhs").subs(with), p(part + "lhs").subs(with));
+            const Check c = same({ledger, p, part, with}, with_put_in(p(part + "rhs"), left), with_put_in(p(part + "lhs"), left));
             if (c.verdict != Verdict::proved && c.verdict != Verdict::verified) return c;
             are_proved = are_proved && c.verdict == Verdict::proved;
             continue;
         }
         are_proved = false;
         if (relation != "=" && !is_bound(relation)) continue;
-        const ex gap = gap_of(ledger, e, p, part).subs(with);
+        const ex gap = with_put_in(gap_of(ledger, e, p, part), left);
         for (const Point& point : points_all_over(ledger)) {
             const Ball by = evaluate(gap, point);
             if (!by.is_finite() || !(relation == "=" ? !by.contains_zero() : certainly(less(by, Ball(0))))) continue;
@@ -192,6 +195,19 @@ void must_have_their_signs(const OwnLedger& ledger)
                      [&](const Point& point) { return surely_holds_at(e, point); });
 }
 
+/// What excuses nothing is misspelt, or of a print that has changed.
+void must_excuse_a_change(const OwnLedger& ledger)
+{
+    for (const OwnEntry& e : ledger.entries) {
+        if (e.excuses.empty()) continue;
+        std::set<std::string> changes;
+        for (const Change& change : typesetters_changes(right_form(e))) changes.insert(change.name);
+        for (const auto& [change, reason] : e.excuses)
+            if (!changes.count(change))
+                throw OwnLedgerError(ledger.file + ": entry '" + e.print.id + "': excuses: no change '" + change + "' is made");
+    }
+}
+
 /// Does anything say what the left side should be?
 bool readable(const OwnLedger& ledger, const OwnEntry& e)
 {
@@ -284,6 +300,8 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
         } else if (!is_believed(ledger, e)) {
             a.add("what it should be", {Verdict::undecided, "nothing says so: \"follows\", \"over\", or \"is\" of the symbol on the left"});
         }
+    } catch (const std::length_error& wrong) {
+        throw OwnLedgerError(whole.file + ": entry '" + e.print.id + "': " + wrong.what());
     } catch (const std::exception& wrong) { // a changed print that cannot be read
         a.add("it can be read", {Verdict::refuted, wrong.what()});
     }
@@ -370,10 +388,25 @@ int OwnMutation::unexcused() const
     return static_cast<int>(std::count_if(survivors.begin(), survivors.end(), [](const OwnSurvivor& s) { return s.excuse.empty(); }));
 }
 
+namespace {
+
+/// A change may make a number of a print too long.
+Finding judge_changed(const OwnLedger& ledger, const OwnEntry& e, const Print& changed)
+{
+    try {
+        return judge_own(ledger, e, changed);
+    } catch (const OwnLedgerError& wrong) {
+        return Argument("reading").add("it can be read", {Verdict::refuted, wrong.what()}).conclude();
+    }
+}
+
+} // namespace
+
 OwnMutation mutate_own(const OwnLedger& ledger, const std::string& id)
 {
     OwnMutation m;
     must_have_their_signs(ledger);
+    must_excuse_a_change(ledger);
     for (const OwnEntry& e : ledger.entries) {
         if (!id.empty() && e.print.id != id) continue;
         if (is_believed(ledger, e)) {
@@ -382,7 +415,7 @@ OwnMutation mutate_own(const OwnLedger& ledger, const std::string& id)
         }
         for (const Change& change : typesetters_changes(right_form(e))) {
             ++m.changes;
-            const Finding f = judge_own(ledger, e, change.print);
+            const Finding f = judge_changed(ledger, e, change.print);
             if (f.verdict == Verdict::refuted) {
                 ++m.refuted;
                 continue;

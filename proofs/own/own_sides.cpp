@@ -139,7 +139,9 @@ ex replaced(const OwnLedger& ledger, ex e, const GiNaC::lst& with)
 {
     for (const ex& one : with)
         if (!is_the_same_in_other_words(ledger, one.lhs(), one.rhs())) e = without_hidden(ledger, e, one.lhs());
-    return e.subs(with);
+    GiNaC::exmap all;
+    for (const ex& one : with) all[one.lhs()] = one.rhs();
+    return with_put_in(e, all);
 }
 
 ex derived(const OwnLedger& ledger, const Follows& f)

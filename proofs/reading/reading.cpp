@@ -423,13 +423,13 @@ std::optional<std::string> says_nothing(const Print& p, const std::vector<Part>&
         std::erase(text, ' ');
         return text;
     };
+    const auto whole = [&](std::size_t i) { return typed(i, "lhs") + typed(i, "relation") + typed(i, "rhs"); };
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Part& a = parts[i];
         if (as_typed ? a.relation == "=" && typed(i, "lhs") == typed(i, "rhs") : a.left.is_equal(a.right))
             return "part " + std::to_string(i) + " has the same on both sides: it says nothing";
         for (std::size_t j = 0; j < i; ++j)
-            if (as_typed ? typed(i, "lhs") == typed(j, "lhs") && typed(i, "relation") == typed(j, "relation") && typed(i, "rhs") == typed(j, "rhs")
-                         : a.left.is_equal(parts[j].left) && a.right.is_equal(parts[j].right))
+            if (as_typed ? whole(i) == whole(j) : a.left.is_equal(parts[j].left) && a.right.is_equal(parts[j].right))
                 return "part " + std::to_string(i) + " repeats part " + std::to_string(j);
     }
     return std::nullopt;

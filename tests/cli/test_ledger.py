@@ -693,6 +693,51 @@ class Changed(unittest.TestCase):
         self.assertEqual(verdict("z = x", "z = x", where="x < 1"), "proved")
         self.assertEqual(self.verdicts(symbols, {"id": "C", "says": "x^2 < 2", "where": "x < 1/2", "over": {"x": ["0", "1"]}})["C"], "proved")
 
+    def test_what_is_put_in_makes_no_number_that_is_too_long(self):
+        real = {"sign": "real"}
+        symbols = {"x": {}, "n": {}, "y": real, "z": real, "k": {"is": "10^10"}, "m": {"is": "9^9"}}
+
+        def answer(of, **follows):
+            b = {"id": "B", "says": f"y = {of}", "is": "definition"}
+            return self.verdicts(symbols, b, {"id": "C", "says": "z = 2", "follows": {"equation": "B", **follows}})
+        for of, put in (("2^n", {"n": "10^10"}), ("tgamma(n)", {"n": "10^8"}), ("3^k*x", {"x": "1"}), ("tgamma(m)", {})):
+            self.assertIn("'C': a number of it is too long", answer(of, **{"with": put}), of)
+        self.assertIn("'C': a number of it is too long", self.verdicts(symbols, {"id": "C", "says": "3^k > x", "over": {"x": ["0", "1"]}}))
+
+    def test_what_is_not_understood_is_refused_and_not_passed_over(self):
+        symbols = {"x": {}, "y": {}, "z": {}}
+        a = {"id": "A", "says": "y = x", "is": "definition"}
+        table = {"formula": "x", "columns": ["x"], "rows": [["1/2", "0.5"]]}
+
+        def refused(word, *entries):
+            answer = self.verdicts(symbols, *entries)
+            self.assertIsInstance(answer, str, word)
+            self.assertEqual(answer.count("\n"), 1, answer)
+            self.assertIn(word, answer)
+        refused("two columns 'x'", {"id": "T", "table": {**table, "columns": ["x", "x"], "rows": [["1/2", "1/2", "0.5"]]}})
+        refused("'rows' is a list", {"id": "T", "table": {**table, "rows": {"a": ["1/2", "0.5"]}}})
+        refused("a row is", {"id": "T", "table": {**table, "rows": [{"a": "1/2", "b": "0.5"}]}})
+        refused("either", {"id": "T", "table": {**table, "file": "t.txt"}})
+        for key, value in (("says", "y = 2*x"), ("where", "x < 1"), ("is", "definition"), ("over", {"x": ["0", "1"]})):
+            refused(f"a table has no '{key}'", {"id": "T", "table": table, key: value})
+        refused("'excuses' is a list", {**a, "excuses": {}})
+        refused("'comment' wants a string", {**a, "comment": 5})
+        refused('"over" is', {"id": "C", "says": "x < 9", "over": {}})
+        for says in ("y == x", "y ~= x"):
+            refused("no relation", {**a, "says": says})
+        for says in ("y = {x}", "y = {x,1}", "y = [x]"):
+            refused("does not parse", {**a, "says": says})
+        refused("does not parse", a, {"id": "C", "says": "z = 2*x", "follows": {"equation": "A", "with": {"x": "2@A"}}})
+        for says in ("y = 0^0", "y = 1/0", "y = log(x-x)", "y = tgamma(0)"):
+            refused("has no value", {**a, "says": says})
+
+    def test_an_excuse_of_a_change_that_is_not_made_is_told_with_the_changes(self):
+        def change(ledger):
+            self.entry(ledger, "S5")["excuses"][0]["change"] = "a slip"
+        r = self.judge(change, "S5", "--mutate")
+        self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stdout + r.stderr)
+        self.assertIn("'S5': excuses: no change 'a slip'", r.stderr)
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
