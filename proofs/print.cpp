@@ -38,14 +38,16 @@ namespace {
 /// Puts the operands of a formula in place from the innermost outwards, and stops before a number that would be too long is made of them.
 class Bounded : public GiNaC::map_function {
 public:
-    explicit Bounded(GiNaC::exmap operands) : operands_(std::move(operands)) {}
+    /// \param least_bits of a base without numbers: 0, if high powers of it are left as they are
+    Bounded(GiNaC::exmap operands, double least_bits) : operands_(std::move(operands)), least_bits_(least_bits) {}
 
     ex operator()(const ex& e) override
     {
         if (const auto found = operands_.find(e); found != operands_.end()) return found->second;
         if (GiNaC::is_a<GiNaC::power>(e)) {
             const ex base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
-            if (GiNaC::is_a<GiNaC::numeric>(exponent) && magnitude(exponent) * std::max(1.0, bits(base)) > most_bits) refuse();
+            if (base.is_equal(e.op(0)) && exponent.is_equal(e.op(1))) return e;
+            if (GiNaC::is_a<GiNaC::numeric>(exponent) && magnitude(exponent) * std::max(least_bits_, bits(base)) > most_bits) refuse();
             return GiNaC::pow(base, exponent);
         }
         const bool factorial = GiNaC::is_the_function<GiNaC::tgamma_SERIAL>(e);
@@ -76,6 +78,7 @@ private:
     }
 
     GiNaC::exmap operands_;
+    double least_bits_;
 };
 
 /// GiNaC evaluates numbers while it reads: 9^9^8 takes it a minute, tgamma(10^9) longer. So the formula is read first with a symbol of its
@@ -106,7 +109,7 @@ void must_be_of_bearable_size(const std::string& text, const std::set<std::strin
         }
     }
     form += text.substr(at);
-    Bounded evaluate(std::move(operands));
+    Bounded evaluate(std::move(operands), 1);
     evaluate(GiNaC::parser(table, true)(form));
 }
 
@@ -118,11 +121,60 @@ void must_call_functions_of_something(const std::string& text)
     if (text.find('#') != std::string::npos) throw std::invalid_argument("a formula has no comments");
 }
 
+/// Where the operand that begins at `at` ends, with its powers: a name, a number, a bracket, a function with its bracket.
+std::size_t end_of_operand(const std::string& text, std::size_t at)
+{
+    const auto past = [&](std::size_t i, const auto& is) {
+        while (i < text.size() && is(static_cast<unsigned char>(text[i]))) ++i;
+        return i;
+    };
+    const auto is_blank = [](unsigned char c) { return std::isspace(c) != 0; };
+    while (true) {
+        const std::size_t begin = past(at, is_blank);
+        std::size_t end = past(begin, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; });
+        if (const std::size_t bracket = past(end, is_blank); bracket < text.size() && text[bracket] == '(') {
+            int depth = 0;
+            for (end = bracket; end < text.size(); ++end) {
+                depth += text[end] == '(' ? 1 : text[end] == ')' ? -1 : 0;
+                if (depth == 0) break;
+            }
+            if (end++ == text.size()) throw std::invalid_argument("a bracket is not closed");
+        }
+        if (end == begin) throw std::invalid_argument("a sign of nothing");
+        const std::size_t power = past(end, is_blank);
+        if (power == text.size() || text[power] != '^') return end;
+        at = power + 1;
+    }
+}
+
+/// After an operator GiNaC takes all that follows for the operand of a sign, and 10^-3*x for 10^(-3*x). So brackets are put around each
+/// such sign with its operand, from the last one on: what follows a sign has none left that is not in brackets.
+std::string with_signs_in_brackets(std::string text)
+{
+    static const std::string operators = "^*/+-", signs = "+-";
+    for (std::size_t i = text.size(); i-- > 0;) {
+        if (signs.find(text[i]) == std::string::npos) continue;
+        std::size_t before = i;
+        while (before > 0 && std::isspace(static_cast<unsigned char>(text[before - 1]))) --before;
+        if (before == 0 || operators.find(text[before - 1]) == std::string::npos) continue;
+        text.insert(end_of_operand(text, i + 1), ")");
+        text.insert(i, "(");
+    }
+    return text;
+}
+
 } // namespace
 
-ex read(const std::string& text)
+ex with_put_in(const ex& e, const GiNaC::exmap& with)
 {
-    must_call_functions_of_something(text);
+    if (std::none_of(with.begin(), with.end(), [&](const auto& one) { return e.has(one.first); })) return e;
+    return Bounded(with, 0)(e);
+}
+
+ex read(const std::string& as_written)
+{
+    must_call_functions_of_something(as_written);
+    const std::string text = with_signs_in_brackets(as_written);
     // Decimals as exact fractions: GiNaC would read a float.
     static const std::regex decimal(R"((\d+)\.(\d*))"), identifier(R"([A-Za-z_]\w*)");
     std::string exact;

@@ -25,6 +25,9 @@ ex sym(const std::string& name);
 /// Read a formula. Decimals are exact: 0.2 is 1/5. \throws std::exception if it is not one.
 ex read(const std::string& text);
 
+/// e with what is put for its symbols, all at once. \throws std::length_error before a number that would be too long is made
+ex with_put_in(const ex& e, const GiNaC::exmap& with);
+
 /// Replace the first `from` in a field of the print by `to`.
 struct Edit {
     std::string field; ///< "rhs" (of the first part), "1.rhs" (of the second), "J.integrand" (of piece J), ...

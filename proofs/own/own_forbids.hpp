@@ -10,10 +10,10 @@
 
 namespace touchstone::proofs {
 
-/// Roots and moduli are simplified by the sign of a positive symbol: has what is put for it, or what it stands for over the entry's own
-/// ranges, this sign?
-std::optional<Check> sign_forbids(const OwnLedger& ledger, const OwnEntry& e, const Print& p);
-/// Each reason that there is; `ledger` is `whole` with the ranges of the entry.
+/// Roots and moduli are simplified by the sign of a positive symbol: has what is put for it on the way from where it was first used, or
+/// what it stands for, this sign over the entry's own ranges? `ledger` is `whole` with these.
+std::optional<Check> sign_forbids(const OwnLedger& whole, const OwnLedger& ledger, const OwnEntry& e, const Print& p);
+/// Each other reason that there is.
 std::vector<Check> what_forbids(const OwnLedger& whole, const OwnLedger& ledger, const OwnEntry& e, const Print& p);
 
 } // namespace touchstone::proofs

@@ -3,6 +3,7 @@
 
 #include "proofs/mutation/typesetter.hpp"
 #include "proofs/own/own_forbids.hpp"
+#include "proofs/own/own_names.hpp"
 #include "proofs/own/own_sides.hpp"
 #include "proofs/own/own_symbols.hpp"
 #include "proofs/reading/whole.hpp"
@@ -14,6 +15,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 namespace touchstone::proofs {
 
@@ -47,26 +49,40 @@ Check bounds(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
     return {Verdict::proved, "over the whole range, by subdivision in balls"};
 }
 
+/// Whether the left side is a symbol that stands for nothing.
+bool is_of_a_free_symbol(const OwnLedger& ledger, const Print& p)
+{
+    const auto left = ledger.symbols.find(p.text("lhs"));
+    return left != ledger.symbols.end() && left->second.is.empty();
+}
+
+/// ... and is what the entry follows from, an equation. What is less than something is not known by that.
+bool names_its_right_side(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+{
+    return e.follows && is_of_a_free_symbol(ledger, p) && right_form(ledger.at(e.follows->equation)).text("relation") == "=";
+}
+
 /// What a chain says beyond its first right side, which alone follows from another equation: equal as formulas, and bounds at the points
 /// all over the ranges. Where a bound has no value it says nothing.
 Check further_parts(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 {
     const WorkingPrecision closer(bits_of_a_closer_look);
     GiNaC::lst with; // the left side is what it follows from
-    if (const auto left = ledger.symbols.find(p.text("lhs")); left != ledger.symbols.end() && left->second.is.empty())
-        with.append(sym(left->first) == derived(ledger, *e.follows));
+    GiNaC::exmap left;
+    if (names_its_right_side(ledger, e, p)) left[sym(p.text("lhs"))] = derived(ledger, *e.follows);
+    for (const auto& [name, is] : left) with.append(name == is);
     bool are_proved = true;
     for (std::size_t i = 1; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
         if (relation == "=" && !p.has(part + "condition")) {
-            const Check c = same({ledger, p, part, with}, p(part + "rhs").subs(with), p(part + "lhs").subs(with));
+            const Check c = same({ledger, p, part, with}, with_put_in(p(part + "rhs"), left), with_put_in(p(part + "lhs"), left));
             if (c.verdict != Verdict::proved && c.verdict != Verdict::verified) return c;
             are_proved = are_proved && c.verdict == Verdict::proved;
             continue;
         }
         are_proved = false;
         if (relation != "=" && !is_bound(relation)) continue;
-        const ex gap = gap_of(ledger, e, p, part).subs(with);
+        const ex gap = with_put_in(gap_of(ledger, e, p, part), left);
         for (const Point& point : points_all_over(ledger)) {
             const Ball by = evaluate(gap, point);
             if (!by.is_finite() || !(relation == "=" ? !by.contains_zero() : certainly(less(by, Ball(0))))) continue;
@@ -179,6 +195,19 @@ void must_have_their_signs(const OwnLedger& ledger)
                      [&](const Point& point) { return surely_holds_at(e, point); });
 }
 
+/// What excuses nothing is misspelt, or of a print that has changed.
+void must_excuse_a_change(const OwnLedger& ledger)
+{
+    for (const OwnEntry& e : ledger.entries) {
+        if (e.excuses.empty()) continue;
+        std::set<std::string> changes;
+        for (const Change& change : typesetters_changes(right_form(e))) changes.insert(change.name);
+        for (const auto& [change, reason] : e.excuses)
+            if (!changes.count(change))
+                throw OwnLedgerError(ledger.file + ": entry '" + e.print.id + "': excuses: no change '" + change + "' is made");
+    }
+}
+
 /// Does anything say what the left side should be?
 bool readable(const OwnLedger& ledger, const OwnEntry& e)
 {
@@ -190,20 +219,36 @@ bool readable(const OwnLedger& ledger, const OwnEntry& e)
     return true;
 }
 
+/// A definition is believed where it gives a symbol its meaning that has none: what follows from something, or is of what stands for
+/// something, is judged like any other entry.
+bool is_believed(const OwnLedger& ledger, const OwnEntry& e)
+{
+    if (!e.definition || readable(ledger, e)) return false;
+    const auto has_a_value = [&](const std::string& side) {
+        const auto symbol = ledger.symbols.find(side);
+        return symbol != ledger.symbols.end() && !symbol->second.is.empty();
+    };
+    const std::string left = e.print.text("lhs");
+    const std::set<std::string> names = words(left);
+    if (!ledger.symbols.count(left) && std::any_of(names.begin(), names.end(), has_a_value)) return false;
+    bool is_any = has_a_value(left);
+    for (std::size_t i = 0; e.print.parts() > 1 && i < e.print.parts(); ++i)
+        is_any = is_any || has_a_value(e.print.text(std::to_string(i) + ".rhs"));
+    return !is_any;
+}
+
 /// What the symbols of an entry are worth: the samples; the left side is what it follows from. Where what is put for a positive symbol is
 /// positive by the printed condition, what it follows from says nothing outside of that.
-Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p, bool only_inside)
 {
     Meaning m;
-    m.every_situation_decides = true;
-    const bool only_inside = e.follows && sign_forbids(ledger, e, p);
+    m.every_situation_decides = m.may_say_less = true;
     for (int set = 0; set < sample_sets; ++set) {
         if (only_inside && condition_at(ledger, p, "0.", {}, samples(ledger, set)) == Truth::no) continue;
         Situation s = situation(ledger, set);
-        const auto left = ledger.symbols.find(e.print.text("lhs"));
-        if (e.follows && left != ledger.symbols.end() && left->second.is.empty()) {
-            s.value.erase(left->first);
-            s[left->first] = value_of(ledger, derived(ledger, *e.follows), s);
+        if (const std::string& left = e.print.text("lhs"); names_its_right_side(ledger, e, e.print)) {
+            s.value.erase(left);
+            s[left] = value_of(ledger, derived(ledger, *e.follows), s);
         }
         m.situations.push_back(std::move(s));
     }
@@ -212,11 +257,11 @@ Meaning meaning_of(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
 
 /// Read in balls of the usual width, and in much narrower ones: sides that agree to many bits may yet differ, and what wide balls leave
 /// undecided narrow ones may decide.
-Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p)
+Check read_closely(const OwnLedger& ledger, const OwnEntry& e, const Print& p, bool only_inside)
 {
-    const Check usual = read_whole_as(p, meaning_of(ledger, e, p));
+    const Check usual = read_whole_as(p, meaning_of(ledger, e, p, only_inside));
     const WorkingPrecision closer(bits_of_a_closer_look);
-    const Check narrow = read_whole_as(p, meaning_of(ledger, e, p));
+    const Check narrow = read_whole_as(p, meaning_of(ledger, e, p, only_inside));
     return usual.verdict == Verdict::verified && narrow.verdict == Verdict::verified ? usual : narrow;
 }
 
@@ -231,14 +276,19 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
         a.add("dimensions", units(p));
         if (e.follows) {
             const std::string what = "the right side follows from (" + e.follows->equation + ")";
+            if (const auto no = hidden_dependence(whole, e)) return a.add(what, *no).conclude(); // of the rest nothing is known
             a.add(what, same({ledger, p, "0."}, p("rhs"), derived(ledger, *e.follows)));
             for (const Check& no : what_forbids(whole, ledger, e, p)) a.add(what, no);
         }
         if (!e.over.empty()) a.add("the bound", bounds(ledger, e, p));
-        if (const auto no = e.follows ? std::nullopt : sign_forbids(ledger, e, p)) a.add("signs over its range", *no);
+        const auto signs = sign_forbids(whole, ledger, e, p);
+        if (signs) a.add("signs over its ranges", *signs);
         if (a.conclude().verdict == Verdict::refuted) return a.conclude();
-        if (readable(ledger, e)) {
-            const Check read = read_closely(ledger, e, p);
+        if (e.follows && is_of_a_free_symbol(ledger, p) && !names_its_right_side(ledger, e, p)) {
+            if (e.over.empty() && p.parts() > 1)
+                a.add("the further parts", {Verdict::undecided, "what '" + p.text("lhs") + "' is worth is not said by a bound"});
+        } else if (readable(ledger, e)) {
+            const Check read = read_closely(ledger, e, p, e.follows && signs);
             bool is_proved = e.follows || !e.over.empty();
             if (e.follows && e.over.empty() && p.parts() > 1) { // the proof above is the first part's alone
                 const Check further = further_parts(ledger, e, p);
@@ -247,13 +297,15 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
             }
             // where a proof stands for all of it already, the reading only refutes
             if (read.verdict == Verdict::refuted || !is_proved) a.add("the whole print, each field", read);
-        } else if (!e.definition) {
+        } else if (!is_believed(ledger, e)) {
             a.add("what it should be", {Verdict::undecided, "nothing says so: \"follows\", \"over\", or \"is\" of the symbol on the left"});
         }
+    } catch (const std::length_error& wrong) {
+        throw OwnLedgerError(whole.file + ": entry '" + e.print.id + "': " + wrong.what());
     } catch (const std::exception& wrong) { // a changed print that cannot be read
         a.add("it can be read", {Verdict::refuted, wrong.what()});
     }
-    return a.conclude("", e.definition ? Verdict::definition : Verdict::proved);
+    return a.conclude("", is_believed(whole, e) ? Verdict::definition : Verdict::proved);
 }
 
 namespace {
@@ -336,19 +388,34 @@ int OwnMutation::unexcused() const
     return static_cast<int>(std::count_if(survivors.begin(), survivors.end(), [](const OwnSurvivor& s) { return s.excuse.empty(); }));
 }
 
+namespace {
+
+/// A change may make a number of a print too long.
+Finding judge_changed(const OwnLedger& ledger, const OwnEntry& e, const Print& changed)
+{
+    try {
+        return judge_own(ledger, e, changed);
+    } catch (const OwnLedgerError& wrong) {
+        return Argument("reading").add("it can be read", {Verdict::refuted, wrong.what()}).conclude();
+    }
+}
+
+} // namespace
+
 OwnMutation mutate_own(const OwnLedger& ledger, const std::string& id)
 {
     OwnMutation m;
     must_have_their_signs(ledger);
+    must_excuse_a_change(ledger);
     for (const OwnEntry& e : ledger.entries) {
         if (!id.empty() && e.print.id != id) continue;
-        if (e.definition && !readable(ledger, e)) {
+        if (is_believed(ledger, e)) {
             m.unjudged.push_back(e.print.id);
             continue;
         }
         for (const Change& change : typesetters_changes(right_form(e))) {
             ++m.changes;
-            const Finding f = judge_own(ledger, e, change.print);
+            const Finding f = judge_changed(ledger, e, change.print);
             if (f.verdict == Verdict::refuted) {
                 ++m.refuted;
                 continue;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -76,6 +77,14 @@ std::string text(const json& object, const char* key, const Place& at, const std
     return of_some_length(object[key], at);
 }
 
+/// A list, or an empty one where there is none.
+json list(const json& object, const char* key, const Place& at)
+{
+    if (!object.contains(key)) return json::array();
+    if (!object[key].is_array()) at.fail(std::string("'") + key + "' is a list [ ... ], not " + object[key].dump().substr(0, 40));
+    return object[key];
+}
+
 /// A number as it stands there. JSON's numbers with a point, and very long ones, become doubles, which are other numbers.
 std::string digits(const json& value, const Place& at)
 {
@@ -104,11 +113,17 @@ std::pair<Rational, Rational> range(const json& value, const Place& at)
 /// The formula, if it parses and all its symbols are declared.
 ex formula(const std::string& t, const Place& at)
 {
+    static constexpr char characters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.,+-*/^() "; // no lists { }
     ex e;
+    if (std::any_of(t.begin(), t.end(), [](char c) { return !std::strchr(characters, c); })) at.fail("does not parse: '" + t + "'");
     try {
         e = read(t);
     } catch (const std::length_error& wrong) {
         at.fail("'" + t + "': " + wrong.what());
+    } catch (const std::domain_error&) { // 0^0, log(0)
+        at.fail("has no value: '" + t + "'");
+    } catch (const std::overflow_error&) { // 1/0
+        at.fail("has no value: '" + t + "'");
     } catch (const std::exception&) {
         at.fail("does not parse: '" + t + "'");
     }
@@ -169,6 +184,12 @@ void check_condition(const std::string& where, const Place& at)
         at.fail("does not parse: '" + where + "'");
 }
 
+void must_be_relation(const std::string& relation, const Place& at)
+{
+    static const std::set<std::string> relations{"=", "~", "<", ">", "<=", ">="};
+    if (!relations.count(relation)) at.fail("no relation: '" + relation + "'");
+}
+
 /// "A = B <= C" as parts of a print.
 void take_chain(Print& p, const std::string& says, const std::string& where, const Place& at)
 {
@@ -185,6 +206,7 @@ void take_chain(Print& p, const std::string& says, const std::string& where, con
         sides.push_back("");
     }
     if (relations.empty()) at.fail("no relation in '" + says + "'; write A = B, A < B, ...");
+    for (const std::string& relation : relations) must_be_relation(relation, at);
     for (std::string& s : sides) {
         const std::size_t from = s.find_first_not_of(' ');
         if (from == std::string::npos) at.fail("does not parse: '" + says + "'");
@@ -219,6 +241,7 @@ Alphabet read_alphabet(const json& symbols, OwnLedger& ledger, const Place& file
         kind.real = sign == "real";
         OwnSymbol& s = ledger.symbols[name];
         s.is = text(content, "is", at);
+        text(content, "means", at);
         s.positive = !kind.real;
         std::tie(s.low, s.high) = content.contains("range") ? range(content["range"], at) : std::pair{Rational(1, 4), Rational(9, 4)};
         if (!kind.real && s.low < 0) at.fail("is positive, its range is not");
@@ -259,14 +282,17 @@ void read_table(const OwnLedger& ledger, OwnEntry& e, const json& t, const std::
     for (const auto& c : t["columns"]) {
         if (!c.is_string()) at.fail("'columns' is a list of symbols");
         must_be_symbol(c, at);
+        if (std::count(table.columns.begin(), table.columns.end(), c) > 0) at.fail("two columns '" + c.get<std::string>() + "'");
         table.columns.push_back(c);
     }
     for (const std::string& n : symbols_of(real_formula(table.formula, at)))
         if (std::find(table.columns.begin(), table.columns.end(), n) == table.columns.end())
             at.fail("the formula asks for '" + n + "', which is no column");
     std::vector<std::vector<std::string>> rows;
+    if (t.contains("rows") && t.contains("file")) at.fail("either \"rows\" or \"file\"");
     if (t.contains("rows")) {
-        for (const auto& row : t["rows"]) {
+        for (const auto& row : list(t, "rows", at)) {
+            if (!row.is_array()) at.fail("a row is [\"0.5\", \"0.2764\"], not " + row.dump().substr(0, 40));
             rows.emplace_back();
             for (const auto& cell : row) rows.back().push_back(digits(cell, at.in("row " + std::to_string(rows.size()))));
         }
@@ -299,13 +325,6 @@ void read_table(const OwnLedger& ledger, OwnEntry& e, const json& t, const std::
     }
     if (table.inputs.empty()) at.fail("a table without rows");
     e.table = std::move(table);
-}
-
-/// What "@H2 + x" refers to an entry by.
-const std::regex& reference()
-{
-    static const std::regex name("@([\\w.-]+)");
-    return name;
 }
 
 /// "@H2 + x": the entries named.
@@ -342,13 +361,11 @@ void check_corrected(const Print& print, const std::vector<Edit>& edits, const P
     } catch (const std::exception& wrong) {
         at.fail(wrong.what());
     }
-    for (std::size_t i = 0; i < p.parts(); ++i)
-    {
+    for (std::size_t i = 0; i < p.parts(); ++i) {
         const std::string part = std::to_string(i) + ".", relation = p.text(part + "relation");
         for (const char* side : {"lhs", "rhs"}) formula(p.text(part + side), at);
         if (p.has(part + "condition")) check_condition(p.text(part + "condition"), at);
-        static const std::set<std::string> relations{"=", "~", "<", ">", "<=", ">="};
-        if (!relations.count(relation)) at.fail("no relation: '" + relation + "'");
+        must_be_relation(relation, at);
     }
 }
 
@@ -358,6 +375,10 @@ OwnEntry read_entry(const OwnLedger& ledger, const json& content, const std::str
         file.fail("entry " + std::to_string(index + 1) + " has no \"id\"");
     OwnEntry e;
     e.print.id = content["id"];
+    static const std::regex name("[\\w.:-]+"); // what "@ID" can name, and not a formula: "@H1+1" is the right side of H1 and 1
+    of_some_length(e.print.id, file);
+    if (!std::regex_match(e.print.id, name))
+        file.fail("entry " + std::to_string(index + 1) + ": an id is of letters, digits, and . _ - :, not " + content["id"].dump());
     const Place at = file.in("entry '" + e.print.id + "'");
     only(content, {"id", "print", "section", "says", "where", "is", "follows", "over", "table", "correction", "excuses", "comment"}, at);
     e.print.tex = text(content, "print", at);
@@ -365,6 +386,10 @@ OwnEntry read_entry(const OwnLedger& ledger, const json& content, const std::str
     e.print.domain = text(content, "where", at);
     if (const std::string is = text(content, "is", at); is == "definition") e.definition = true;
     else if (!is.empty()) at.fail("\"is\" can be \"definition\", not '" + is + "'");
+    text(content, "comment", at);
+    for (const char* key : {"says", "where", "is", "follows", "over"})
+        if (content.contains("table") && content.contains(key))
+            at.fail(std::string("a table has no '") + key + "'; give it an entry of its own");
     if (content.contains("table")) read_table(ledger, e, content["table"], dir, at.in("table"));
     else if (!content.contains("says")) at.fail("\"says\" is missing: the formula as printed");
     if (content.contains("says")) take_chain(e.print, text(content, "says", at), e.print.domain, at);
@@ -385,14 +410,14 @@ OwnEntry read_entry(const OwnLedger& ledger, const json& content, const std::str
                 must_be_symbol(symbol, at.in("with"));
                 of_some_length(by.get_ref<const std::string&>(), at.in("with"));
                 follows.with.emplace_back(symbol, by);
-                real_formula(std::regex_replace(by.get<std::string>(), reference(), "1"), at.in("with"));
+                real_formula(std::regex_replace(by.get<std::string>(), reference(), "(1)"), at.in("with"));
                 for (const std::string& id : references(by)) e.rests_on.push_back(id);
             }
         }
         e.follows = follows;
     }
     if (content.contains("over")) {
-        if (!content["over"].is_object()) at.fail("\"over\" is { symbol: [low, high], ... }");
+        if (!content["over"].is_object() || content["over"].empty()) at.fail("\"over\" is { symbol: [low, high], ... }");
         for (const auto& [symbol, value] : content["over"].items()) {
             must_be_symbol(symbol, at.in("over"));
             const auto [low, high] = range(value, at.in("over " + symbol));
@@ -404,7 +429,7 @@ OwnEntry read_entry(const OwnLedger& ledger, const json& content, const std::str
         const json& c = content["correction"];
         only(c, {"wrong", "severity", "edits"}, at.in("correction"));
         OwnCorrection correction{text(c, "wrong", at), text(c, "severity", at, "misprint"), {}};
-        for (const auto& edit : c.value("edits", json::array())) {
+        for (const auto& edit : list(c, "edits", at.in("correction"))) {
             only(edit, {"field", "from", "to"}, at.in("correction"));
             correction.edits.push_back({text(edit, "field", at, "rhs"), text(edit, "from", at), text(edit, "to", at)});
         }
@@ -412,7 +437,7 @@ OwnEntry read_entry(const OwnLedger& ledger, const json& content, const std::str
         check_corrected(e.print, correction.edits, at.in("correction"));
         e.correction = correction;
     }
-    for (const auto& excuse : content.value("excuses", json::array())) {
+    for (const auto& excuse : list(content, "excuses", at)) {
         only(excuse, {"change", "reason"}, at.in("excuses"));
         e.excuses[text(excuse, "change", at)] = text(excuse, "reason", at);
     }
@@ -502,6 +527,12 @@ void take_signs_that_are_shown(const OwnLedger& ledger, Alphabet a, const Place&
 }
 
 } // namespace
+
+const std::regex& reference()
+{
+    static const std::regex name("@([\\w.:-]+)");
+    return name;
+}
 
 const OwnEntry& OwnLedger::at(const std::string& id) const
 {

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -70,6 +71,9 @@ struct OwnLedger {
     const OwnEntry& at(const std::string& id) const;
     bool has(const std::string& id) const;
 };
+
+/// What "@H2 + x" refers to an entry by, and its id therein.
+const std::regex& reference();
 
 /// Reads DIR/ledger.json and puts its alphabet in use. \throws OwnLedgerError
 OwnLedger load_ledger(const std::string& dir);

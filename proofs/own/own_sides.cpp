@@ -107,17 +107,12 @@ ex written_out(const OwnLedger& ledger, const OwnEntry& entry, const ex& e)
     });
 }
 
-namespace {
-
-/// e with those symbols written out that stand for something in which `symbol` is.
 ex without_hidden(const OwnLedger& ledger, const ex& e, const ex& symbol)
 {
     return written_out(ledger, e, [&](const std::string& name) {
         return !sym(name).is_equal(symbol) && written_out(ledger, sym(name)).has(symbol);
     });
 }
-
-} // namespace
 
 bool is_the_same_in_other_words(const OwnLedger& ledger, const ex& a, const ex& b)
 {
@@ -127,9 +122,8 @@ bool is_the_same_in_other_words(const OwnLedger& ledger, const ex& a, const ex& 
 
 ex with_references(const OwnLedger& ledger, const std::string& t)
 {
-    static const std::regex name("@([\\w.-]+)");
     std::string out, rest = t;
-    for (std::smatch m; std::regex_search(rest, m, name); rest = m.suffix())
+    for (std::smatch m; std::regex_search(rest, m, reference()); rest = m.suffix())
         out += m.prefix().str() + "(" + right_form(ledger.at(m[1])).text("rhs") + ")";
     return read(out + rest);
 }
@@ -145,7 +139,9 @@ ex replaced(const OwnLedger& ledger, ex e, const GiNaC::lst& with)
 {
     for (const ex& one : with)
         if (!is_the_same_in_other_words(ledger, one.lhs(), one.rhs())) e = without_hidden(ledger, e, one.lhs());
-    return e.subs(with);
+    GiNaC::exmap all;
+    for (const ex& one : with) all[one.lhs()] = one.rhs();
+    return with_put_in(e, all);
 }
 
 ex derived(const OwnLedger& ledger, const Follows& f)

@@ -26,6 +26,8 @@ Situation situation(const OwnLedger& ledger, int set);
 Print right_form(const OwnEntry& e);
 /// e with what its symbols stand for, down to those that have a range in the entry.
 ex written_out(const OwnLedger& ledger, const OwnEntry& entry, const ex& e);
+/// e with those symbols written out that stand for something in which `symbol` is.
+ex without_hidden(const OwnLedger& ledger, const ex& e, const ex& symbol);
 bool is_the_same_in_other_words(const OwnLedger& ledger, const ex& a, const ex& b);
 /// "@H1 + x", with the right side of H1.
 ex with_references(const OwnLedger& ledger, const std::string& t);

@@ -34,7 +34,7 @@ ex written_out(const OwnLedger& ledger, const ex& e, const std::function<bool(co
 {
     for (const std::string& name : symbols_of(e)) // and no others, which keep the sign that they are first named with
         if (const auto symbol = ledger.symbols.find(name); symbol != ledger.symbols.end() && !symbol->second.is.empty() && is_meant(name))
-            return written_out(ledger, e.subs(sym(name) == read(symbol->second.is)), is_meant);
+            return written_out(ledger, with_put_in(e, {{sym(name), read(symbol->second.is)}}), is_meant);
     return e; // what stands for what has no cycle
 }
 

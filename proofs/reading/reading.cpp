@@ -378,6 +378,7 @@ std::optional<std::string> objection(const Print& print, const std::vector<Part>
             undecided("the printed condition of part ");
             continue;
         }
+        if (m.may_say_less && condition != Holds::yes) continue;
         if (s.at_equality && (!part.condition || condition != Holds::yes)) continue;
         const Ball l = reader.value(part.left), r = reader.value(part.right);
         const Holds holds = reader.relation(part.relation, part.left, l, part.right, r);
@@ -414,6 +415,26 @@ std::optional<std::string> objection(const Print& print, const std::vector<Part>
     return std::nullopt;
 }
 
+/// A part with the same on both sides, or that repeats another one; or nothing.
+std::optional<std::string> says_nothing(const Print& p, const std::vector<Part>& parts, bool as_typed)
+{
+    const auto typed = [&](std::size_t i, const char* side) {
+        std::string text = p.text(std::to_string(i) + "." + side);
+        std::erase(text, ' ');
+        return text;
+    };
+    const auto whole = [&](std::size_t i) { return typed(i, "lhs") + typed(i, "relation") + typed(i, "rhs"); };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Part& a = parts[i];
+        if (as_typed ? a.relation == "=" && typed(i, "lhs") == typed(i, "rhs") : a.left.is_equal(a.right))
+            return "part " + std::to_string(i) + " has the same on both sides: it says nothing";
+        for (std::size_t j = 0; j < i; ++j)
+            if (as_typed ? whole(i) == whole(j) : a.left.is_equal(parts[j].left) && a.right.is_equal(parts[j].right))
+                return "part " + std::to_string(i) + " repeats part " + std::to_string(j);
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 const Meaning* meaning(const std::string& id)
@@ -446,13 +467,7 @@ Check read_whole_as(const Print& print, const Meaning& says)
     const WorkingPrecision precision(std::max(usual_bits, WorkingPrecision::bits()));
     try {
         const std::vector<Part> parts = parts_of(print);
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (parts[i].left.is_equal(parts[i].right))
-                return Check{Verdict::refuted, "part " + std::to_string(i) + " has the same on both sides: it says nothing"};
-            for (std::size_t j = 0; j < i; ++j)
-                if (parts[i].left.is_equal(parts[j].left) && parts[i].right.is_equal(parts[j].right))
-                    return Check{Verdict::refuted, "part " + std::to_string(i) + " repeats part " + std::to_string(j)};
-        }
+        if (const auto nothing = says_nothing(print, parts, m->may_say_less)) return Check{Verdict::refuted, *nothing};
         Seen seen{
             std::vector<bool>(parts.size(), false), std::vector<int>(parts.size(), 0), std::vector<std::string>(parts.size()), false, {}};
         for (const Situation& s : m->situations)
@@ -463,7 +478,8 @@ Check read_whole_as(const Print& print, const Meaning& says)
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (m->every_situation_decides && !seen.undecided[i].empty()) return Check{Verdict::undecided, seen.undecided[i]};
             if (seen.looked[i] == 0)
-                return Check{Verdict::refuted, "the printed condition of part " + std::to_string(i) + " holds in no situation"};
+                return Check{m->may_say_less ? Verdict::undecided : Verdict::refuted,
+                             "the printed condition of part " + std::to_string(i) + " holds in no situation"};
             if (m->bounds_are_reached && !seen.reached[i])
                 return Check{Verdict::refuted, "the printed bound is not reached: it is too wide"};
         }

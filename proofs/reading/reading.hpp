@@ -68,6 +68,9 @@ struct Meaning {
     /// A situation in which balls do not decide leaves the print undecided. Else it says nothing, and a print of which nothing is ever
     /// decided is refuted: the paper's own are decided.
     bool every_situation_decides = false;
+    /// A print may say less than it could: hold outside of its condition too, or whatever its symbols are, as x <= x. Else it is taken to
+    /// say something in each part, and its condition to say "exactly there".
+    bool may_say_less = false;
 };
 
 /// What the symbols of an equation mean, or nothing for entries that are not equations.

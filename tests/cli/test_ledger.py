@@ -563,6 +563,181 @@ class Changed(unittest.TestCase):
         ledger = {"symbols": {name: {"dimension": "1", **about} for name, about in symbols.items()}, "entries": [chain]}
         self.assertEqual(json.loads(self.judge_text(json.dumps(ledger), "--json").stdout)[0]["correction_verdict"], "proved")
 
+    def test_a_sign_after_an_operator_binds_its_operand_alone(self):
+        for formula, at_2 in (("10^-3*x", "0.002"), ("2^-x^2", "0.0625"), ("8/-x*2", "-8.0"), ("8/-x+1", "-3.0"), ("5--x+1", "8.0"), ("2^+x*3", "12"), ("5*+x+1", "11"), ("2*-x+3", "-1"),
+                              ("2*-+- x ^2*2+1", "17"), ("8/-sqrt(2*x)*2", "-8"), ("2^-x^-1*2", "1.4142"), ("4*-(x-1)^2+x", "-2")):
+            t = {"id": "T", "table": {"formula": formula, "columns": ["x"], "rows": [["2", at_2]]}}
+            self.assertEqual(self.verdicts({"x": {}}, t), {"T": "verified"}, formula)
+        real = {"sign": "real", "range": ["1", "3"]}
+        symbols = {"x": real, "y": real, "z": real, "w": real, "k": {**real, "is": "10^-3*x"}}
+        b = {"id": "B", "says": "y = x^-2*4", "is": "definition"}
+
+        def from_b(says, **follows):
+            return self.verdicts(symbols, b, {"id": "C", "says": says, "follows": {"equation": "B", **follows}})["C"]
+        self.assertEqual((from_b("z = x^(-8)"), from_b("z = 4/x^2"), from_b("z = 4*w^2", **{"with": {"x": "w^-1*1"}})), ("refuted", "proved", "proved"))
+        self.assertEqual(self.verdicts(symbols, {"id": "K", "says": "k = x/1000"}), {"K": "verified"})
+        self.assertEqual(self.verdicts(symbols, {"id": "K", "says": "2*-x+3 > 0", "over": {"x": ["1", "5/2"]}}), {"K": "refuted"})
+        powers = {"F": {"dimension": "force"}, "E": {"dimension": "force/length^2"}, "L": {"dimension": "length"}}
+        self.assertEqual(self.verdicts(powers, {"id": "B", "says": "F = E*L^2", "is": "definition"}, {"id": "C", "says": "F = E*L^-2*L^4", "follows": {"equation": "B"}})["C"], "proved")
+        for nothing in ("2*-", "x^-*2", "2*-(x"):
+            self.assertIn("does not parse", self.verdicts({"x": {}, "y": {}}, {"id": "A", "says": f"y = {nothing}", "is": "definition"}))
+
+    def test_a_sign_is_kept_on_the_way_through_all_that_is_put_in(self):
+        real, y = {"sign": "real", "range": ["1", "2"]}, {"sign": "real"}
+        b = {"id": "B", "says": "y = sqrt(s^2)", "is": "definition"}
+        c = {"id": "C", "says": "w = t", "follows": {"equation": "B", "with": {"s": "t"}}}
+        to_v = {"equation": "C", "with": {"t": "-v"}}
+
+        def verdicts(*more):
+            free = {"s": {}, "t": real, "v": real, "y": y, "w": y, "z": y}
+            return self.verdicts(free, b, c, *more)
+        for further in ({"says": "z = -v"}, {"says": "z = -v < 0", "over": {"v": ["1", "2"]}}):
+            self.assertEqual(verdicts({"id": "D", **further, "follows": to_v}), {"B": "definition", "C": "proved", "D": "undecided"})
+        self.assertEqual(verdicts({"id": "D", "says": "z = v", "follows": {"equation": "C", "with": {"t": "v"}}})["D"], "proved")
+        stands_for = {"x": real, "u": {**real, "range": ["1", "2"]}, "s": {"is": "x-1/2"}, "y": y, "w": y, "z": y}
+        c = {"id": "C", "says": "w = u-1/2", "follows": {"equation": "B", "with": {"x": "u"}}}
+        f = {"id": "F", "says": "z = u-1/2", "follows": {"equation": "C"}, "over": {"u": ["0", "1/4"]}}
+        self.assertEqual(self.verdicts(stands_for, b, c, {**f, "says": "z = u-1/2 < 0"})["F"], "undecided")
+        self.assertEqual(self.verdicts(stands_for, b, c, {**f, "says": "z = u-1/2 < 1", "over": {"u": ["1", "5/4"]}})["F"], "proved")
+
+    def test_what_is_put_in_by_its_name_keeps_its_condition_though_it_is_the_equation_itself(self):
+        real = {"sign": "real", "range": ["0", "3"]}
+        b = {"id": "B", "says": "y = 1-x", "where": "x < 1", "is": "definition"}
+        c = {"id": "C", "says": "w = x", "follows": {"equation": "B", "with": {"x": "@B"}}}
+        self.assertEqual(self.verdicts({"x": real, "y": real, "w": real}, b, c)["C"], "undecided")
+
+    def test_an_id_is_no_formula(self):
+        for name in ("H1+1", "", "H 1", "H1\n", "(1)", "é"):
+            self.assertIn("an id is of letters", self.verdicts({"x": {}, "y": {}}, {"id": name, "says": "y = x", "is": "definition"}))
+        a, b = {"id": "eq:2.1-a_b", "says": "y = x^2", "is": "definition"}, {"id": "B", "says": "w = y", "is": "definition"}
+        c = {"id": "C", "says": "z = x^2", "follows": {"equation": "B", "with": {"y": "@eq:2.1-a_b"}}}
+        self.assertEqual(self.verdicts({name: {} for name in "xywz"}, a, b, c)["C"], "proved")
+
+    def test_a_name_means_one_thing_in_the_whole_ledger(self):
+        real = {"sign": "real", "range": ["1", "2"]}
+        symbols = {name: real for name in ("x", "u", "v", "w", "y", "z", "p")}
+
+        def verdicts(*entries):
+            return "".join({"definition": "d", "proved": "p", "verified": "v", "undecided": "u", "refuted": "r"}[v]
+                           for v in self.verdicts(symbols, *({"id": f"E{k}", **e} for k, e in enumerate(entries))).values())
+        y = {"says": "y = x^2", "is": "definition"}
+
+        def put(says, x, **more):
+            return {"says": says, "follows": {"equation": "E0", "with": {"x": x}}, **more}
+        # one symbol is not x, and half of it, and x+1
+        self.assertEqual(verdicts(y, put("y = u^2", "u"), put("y = 4*u^2", "2*u"), put("y = u^2-2*u+1", "u-1")), "duuu")
+        self.assertEqual(verdicts(y, {"says": "u = x", "is": "definition"}, put("y = 4*u^2", "2*u")), "ddu")
+        self.assertEqual(verdicts(y, put("y = 4*u^2", "2*u"), put("y = v^2", "v"), {"says": "w = 4*u^2", "follows": {"equation": "E1"}}), "dppp")
+        # nor is a constant, or what stays below 1, x
+        self.assertEqual(verdicts({**y, "says": "y = x"}, put("y = 2+cos(2*u)-2*cos(u)^2", "2+cos(2*u)-2*cos(u)^2")), "du")
+        self.assertEqual(verdicts({**y, "says": "y = x"}, put("y = sin(u) <= 1", "sin(u)", over={"u": ["1/4", "1"]})), "dv")
+        # a name that has a meaning gets no other from elsewhere
+        follows = {"follows": {"equation": "E0"}}
+        self.assertEqual(verdicts(y, {"says": "w = 5", "is": "definition"}, {"says": "w = x^2", **follows}), "ddu")
+        self.assertEqual(verdicts(y, {"says": "2*w = 5", "is": "definition"}, {"says": "w = x^2", **follows}), "ddu")
+        self.assertEqual(verdicts(y, {"says": "w = x*x+x-x", "is": "definition"}, {"says": "w = x^2", **follows}), "ddp")
+        p = {"says": "p = 2*x", "is": "definition"}
+        self.assertEqual(verdicts(y, p, {"says": "p = x^2", **follows}, {"says": "p = 2*x", "follows": {"equation": "E1"}}), "ddup")
+        self.assertEqual(verdicts(y, p, {"says": "w = x^2", **follows}, {"says": "w = 2*x", "follows": {"equation": "E1"}}), "ddpu")
+        # a bound is of the quantity on its left side where that is
+        self.assertEqual(verdicts({**y, "says": "y = x"}, {"says": "y <= x", **follows}, {"says": "y <= 1", "follows": {"equation": "E1", "with": {"x": "1"}}}), "dpu")
+        a = [{"says": "y = x-1/10", "is": "definition"}, {"says": "y <= x", "is": "definition"}]
+        self.assertEqual(verdicts(*a, {"says": "y <= -x^2-10^9", "follows": {"equation": "E1", "with": {"x": "-x^2-10^9"}}}), "ddu")
+
+    def test_what_depends_on_a_symbol_by_another_entry_is_not_taken_for_a_number(self):
+        real = {"sign": "real", "range": ["1", "2"]}
+        symbols = {name: real for name in ("x", "a", "b", "w", "y")}
+        a, y = {"id": "A", "says": "a = x^2", "is": "definition"}, {"id": "Y", "says": "y = a*x", "is": "definition"}
+
+        def verdict(says, *entries, **follows):
+            return self.verdicts(symbols, *entries, {"id": "C", "says": says, "follows": {"equation": "Y", **follows}})["C"]
+        self.assertEqual(verdict("w = a", a, y, derivative_by="x"), "undecided")
+        self.assertEqual(verdict("w = a", a, y, **{"with": {"x": "1"}}), "undecided")
+        self.assertEqual(verdict("w = 5*x", a, y, **{"with": {"a": "5"}}), "undecided")
+        self.assertEqual(verdict("w = b", {**a, "says": "b = x^2"}, {**a, "id": "B", "says": "b = a"}, {**y, "says": "y = a+x"}, **{"with": {"x": "0", "a": "b"}}), "undecided")
+        for says in ("w = x^2+1", "w = 1"):  # the second one is true
+            self.assertEqual(verdict(says, {**a, "says": "a = x^2+1"}, {**y, "says": "y = a+x"}, **{"with": {"x": "0", "a": "@A"}}), "undecided")
+        self.assertEqual(verdict("w = x^3", a, y, **{"with": {"a": "@A"}}), "proved")
+
+    def test_a_definition_of_what_has_a_meaning_is_judged_like_any_other_entry(self):
+        real = {"sign": "real"}
+        symbols = {"x": {**real, "range": ["-1/100", "1"]}, "a": {**real, "is": "abs(x)"}, "y": real, "z": real, "b": real}
+        d, c = {"id": "D", "says": "y = a^3", "is": "definition"}, {"id": "C", "says": "z = x^3", "follows": {"equation": "D", "with": {"a": "@B"}}}
+        b = {"id": "B", "says": "a = x", "is": "definition"}
+        self.assertEqual(self.verdicts(symbols, b, d, c), {"B": "verified", "D": "definition", "C": "verified"})
+        for says in ("2*a = 2*x", "b = a = x", "b = x = a"):
+            self.assertEqual(self.verdicts(symbols, {**b, "says": says})["B"], "undecided", says)
+        for says in ("b = a", "b = a+x = x+a", "2*b = x"):
+            self.assertEqual(self.verdicts(symbols, {**b, "says": says})["B"], "definition", says)
+        root = {"id": "B", "says": "y = sqrt(x^2)", "is": "definition"}
+        c = {"id": "C", "says": "y = x", "is": "definition", "follows": {"equation": "B"}}
+        e = {"id": "E", "says": "y = x", "follows": {"equation": "C"}}
+        self.assertEqual(self.verdicts({"x": {**real, "range": ["1/4", "2"]}, "y": real}, root, c, e), {"B": "definition", "C": "verified", "E": "verified"})
+
+    def test_what_is_true_is_not_refuted_for_saying_little(self):
+        real = {"sign": "real"}
+        symbols = {"x": {"range": ["0", "2"]}, "z": real, "w": real, "y": real}
+        b = {"id": "B", "says": "z = x", "is": "definition"}
+
+        def verdict(of, says, **more):
+            return self.verdicts(symbols, {**b, "says": of}, {"id": "C", "says": says, "follows": {"equation": "B"}, **more})["C"]
+        for of, says in (("z = x^2", "z = x^2 = x*x"), ("z = 2*x+2", "z = 2*(x+1) = 2*x+2"), ("w = x", "w = abs(x) = x"), ("w = x", "w = sqrt(x^2) = x"), ("y < x", "y < x"), ("y <= x", "y <= x")):
+            self.assertEqual(verdict(of, says), "proved", says)
+        self.assertEqual(verdict("w = x", "w = x < 3 = 6/2"), "verified")
+        for says in ("x <= x", "x < 3 = 6/2", "x-1 < x = 2*x-x"):
+            self.assertEqual(self.verdicts(symbols, {"id": "C", "says": says, "over": {"x": ["0", "2"]}})["C"], "proved", says)
+        self.assertEqual(self.verdicts(symbols, {"id": "C", "says": "x < x", "over": {"x": ["0", "2"]}})["C"], "refuted")
+        # it may hold outside of its condition, and this may be far from the samples
+        for where in ("x < 1", "x > 3/2", "x < 10^(-2)", "x > 3"):
+            self.assertIn(verdict("z = x", "z = x", where=where), ("proved", "undecided"), where)
+        self.assertEqual(verdict("z = x", "z = x", where="x < 1"), "proved")
+        self.assertEqual(self.verdicts(symbols, {"id": "C", "says": "x^2 < 2", "where": "x < 1/2", "over": {"x": ["0", "1"]}})["C"], "proved")
+
+    def test_what_is_put_in_makes_no_number_that_is_too_long(self):
+        real = {"sign": "real"}
+        symbols = {"x": {}, "n": {}, "y": real, "z": real, "k": {"is": "10^10"}, "m": {"is": "9^9"}}
+
+        def answer(of, **follows):
+            b = {"id": "B", "says": f"y = {of}", "is": "definition"}
+            return self.verdicts(symbols, b, {"id": "C", "says": "z = 2", "follows": {"equation": "B", **follows}})
+        for of, put in (("2^n", {"n": "10^10"}), ("tgamma(n)", {"n": "10^8"}), ("3^k*x", {"x": "1"}), ("tgamma(m)", {})):
+            self.assertIn("'C': a number of it is too long", answer(of, **{"with": put}), of)
+        self.assertIn("'C': a number of it is too long", self.verdicts(symbols, {"id": "C", "says": "3^k > x", "over": {"x": ["0", "1"]}}))
+
+    def test_what_is_not_understood_is_refused_and_not_passed_over(self):
+        symbols = {"x": {}, "y": {}, "z": {}}
+        a = {"id": "A", "says": "y = x", "is": "definition"}
+        table = {"formula": "x", "columns": ["x"], "rows": [["1/2", "0.5"]]}
+
+        def refused(word, *entries):
+            answer = self.verdicts(symbols, *entries)
+            self.assertIsInstance(answer, str, word)
+            self.assertEqual(answer.count("\n"), 1, answer)
+            self.assertIn(word, answer)
+        refused("two columns 'x'", {"id": "T", "table": {**table, "columns": ["x", "x"], "rows": [["1/2", "1/2", "0.5"]]}})
+        refused("'rows' is a list", {"id": "T", "table": {**table, "rows": {"a": ["1/2", "0.5"]}}})
+        refused("a row is", {"id": "T", "table": {**table, "rows": [{"a": "1/2", "b": "0.5"}]}})
+        refused("either", {"id": "T", "table": {**table, "file": "t.txt"}})
+        for key, value in (("says", "y = 2*x"), ("where", "x < 1"), ("is", "definition"), ("over", {"x": ["0", "1"]})):
+            refused(f"a table has no '{key}'", {"id": "T", "table": table, key: value})
+        refused("'excuses' is a list", {**a, "excuses": {}})
+        refused("'comment' wants a string", {**a, "comment": 5})
+        refused('"over" is', {"id": "C", "says": "x < 9", "over": {}})
+        for says in ("y == x", "y ~= x"):
+            refused("no relation", {**a, "says": says})
+        for says in ("y = {x}", "y = {x,1}", "y = [x]"):
+            refused("does not parse", {**a, "says": says})
+        refused("does not parse", a, {"id": "C", "says": "z = 2*x", "follows": {"equation": "A", "with": {"x": "2@A"}}})
+        for says in ("y = 0^0", "y = 1/0", "y = log(x-x)", "y = tgamma(0)"):
+            refused("has no value", {**a, "says": says})
+
+    def test_an_excuse_of_a_change_that_is_not_made_is_told_with_the_changes(self):
+        def change(ledger):
+            self.entry(ledger, "S5")["excuses"][0]["change"] = "a slip"
+        r = self.judge(change, "S5", "--mutate")
+        self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stdout + r.stderr)
+        self.assertIn("'S5': excuses: no change 'a slip'", r.stderr)
+
     def test_a_correction_that_does_not_mend_fails(self):
         def change(ledger):
             self.entry(ledger, "H4")["correction"]["edits"] = [{"from": "2*Pi*R", "to": "3*Pi*R"}]
