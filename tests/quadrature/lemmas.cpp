@@ -112,7 +112,7 @@ TEST_CASE("log(1 - y)/y: its slope, and how far it is from -1, at a y where both
     }
 }
 
-TEST_CASE("sinc: its slope, attained at 0; half of it where the slope is largest on the real axis, and on the imaginary one")
+TEST_CASE("sinc: its slope, attained at 0; most of it where the slope is largest on the real axis, a part on the imaginary one")
 {
     const WorkingPrecision precision(128);
     const auto attained = [](const Ball& slope, const Ball& size, const Ball& height, const Rational& share) {

@@ -18,15 +18,20 @@
 
 namespace touchstone::quadrature {
 
-/// About the middle: Arb's value of a box is some times as wide as sinc varies there.
+/// Near 0 about the middle: Arb's value of a box is some times as wide as sinc varies there. Farther out sinc varies less than near 0, and
+/// Arb's value is the narrower one.
 ComplexBall analytic::sinc(const ComplexBall& z)
 {
+    constexpr long far = 2;
     ComplexBall middle, w;
-    acb_get_mid(middle.get(), z.get());
-    acb_sinc(w.get(), middle.get(), WorkingPrecision::bits());
+    Ball least;
+    acb_get_abs_lbound_arf(arb_midref(least.get()), z.get(), strip_bits);
+    const bool is_far = arb_gt(least.get(), Ball(far).get()) != 0;
+    if (!is_far) acb_get_mid(middle.get(), z.get());
+    acb_sinc(w.get(), is_far ? z.get() : middle.get(), WorkingPrecision::bits());
+    if (is_far || acb_is_exact(z.get()) != 0) return w;
     const WorkingPrecision coarse(strip_bits);
-    const Ball radius = upper_ball(z - middle);
-    if (arb_is_zero(radius.get()) == 0) widen(w, radius * lemma::slope_of_sinc(upper_ball(z), upper_ball(z.imag())));
+    widen(w, upper_ball(z - middle) * lemma::slope_of_sinc(upper_ball(z), upper_ball(z.imag())));
     return w;
 }
 
