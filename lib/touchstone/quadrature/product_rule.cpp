@@ -218,8 +218,8 @@ EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& 
     return g;
 }
 
-/// Where a part is cut that is of the kind at these ends. At one alone: close to it, for what stands beside the weights there, as of K(1 - u)
-/// and log u, takes the dearer values and is singular at the other end, while the rest is ordinary.
+/// Where a part is cut that is of the kind at these ends. At one alone: close to it, for what stands beside the weights there, as of
+/// K(1 - u) and log u, takes the dearer values and is singular at the other end, while the rest is ordinary.
 Rational place_of_cut(const Rational& from, const Rational& to, bool at_left, bool at_right)
 {
     const Rational beside(1, 8); // of the part
