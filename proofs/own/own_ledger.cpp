@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proofs/own/own_ledger.hpp"
 
+#include "proofs/own/own_fields.hpp"
 #include "proofs/own/own_symbols.hpp"
 #include "proofs/symbols.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -26,89 +27,6 @@ namespace touchstone::proofs {
 namespace {
 
 using nlohmann::json;
-
-/// Says "FILE: entry 'ID': ..." whatever goes wrong inside.
-class Place {
-public:
-    explicit Place(std::string where) : where_(std::move(where)) {}
-    [[noreturn]] void fail(const std::string& what) const { throw OwnLedgerError(where_ + ": " + what); }
-    Place in(const std::string& more) const { return Place(where_ + ": " + more); }
-
-private:
-    std::string where_;
-};
-
-/// Of two keys of one name the last would be taken, and the other one not be seen.
-json::parser_callback_t no_key_twice(const Place& at)
-{
-    return [at, keys = std::vector<std::set<std::string>>()](int, json::parse_event_t event, json& parsed) mutable {
-        if (event == json::parse_event_t::object_start) keys.emplace_back();
-        if (event == json::parse_event_t::object_end) keys.pop_back();
-        if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-            at.fail("the key '" + parsed.get<std::string>() + "' comes twice in one object");
-        return true;
-    };
-}
-
-/// An object of which every key must be known.
-void only(const json& object, std::initializer_list<const char*> keys, const Place& at)
-{
-    if (!object.is_object()) at.fail("an object { ... } is wanted, not " + object.dump().substr(0, 40));
-    for (const auto& [key, value] : object.items())
-        if (std::none_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; })) {
-            std::string known;
-            for (const char* k : keys) known += std::string(known.empty() ? "" : ", ") + k;
-            at.fail("no key '" + key + "' is known here; " + known);
-        }
-}
-
-/// Regular expressions and the parser of formulas go deeper with the length of a text, and a stack has an end.
-const std::string& of_some_length(const std::string& text, const Place& at)
-{
-    constexpr std::size_t longest = 4000;
-    if (text.size() > longest) at.fail("'" + text.substr(0, 40) + "...' is longer than " + std::to_string(longest) + " characters");
-    return text;
-}
-
-std::string text(const json& object, const char* key, const Place& at, const std::string& otherwise = {})
-{
-    if (!object.contains(key)) return otherwise;
-    if (!object[key].is_string()) at.fail(std::string("'") + key + "' wants a string, not " + object[key].dump().substr(0, 40));
-    return of_some_length(object[key], at);
-}
-
-/// A list, or an empty one where there is none.
-json list(const json& object, const char* key, const Place& at)
-{
-    if (!object.contains(key)) return json::array();
-    if (!object[key].is_array()) at.fail(std::string("'") + key + "' is a list [ ... ], not " + object[key].dump().substr(0, 40));
-    return object[key];
-}
-
-/// A number as it stands there. JSON's numbers with a point, and very long ones, become doubles, which are other numbers.
-std::string digits(const json& value, const Place& at)
-{
-    if (value.is_string()) return value.get<std::string>();
-    if (value.is_number_float())
-        at.fail("a number with a point or an exponent, or a very long one, stands in quotes, \"0.1\", not as " + value.dump());
-    return value.dump();
-}
-
-Rational number(const json& value, const Place& at)
-{
-    const std::string t = digits(value, at);
-    const auto r = parse_rational(t);
-    if (!r) at.fail("not an exact number: " + t);
-    return *r;
-}
-
-std::pair<Rational, Rational> range(const json& value, const Place& at)
-{
-    if (!value.is_array() || value.size() != 2) at.fail("a range is [low, high], not " + value.dump().substr(0, 40));
-    const std::pair<Rational, Rational> r{number(value[0], at), number(value[1], at)};
-    if (!(r.first < r.second)) at.fail("an empty range " + value.dump());
-    return r;
-}
 
 /// The formula, if it parses and all its symbols are declared.
 ex formula(const std::string& t, const Place& at)
