@@ -132,8 +132,8 @@ TEST_CASE("sinc: its slope, attained at 0; most of it where the slope is largest
 
 TEST_CASE("sinc of a box holds what it is in it, and is hardly wider")
 {
-    for (const auto& [re, im] :
-         {std::pair(Rational(0), Rational(0)), {Rational(3, 10), Rational(2, 5)}, {Rational(3), Rational(-1)}, {Rational(-1, 9), Rational(6)}})
+    const std::pair<Rational, Rational> middles[] = {{0, 0}, {Rational(3, 10), Rational(2, 5)}, {3, -1}, {Rational(-1, 9), 6}};
+    for (const auto& [re, im] : middles)
         for (const Rational& half : {Rational(1, 2), Rational(1, 100), Rational(0)}) {
             const WorkingPrecision precise(200);
             ComplexBall box{Ball(re), Ball(im)};

@@ -15,7 +15,7 @@ namespace {
 Ball real_part(const Ball& x) { return x; }
 Ball real_part(const ComplexBall& z) { return z.real(); }
 
-// in place: the means are most of the cost of K and E
+// These work in place, because the means are most of what K and E cost.
 void shift(Ball& x, slong e) { arb_mul_2exp_si(x.get(), x.get(), e); }
 void shift(ComplexBall& z, slong e) { acb_mul_2exp_si(z.get(), z.get(), e); }
 void subtract(Ball& x, const Ball& a, const Ball& b, slong bits) { arb_sub(x.get(), a.get(), b.get(), bits); }
@@ -34,8 +34,6 @@ Ball lower_ball(const Ball& x)
 
 double log2_radius(const Ball& x) { return mag_get_d_log2_approx(arb_radref(x.get())); }
 double log2_radius(const ComplexBall& z) { return std::max(log2_radius(z.real()), log2_radius(z.imag())); }
-double log2_upper(const ComplexBall& z) { return quadrature::log2_upper(upper_ball(z)); }
-double log2_upper(const Ball& x) { return quadrature::log2_upper(x); }
 
 /// The least real part of either, as a number.
 template <class V>
@@ -73,7 +71,7 @@ Elliptic<V> by_means(const V& v, bool with_e)
             shift(product, n - 1);
             sum += product;
         }
-        now = 2 * log2_upper(c);
+        now = 2 * log2_upper(upper_ball(c));
         if (!(now >= std::max(-static_cast<double>(bits) - spare, log2_radius(a))) || now >= before) break;
     }
     const Ball size = upper_ball(c), square = size * size;
