@@ -5,6 +5,7 @@
 #include "touchstone/quadrature/integrate.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/parity.hpp"
+#include "touchstone/quadrature/rules.hpp"
 #include "touchstone/quadrature/widen.hpp"
 
 #include <doctest/doctest.h>
@@ -252,4 +253,50 @@ TEST_CASE("a power of a product or quotient: by its two factors where both lie i
             }
     CHECK(finite > 100);
     CHECK(wide_ones > 20);
+}
+
+TEST_CASE("a formula that is even and analytic about 0 is known, and one that is even alone is not taken for it")
+{
+    const auto is_one = [](const char* formula, const char* from, const char* to) {
+        return is_even_and_analytic_about_zero(parse_expression(formula), Range{parse_limit(from), parse_limit(to), Map::finite});
+    };
+    for (const char* formula : {"ellipk(x^2)", "ellipe(x^2)*cos(x)", "log(1-x^2)*x^2", "1/(1-x^4)"}) {
+        CAPTURE(std::string(formula));
+        CHECK(is_one(formula, "0", "1"));
+        CHECK(is_one(formula, "-1", "0"));
+        CHECK_FALSE(is_one(formula, "1/2", "1"));
+    }
+    for (const char* formula : {"sqrt(x^2)*ellipk(x^2)", "log(x^2)", "x^(-2)", "x*ellipk(x^2)", "(x^2)^(3/2)*log(1-x^2)", "cos(x+1)"}) {
+        CAPTURE(std::string(formula));
+        CHECK_FALSE(is_one(formula, "0", "1"));
+    }
+}
+
+TEST_CASE("of a part beside 0 about which the formula is even half of the nodes are enough; its other end is the nearer one")
+{
+    for (const char* formula : {"ellipk(x^2)", "ellipe(x^2)"}) {
+        CAPTURE(std::string(formula));
+        const Integral i = integral(formula, "0", "1", 50), mirrored = integral(formula, "-1", "0", 50);
+        REQUIRE(i.parts.size() == 1);
+        CHECK(i.parts.front().evaluations < 195); // 211 and 230 where all nodes of the part are asked for
+        CHECK(mirrored.parts.front().evaluations < 195);
+        CHECK(mirrored.value.overlaps(i.value));
+    }
+    struct Case {
+        const char *formula, *value;
+    };
+    // even as text alone, and about 0 too: (2 G + 1)/4, G Catalan's constant
+    const Case cases[] = {{"sqrt(x^2)*ellipk(x^2)", "1"},
+                          {"sqrt(x^2)*ellipe(x^2)", "2/3"},
+                          {"x^2*ellipk(x^2)", "0.7079827970886095075273017574661920553871"}};
+    for (const Case& c : cases) {
+        CAPTURE(std::string(c.formula));
+        for (const auto& [from, to] : {std::pair("0", "1"), {"-1", "0"}}) {
+            const Integral i = integral(c.formula, from, to, 30);
+            CHECK(i.status == Status::certified);
+            Ball value = evaluate_at(*parse_expression(c.value), Ball(0));
+            widen(value, Ball(1) / ScalarTraits<Ball>::power_of_two(104));
+            CHECK(i.value.overlaps(value));
+        }
+    }
 }

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/elliptic.hpp"
 #include "touchstone/quadrature/logarithmic_ends.hpp"
+#include "touchstone/quadrature/upper.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include "place.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <random>
 #include <string>
+#include <tuple>
 
 #if __has_include(<flint/acb_elliptic.h>)
 #include <flint/acb_elliptic.h>
@@ -228,6 +233,78 @@ TEST_CASE("K and E of a box by means hold what they are in it")
                 CHECK(holds(found.e, elliptic_e(m)));
             }
         }
+}
+
+TEST_CASE("K and E of a wide ball, and both parts of K(1 - u) and E(1 - u) there, hold what they are in it")
+{
+    for (const auto& [re, im, half] : {std::tuple(Rational(0), Rational(0), Rational(1, 3)),
+                                       {Rational(2, 5), Rational(1, 5), Rational(1, 4)},
+                                       {Rational(-1, 2), Rational(1, 4), Rational(1, 5)},
+                                       {Rational(7, 10), Rational(0), Rational(1, 16)}}) {
+        CAPTURE(re.get_str());
+        const WorkingPrecision few(53);
+        ComplexBall box = number(re, im);
+        widen(box, Ball(half));
+        const Place<ComplexBall> place(box);
+        const auto k = elliptic_of_complement(Op::elliptic_k_of_complement, place.left());
+        const auto e = elliptic_of_complement(Op::elliptic_e_of_complement, place.left());
+        const auto plain = elliptic_of_complement(ComplexBall(1) - box);
+        const ComplexBall k_alone = first_kind_of_complement(ComplexBall(1) - box);
+        CHECK(upper(upper_ball(k.factor_without_logarithm())) < 6); // log 16 + pi/2 at most where abs(u) < 31/32
+        const WorkingPrecision precise(true_bits);
+        const std::pair<Rational, Rational> places[] = {{half, half}, {-half, half}, {half, -half}, {-half, -half}, {half / 3, half / 7}};
+        for (const auto& [x, y] : places) {
+            const ComplexBall u = number(re + x, im + y), own = elliptic_k(u), over = own / ComplexBall(-pi<Ball>());
+            const ComplexBall free = elliptic_k(ComplexBall(1) - u) - over * log(u), beside = own - elliptic_e(u);
+            CHECK(holds(plain.k, own));
+            CHECK(holds(k_alone, own));
+            CHECK(holds(plain.e, elliptic_e(u)));
+            CHECK(holds(k.logarithms().front().c, over));
+            CHECK(holds(k.factor_without_logarithm(), free));
+            CHECK(holds(e.logarithms().front().c, beside * over / own));
+            CHECK(holds(e.factor_without_logarithm(), (ComplexBall(pi<Ball>() / Ball(2)) + beside * free) / own));
+        }
+    }
+}
+
+TEST_CASE("K at real points by the nearest mean is Arb's, to all bits but a few; of wide balls, of huge and tiny numbers and of none")
+{
+    std::mt19937_64 random(20261128);
+    std::uniform_real_distribution<double> exponent(-60, 60), place(1, 2);
+    for (int round = 0; round < 300; ++round) {
+        const double v = std::exp2(exponent(random)) * place(random);
+        for (const slong bits : {30L, 53L, 128L, 400L}) {
+            CAPTURE(v);
+            CAPTURE(bits);
+            const auto true_k = [&](double at) {
+                const WorkingPrecision precise(bits + 100);
+                ComplexBall k;
+                acb_elliptic_k(k.get(), ComplexBall(Ball(1) - Ball::exactly(at)).get(), bits + 100);
+                return k.real();
+            };
+            const WorkingPrecision working(bits);
+            const Ball k = first_kind_of_complement(Ball::exactly(v));
+            CHECK(arb_contains(k.get(), true_k(v).get()) != 0);
+            CHECK(k.relative_bits() > bits - 5);
+            const double radius = v * place(random) / 4;
+            Ball wide = Ball::exactly(v);
+            arb_add_error(wide.get(), Ball::exactly(radius).get());
+            const Ball of_wide = first_kind_of_complement(wide);
+            for (const double at : {v, v + radius, v - radius, v + radius / 3}) CHECK(arb_contains(of_wide.get(), true_k(at).get()) != 0);
+        }
+    }
+    const WorkingPrecision working(128);
+    for (const slong e : {-(1L << 31), 1L << 31, -(1L << 33)}) { // beyond the exponents that are left to MPFR
+        const Ball v = ScalarTraits<Ball>::power_of_two(e);
+        const Ball k = first_kind_of_complement(v);
+        Ball mean;
+        arb_agm(mean.get(), Ball(1).get(), sqrt(v).get(), 200);
+        CHECK(k.overlaps(pi<Ball>() / (mean + mean)));
+        CHECK(k.relative_bits() > 110);
+    }
+    CHECK_FALSE(first_kind_of_complement(Ball(0)).is_finite());
+    CHECK_FALSE(first_kind_of_complement(Ball(-1)).is_finite());
+    CHECK_FALSE(first_kind_of_complement(Ball::indeterminate()).is_finite());
 }
 
 TEST_CASE("K(1 - u) and E(1 - u) at a node are those of the real number")

@@ -112,7 +112,6 @@ private:
 };
 
 constexpr long closer_nodes = 48; // that show how far F is analytic where the first, fewer ones don't
-constexpr double nodes_a_box = 3; // a value in the plane costs about as much as so many at nodes
 constexpr int boxes_of_a_bound = 4; // that the boundary takes, of an even F half of them
 constexpr double shrunk = 0.7;    // times the sigma of an ellipse that failed: the next to be tried
 
@@ -237,7 +236,7 @@ std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_to
         const double middle = failed_ ? (proved_->sigma + *failed_) / 2 : std::min(highest, step * proved_->sigma);
         const double saved = worth(proved_->sigma) - worth(middle);
         if (saved < least_saved) break;
-        try_up_to(middle, proved_->sigma, is_blind ? std::min(a_glance, saved / nodes_a_box) : saved / nodes_a_box);
+        try_up_to(middle, proved_->sigma, is_blind ? std::min(a_glance, saved / f_.nodes_a_box) : saved / f_.nodes_a_box);
         if (is_blind && failed_ && worth(proved_->sigma) - worth(*failed_) > closer_nodes) look_closer();
     }
     return proved_;
@@ -293,7 +292,7 @@ std::optional<EllipseProof::Ellipse> EllipseProof::best(double log2_tolerance)
     // nodes as many times as a bound of 1 would take
     const auto excess = [&](const Ellipse& e) { return nodes_for(e, log2_tolerance) / nodes_of_one(e); };
     const double saved = nodes_for(*proved, log2_tolerance) - nodes_of_one(*proved); // at the most
-    if (excess(*proved) < high || saved < nodes_a_box * boxes_of_a_bound) return proved;
+    if (excess(*proved) < high || saved < f_.nodes_a_box * boxes_of_a_bound) return proved;
     std::optional<Ellipse> best;
     double sigma = proved->sigma;
     if (auto bounds = bounds_on(sigma)) best = Ellipse{sigma, std::move(*bounds)};

@@ -40,6 +40,7 @@ struct EllipseFunction {
     std::function<void(const GaussNodes::Entry&, bool mirrored, std::vector<Ball>& c)> at_node; ///< at z, or at -z
     /// Of one weight that is not 1: F itself there, w c, if it can be had to about the working precision; there may be none.
     std::function<std::optional<Ball>(const GaussNodes::Entry&, bool mirrored)> with_weight;
+    double nodes_a_box = 3; ///< a value in the plane costs about as much as so many at nodes: how long a larger ellipse is looked for
 };
 
 struct EllipseIntegral {

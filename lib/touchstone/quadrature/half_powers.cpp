@@ -55,19 +55,6 @@ V times_slope(const EndpointNumber<V>& g, const Angle<V>& a)
     return y + y;
 }
 
-/// Whether the integrand is analytic in the angle about both ends.
-bool is_of_the_kind(const PanelIntegrand& f)
-{
-    for (const bool at_left : {true, false}) {
-        ComplexBall a(at_left ? Ball(0) : pi<Ball>() / Ball(2));
-        constexpr double beside = 1e-3;
-        widen(a, Ball::exactly(beside));
-        const Angle<ComplexBall> angle = angle_of(a);
-        if (!times_slope(f.on_strip(angle), angle).is_finite()) return false;
-    }
-    return true;
-}
-
 constexpr double bits_per_digit = 3.3219281;
 
 /// The integral over u by Gauss-Legendre in the angle.
@@ -75,11 +62,7 @@ std::optional<ProductIntegral> integrate_in_the_angle(const PanelIntegrand& f, c
 {
     // More nodes than that cost more than tanh-sinh's, and so does a table of them where the digits are many.
     const long most_nodes = options.digits <= 100 ? std::min(400L, 100 + 5 * options.digits) : 200;
-    {
-        const WorkingPrecision precision(strip_bits);
-        f.prepare();
-        if (!is_of_the_kind(f)) return std::nullopt;
-    }
+    if (!is_analytic_in_the_angle(f)) return std::nullopt;
     EllipseFunction g;
     g.is_even = f.is_even;
     g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) {
@@ -113,6 +96,20 @@ std::optional<ProductIntegral> integrate_in_the_angle(const PanelIntegrand& f, c
 }
 
 } // namespace
+
+bool is_analytic_in_the_angle(const PanelIntegrand& f)
+{
+    const WorkingPrecision precision(strip_bits);
+    f.prepare();
+    for (const bool at_left : {true, false}) {
+        ComplexBall a(at_left ? Ball(0) : pi<Ball>() / Ball(2));
+        constexpr double beside = 1e-3;
+        widen(a, Ball::exactly(beside));
+        const Angle<ComplexBall> angle = angle_of(a);
+        if (!times_slope(f.on_strip(angle), angle).is_finite()) return false;
+    }
+    return true;
+}
 
 std::optional<HalfPowers> integrate_half_powers(const PanelIntegrand& f, const Interval& interval, const Options& options)
 {

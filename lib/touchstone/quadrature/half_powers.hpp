@@ -20,6 +20,9 @@
 namespace touchstone::quadrature {
 
 namespace detail {
+/// Whether the integrand is analytic in the angle about both ends.
+bool is_analytic_in_the_angle(const PanelIntegrand&);
+
 /// Nothing if the integrand is not of that kind, or takes more evaluations than tanh-sinh would.
 struct HalfPowers : Enclosure {
     long evaluations = 0; ///< at nodes and for the proof

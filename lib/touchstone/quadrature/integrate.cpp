@@ -122,12 +122,15 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
             if (regular)
                 a = by_one_ellipse(*f, even, digits, options_.of_absolute);
             else if (algebraic) {
-                if (begins_or_ends_at_zero(f->range()) && parity(*e_) == Parity::even)
+                const bool even_about_zero = begins_or_ends_at_zero(f->range()) && parity(*e_) == Parity::even;
+                // both sides are another integrand, which a glance at this one may save
+                if (even_about_zero && (!names_logarithm(*e_) || may_have_half_powers_alone(f)))
                     a = by_half_powers_on_both_sides(e_, f->range(), digits, options_.of_absolute);
                 if (!a || !a->value.is_finite()) a = by_half_powers(f, even, digits, options_.of_absolute);
             }
             if (a && a->value.is_finite()) return *a;
-            if (!regular) a = by_product_rule(f, even, digits, options_.of_absolute);
+            if (!regular)
+                a = by_product_rule(f, even, is_even_and_analytic_about_zero(e_, f->range()), digits, options_.of_absolute);
             if (a && a->value.is_finite()) return *a;
         }
         const auto gauss_legendre = [&] { return by_gauss_legendre(*f, complex_, digits, kinks, options_.quick); };

@@ -4,7 +4,7 @@
 /// function that attains it in tests/quadrature/lemmas.cpp: no constant can be smaller.
 #pragma once
 
-#include "touchstone/scalar/ball.hpp"
+#include "touchstone/quadrature/upper.hpp"
 
 namespace touchstone::quadrature::lemma {
 
@@ -78,7 +78,13 @@ inline Ball slope_of_logarithm(const Ball& size) { return Ball(1) / Ball(2) + si
 /// Slope of sinc: |sinc'(z)|, |z| <= size, |Im z| <= height.
 inline Ball slope_of_sinc(const Ball& size, const Ball& height)
 {
-    const Ball half = Ball(1) / Ball(2), third = size / Ball(3), cosh = half * (exp(height) + exp(-height));
+    const Ball half = Ball(1) / Ball(2), third = size / Ball(3);
+    const Ball cosh = detail::magnitude<arb_struct>(
+        [](mag_t m, const arb_struct* b) {
+            arb_get_mag(m, b);
+            mag_cosh(m, m);
+        },
+        height.get());
     return (arb_lt(third.get(), half.get()) != 0 ? third : half) * cosh;
 }
 

@@ -133,13 +133,32 @@ AboutOne<ComplexBall> by_series(const ComplexBall& u, bool of_k)
     return sums;
 }
 
-/// Off the cuts, by principal functions.
-template <class V>
-AboutOne<V> by_values(const V& u, bool of_k)
+/// A disc about a number.
+ComplexBall disc_about(const Ball& middle, const Ball& radius)
 {
-    const auto own = of_k ? Elliptic<V>{first_kind_of_complement(V(1) - u), V::indeterminate()} : elliptic_of_complement(V(1) - u);
-    const V logarithm = analytic::log(u) - V(log_of_16());
-    return {own.k, own.k / V(-pi<Ball>()) * logarithm - first_kind_of_complement(u), of_k ? own.e : (own.k - own.e) / u};
+    ComplexBall z(middle);
+    widen(z, upper_ball(radius));
+    return z;
+}
+
+/// |u| <= q < 1: the coefficients of these series are not negative, so that each is off its value at 0 by what it is off there at q.
+AboutOne<ComplexBall> by_size(const Ball& q, bool of_k)
+{
+    const Ball one_less = Ball(1) - q, quarter = pi<Ball>() / Ball(4), half = quarter + quarter;
+    const auto own = of_k ? Elliptic<Ball>{first_kind_of_complement(one_less), Ball::indeterminate()} : elliptic_of_complement(one_less);
+    const Ball rest = own.k / pi<Ball>() * (log_of_16() - touchstone::log(q)) - first_kind_of_complement(q);
+    AboutOne<ComplexBall> sums{disc_about(half, own.k - half), disc_about(Ball(0), rest), ComplexBall::indeterminate()};
+    if (!of_k) sums.regular = disc_about(quarter, (own.k - own.e) / q - quarter);
+    return sums;
+}
+
+/// Off the cuts, by principal functions.
+AboutOne<ComplexBall> by_values(const ComplexBall& u, bool of_k)
+{
+    const ComplexBall v = ComplexBall(1) - u;
+    const auto own = of_k ? Elliptic<ComplexBall>{first_kind_of_complement(v), ComplexBall::indeterminate()} : elliptic_of_complement(v);
+    const ComplexBall logarithm = analytic::log(u) - ComplexBall(log_of_16());
+    return {own.k, own.k / ComplexBall(-pi<Ball>()) * logarithm - first_kind_of_complement(u), of_k ? own.e : (own.k - own.e) / u};
 }
 
 /// For Re u < 0, across the cuts of log u and K(1 - u): S(u) = -(K(u)/pi) (log(-u) - log 16) - (1 - u)^(-1/2) K(1/(1 - u)).
@@ -152,12 +171,43 @@ AboutOne<ComplexBall> by_reciprocal(const ComplexBall& u, bool of_k)
     return {own.k, own.k / ComplexBall(-pi<Ball>()) * logarithm - other, of_k ? own.e : (own.k - own.e) / u};
 }
 
-/// `near`: |u| < 3/4, where a box may hold 0.
-AboutOne<Ball> about_one(const Ball& u, bool, bool of_k) { return by_values(u, of_k); }
-AboutOne<ComplexBall> about_one(const ComplexBall& u, bool near, bool of_k)
+AboutOne<ComplexBall> about_one(const ComplexBall& u, bool of_k)
 {
-    if (near) return by_series(u, of_k);
+    constexpr double wide = 0.0625; // where what the size says is as good as the series
+    if (arb_gt(radius_of(u).get(), Ball::exactly(wide).get()) != 0 && is_below(u, Rational(31, 32))) return by_size(upper_ball(u), of_k);
+    if (is_below(u, Rational(3, 4))) return by_series(u, of_k); // a ball that may hold 0
     return arb_is_negative(u.real().get()) != 0 ? by_reciprocal(u, of_k) : by_values(u, of_k);
+}
+
+N<ComplexBall> with_logarithm_of_complement(bool is_k, const N<ComplexBall>& u)
+{
+    const AboutOne<ComplexBall> parts = about_one(u.value(), is_k);
+    // DLMF 19.12.1
+    const N<ComplexBall> K =
+        N<ComplexBall>(parts.k / ComplexBall(-pi<Ball>())) * (log(u) - N<ComplexBall>(log_of_16())) - N<ComplexBall>(parts.rest);
+    if (is_k) return K;
+    // Legendre's relation
+    return (N<ComplexBall>(ComplexBall(pi<Ball>() / Ball(2))) + u * N<ComplexBall>(parts.regular) * K) / N<ComplexBall>(parts.k);
+}
+
+/// At a real point the value itself is known: what no logarithm stands beside is that less the logarithms' shares, those of -K(u)/pi log u
+/// in K(1 - u) and of -(K(u) - E(u))/pi log u in E(1 - u).
+N<Ball> with_logarithm_of_complement(bool is_k, const N<Ball>& u)
+{
+    const Ball v = u.value(), one_less = Ball(1) - v;
+    const auto own = is_k ? Elliptic<Ball>{first_kind_of_complement(one_less), Ball(0)} : elliptic_of_complement(one_less);
+    const Ball beside = (own.k - own.e) / -pi<Ball>();
+    Ball free = is_k ? first_kind_of_complement(v) : elliptic_of_complement(v).e;
+    N<Ball>::Terms terms;
+    for (const Side s : {Side::left, Side::right}) {
+        const Exponent& power = u.order(s).power;
+        if (power.is_zero()) continue;
+        const bool left = s == Side::left;
+        const Ball share = beside * power.ball();
+        free -= share * touchstone::log(u.frame()->distance(s));
+        terms.push_back({left ? 1 : 0, left ? 0 : 1, share});
+    }
+    return {u.frame(), {}, {}, std::move(free), std::move(terms)};
 }
 
 template <class V>
@@ -172,12 +222,7 @@ N<V> elliptic(Op op, const N<V>& u)
         if (!u.is_plain() && !is_principal(u)) return N<V>(V::indeterminate());
         return N<V>(is_k ? first_kind_of_complement(v) : elliptic_of_complement(v).e);
     }
-    const AboutOne<V> parts = about_one(v, near, is_k);
-    // DLMF 19.12.1
-    const N<V> K = N<V>(parts.k / V(-pi<Ball>())) * (log(u) - N<V>(log_of_16())) - N<V>(parts.rest);
-    if (is_k) return K;
-    // Legendre's relation
-    return (N<V>(V(pi<Ball>() / Ball(2))) + u * N<V>(parts.regular) * K) / N<V>(parts.k);
+    return with_logarithm_of_complement(is_k, u);
 }
 
 /// sum over k of (psi(k + 1) + psi(n + k + 1)) w^k/(k! (n + k)!)

@@ -18,8 +18,12 @@ template <class V>
 class Segment : public Frame<V> {
 public:
     explicit Segment(const V& z)
-        : u_(half(V(1) + z))
-        , r_(half(V(1) - z))
+        : Segment(half(V(1) + z), half(V(1) - z))
+    {
+    }
+    Segment(V u, V r)
+        : u_(std::move(u))
+        , r_(std::move(r))
     {
     }
     V distance(Side s) const override { return s == Side::left ? u_ : r_; }
@@ -207,6 +211,7 @@ EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& 
         f.at_node(there, values);
         d.take(values.front(), there, c);
     };
+    if (d.weights().size() > 1) g.nodes_a_box = 1; // numbers that keep logarithms take as long at a node as in the plane
     if (!f.straight_in_fraction) return g;
     if (d.is_without_weight())
         g.at_node = [&, by_parts = g.at_node](const GaussNodes::Entry& e, bool mirrored, std::vector<Ball>& c) {
@@ -215,6 +220,37 @@ EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& 
         };
     else
         g.with_weight = [&](const GaussNodes::Entry& e, bool mirrored) { return f.straight_in_fraction(e.z, mirrored); };
+    return g;
+}
+
+/// Of a part without singular ends that is even about one of them: z is the fraction of the part from there, so that the other half of
+/// [-1, 1] is its mirror image.
+EllipseFunction function_of_half(const PanelIntegrand& f, const Decomposition& d)
+{
+    const bool at_left = *f.even_about == Side::left;
+    const auto segment = [at_left](const auto& z) {
+        using V = std::decay_t<decltype(z)>;
+        return at_left ? Segment<V>(z, V(1) - z) : Segment<V>(V(1) - z, z);
+    };
+    EllipseFunction g;
+    g.is_even = true;
+    g.in_plane = [&, segment](const EllipseBox& box, std::vector<ComplexBall>& c) {
+        const auto there = segment(box.z);
+        d.take(f.on_strip(there), there, c);
+    };
+    g.at_node = [&, segment, at_left, values = std::vector<EndpointNumber<Ball>>(), prepared = slong(0)](
+                    const GaussNodes::Entry& e, bool, std::vector<Ball>& c) mutable {
+        if (f.straight_in_fraction)
+            if (auto y = f.straight_in_fraction(e.z + e.z - Ball(1), !at_left)) {
+                c.assign(1, std::move(*y));
+                return;
+            }
+        if (prepared != WorkingPrecision::bits()) f.prepare();
+        prepared = WorkingPrecision::bits();
+        const auto there = segment(e.z);
+        f.at_node(there, values);
+        d.take(values.front(), there, c);
+    };
     return g;
 }
 
@@ -250,7 +286,9 @@ bool ProductRule::cut_until_of_the_kind(const Rational& from, const Rational& to
 bool ProductRule::add(const WholePanel& panel, int cuts, Panels& all) const
 {
     constexpr long most_nodes = 250; // a table of more costs more than tanh-sinh
-    if (const auto found = by_ellipse(function_of_panel(panel.f, panel.d), bits_, options_.of_absolute, most_nodes)) {
+    const bool is_half = panel.f.even_about && panel.d.is_without_weight();
+    const EllipseFunction function = is_half ? function_of_half(panel.f, panel.d) : function_of_panel(panel.f, panel.d);
+    if (const auto found = by_ellipse(function, bits_, options_.of_absolute, most_nodes)) {
         const WorkingPrecision precision(static_cast<slong>(bits_) + 64);
         const Ball half = Ball(1) / Ball(2);
         all.value += found->value * half;

@@ -256,18 +256,24 @@ std::optional<Ball> StraightValues::in_fraction(const Ball& z, bool mirrored)
     return y;
 }
 
+void StraightValues::prepare_part(const Rational& from, const Rational& to)
+{
+    if (part_.bits == WorkingPrecision::bits() && part_.from == from && part_.to == to) return;
+    part_ = {from, to, Ball(to - from), Ball(from + to - 1), WorkingPrecision::bits()};
+}
+
 std::optional<Ball> StraightValues::in_part(const Rational& from, const Rational& to, const Ball& z, bool mirrored)
 {
-    Ball share, of_the_range;
+    Ball of_the_range;
     {
         const WorkingPrecision precision(WorkingPrecision::bits() + spare_bits);
-        share = Ball(to - from);
-        of_the_range = share * z;
+        prepare_part(from, to);
+        of_the_range = part_.share * z;
         if (mirrored) arb_neg(of_the_range.get(), of_the_range.get());
-        of_the_range += Ball(from + to - 1);
+        of_the_range += part_.place;
     }
     auto y = in_fraction(of_the_range, false);
-    if (y) *y *= share;
+    if (y) *y *= part_.share;
     return y;
 }
 

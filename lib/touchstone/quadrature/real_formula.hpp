@@ -59,9 +59,17 @@ public:
 private:
     std::optional<Ball> value(slong bits) const;
     void prepare();
+    void prepare_part(const Rational& from, const Rational& to);
 
+    /// The part that was asked for last: its share of the range, and its middle on [-1, 1].
+    struct Part {
+        Rational from, to;
+        Ball share, place;
+        slong bits = 0;
+    };
     const RealFormula& formula_;
     const Range& range_;
+    Part part_;
     Ball from_, to_, width_, twice_width_, middle_, half_, x_;
     slong bits_ = 0;
 };

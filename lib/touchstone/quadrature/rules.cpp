@@ -7,6 +7,8 @@
 #include "touchstone/quadrature/product_rule.hpp"
 #include "touchstone/quadrature/real_formula.hpp"
 #include "touchstone/quadrature/strip.hpp"
+#include "touchstone/quadrature/upper.hpp"
+#include "touchstone/quadrature/widen.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -189,6 +191,12 @@ bool begins_or_ends_at_zero(const Range& r)
     return r.from.exact->is_zero() || r.to.exact->is_zero();
 }
 
+bool may_have_half_powers_alone(const std::shared_ptr<const Integrand>& f)
+{
+    const auto at = [f](const auto& x, const auto& left, const auto& right) { return f->at(x, left, right); };
+    return detail::is_analytic_in_the_angle(detail::panel_integrand(at, std::make_shared<Interval>(f->range().interval()), 0, 1));
+}
+
 std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr& e, const Range& range, long digits, bool of_absolute)
 {
     const Limit& far = range.from.exact->is_zero() ? range.to : range.from;
@@ -202,7 +210,17 @@ std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr& e, cons
     return a;
 }
 
-std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f, bool even, long digits, bool of_absolute)
+bool is_even_and_analytic_about_zero(const ExpressionPtr& e, const Range& r)
+{
+    if (!begins_or_ends_at_zero(r) || parity(*e) != Parity::even) return false;
+    constexpr double beside = 1e-3; // of the range
+    const WorkingPrecision precision(strip_bits);
+    const Ball nearby = upper_ball(r.to.ball() - r.from.ball()) * Ball::exactly(beside);
+    return PlainFormula(e).at(disc(nearby)).is_finite();
+}
+
+std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f, bool even, bool even_about_zero, long digits,
+                                       bool of_absolute)
 {
     Options options;
     options.digits = digits;
@@ -211,10 +229,12 @@ std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f
     const auto interval = std::make_shared<Interval>(f->range().interval());
     std::optional<StraightValues> straight;
     if (f->straight() != nullptr && f->range().map == Map::finite) straight.emplace(*f->straight(), f->range());
+    const Side zero = even_about_zero && f->range().from.exact->is_zero() ? Side::left : Side::right;
     const detail::MakePanel make = [&](const Rational& from, const Rational& to) {
         detail::PanelIntegrand panel = detail::panel_integrand(at, interval, from, to);
         const bool is_whole = from == 0 && to == 1;
         panel.is_even = even && is_whole;
+        if (even_about_zero && (zero == Side::left ? from == 0 : to == 1)) panel.even_about = zero;
         if (straight && is_whole)
             panel.straight_in_fraction = [&straight](const Ball& z, bool mirrored) { return straight->in_fraction(z, mirrored); };
         else if (straight)
@@ -315,6 +335,13 @@ bool names_exponential(const Expression& e)
     default: break;
     }
     return std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return names_exponential(*a); });
+}
+
+bool names_logarithm(const Expression& e)
+{
+    const bool is_one = e.op == Op::log || e.op == Op::log1p || e.op == Op::elliptic_k || e.op == Op::elliptic_e ||
+                        e.op == Op::bessel_k || e.op == Op::bessel_y;
+    return is_one || std::any_of(e.args.begin(), e.args.end(), [](const ExpressionPtr& a) { return names_logarithm(*a); });
 }
 
 bool has_kinks(const Expression& e)

@@ -30,6 +30,9 @@ std::optional<Attempt> by_one_ellipse(const Integrand&, bool even, long digits, 
 /// half_powers.hpp, of a real formula without kinks on a finite range or an algebraic map.
 std::optional<Attempt> by_half_powers(const std::shared_ptr<const Integrand>&, bool even, long digits, bool of_absolute);
 
+/// Whether it is analytic in the angle about both ends, as every formula is that the rule above or the one below serves.
+bool may_have_half_powers_alone(const std::shared_ptr<const Integrand>&);
+
 /// The same, of an even formula whose range is on one side of 0: half of the integral over both sides. What is singular beyond 0, at the
 /// distance of the other end, is then at an end.
 std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr&, const Range&, long digits, bool of_absolute);
@@ -39,8 +42,12 @@ bool is_even_about_the_middle(const Expression&, const Range&);
 /// Whether the range is finite and 0 is one of its ends.
 bool begins_or_ends_at_zero(const Range&);
 
-/// product_rule.hpp, of a real formula without kinks.
-std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, bool even, long digits, bool of_absolute);
+/// Whether the range has 0 for an end and the formula is even about it and analytic there, as it stands.
+bool is_even_and_analytic_about_zero(const ExpressionPtr&, const Range&);
+
+/// product_rule.hpp, of a real formula without kinks. `even_about_zero`: what the function above says of it.
+std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, bool even, bool even_about_zero, long digits,
+                                       bool of_absolute);
 
 /// tanh_sinh.hpp; of a complex formula both parts, by one proof.
 Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>&, bool complex, long digits, const IntegralOptions&,
@@ -54,6 +61,9 @@ std::vector<Map> maps_for(const Limit& from, const Limit& to, bool exponential);
 
 /// Whether a function that decays (or grows) exponentially is named: which map is tried first.
 bool names_exponential(const Expression&);
+
+/// Whether a function is named that may bring a logarithm of the distance to an end.
+bool names_logarithm(const Expression&);
 
 /// Whether the formula has branches that may lie where no exact number is.
 bool has_kinks(const Expression&);

@@ -121,6 +121,7 @@ struct PanelIntegrand {
     /// f dx/du at the fraction u next to the left end, or r next to the right one, in the same way.
     std::function<std::optional<Ball>(Side end, const Ball& fraction)> straight_beside;
     bool is_even = false; ///< the same where u and r change places
+    std::optional<Side> even_about; ///< the end of the panel about which it is analytic and even, if that is known of one
 };
 
 using MakePanel = std::function<PanelIntegrand(const Rational& from, const Rational& to)>;
@@ -142,7 +143,8 @@ void panel_values(const F& f, const Interval& interval, const Frame<V>& frame, c
     const N u = whole ? v : from == 0 ? width * v : N(from) + width * v;
     const N r = whole ? s : to == 1 ? width * s : N(Rational(1 - to)) + width * s;
     const auto p = interval.at(u, r);
-    const auto scaled = [&](const N& g) { return whole ? g * p.slope : g * p.slope * width; };
+    const N slope = whole ? N() : p.slope * width;
+    const auto scaled = [&](const N& g) { return g * (whole ? p.slope : slope); };
     const auto values = f(p.x, p.left, p.right);
     if constexpr (requires { values.begin(); })
         for (const auto& g : values) take(scaled(N(g)));
