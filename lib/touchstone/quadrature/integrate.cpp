@@ -10,6 +10,7 @@
 #include "touchstone/quadrature/upper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -168,30 +169,37 @@ bool Integration::add_parts_by_themselves(const Limit& from, const Limit& to, lo
     return true;
 }
 
-/// A rational number or multiple of pi close to where a proof stopped: a candidate for a cut.
+/// A rational number or multiple of pi close to where a proof stopped, or a simple fraction of the range: a candidate for a cut.
 std::optional<ExactSum> Integration::named_point(double x, const Limit& from, const Limit& to) const
 {
-    const double scale = from.infinite || to.infinite ? std::max(1.0, std::fabs(x)) : to_double(to.ball() - from.ball());
+    const bool finite = !from.infinite && !to.infinite;
+    const double scale = finite ? to_double(to.ball() - from.ball()) : std::max(1.0, std::fabs(x));
     const auto inside = [&](const ExactSum& p) {
         const Ball v = p.ball();
         return (from.infinite || arb_gt(v.get(), from.ball().get())) && (to.infinite || arb_lt(v.get(), to.ball().get()));
     };
-    for (const bool with_pi : {false, true})
-        for (const long den : {1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L, 12L, 16L, 20L, 25L, 32L, 50L, 64L, 100L, 1000L}) {
-            const double unit = (with_pi ? M_PI : 1.0) / static_cast<double>(den);
-            const double n = std::round(x / unit);
-            if (std::fabs(n) > 1e6 || std::fabs(n * unit - x) > 2e-2 * scale / static_cast<double>(den)) continue;
-            ExactSum p(Rational(static_cast<long>(n), den));
-            Rational q(static_cast<long>(n), den);
-            q.canonicalize();
-            p = ExactSum(q);
-            if (with_pi) p = p * ExactSum::pi();
-            if (!inside(p)) continue;
-            const auto right = expand(*e_, p, 1);
-            const auto plain = evaluate_at(*e_, p.ball());
-            if (!plain.is_finite() || (right && right->valuation < 0)) return p; // the formula itself is singular there
-            if (changes_branch(*e_, p)) return p;
-        }
+    const auto is_singular_at = [&](const ExactSum& p) {
+        if (!inside(p)) return false;
+        const auto right = expand(*e_, p, 1);
+        const auto plain = evaluate_at(*e_, p.ball());
+        if (!plain.is_finite() || (right && right->valuation < 0)) return true; // the formula itself is singular there
+        return changes_branch(*e_, p);
+    };
+    constexpr std::array denominators{1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L, 12L, 16L, 20L, 25L, 32L, 50L, 64L, 100L, 1000L};
+    /// start + n/den unit, where that is as close to x as it can be meant to be
+    const auto near_x = [&](const ExactSum& start, const ExactSum& unit, long den) -> std::optional<ExactSum> {
+        const double step = to_double(unit.ball()) / static_cast<double>(den), away = to_double(Ball::exactly(x) - start.ball());
+        const double n = std::round(away / step);
+        if (!(std::fabs(n) <= 1e6) || std::fabs(n * step - away) > 2e-2 * scale / static_cast<double>(den)) return std::nullopt;
+        Rational q(static_cast<long>(n), den);
+        q.canonicalize();
+        return start + ExactSum(q) * unit;
+    };
+    std::vector<std::pair<ExactSum, ExactSum>> grids{{ExactSum(0), ExactSum(1)}, {ExactSum(0), ExactSum::pi()}};
+    if (finite && from.exact && to.exact) grids.emplace_back(*from.exact, *to.exact - *from.exact);
+    for (const auto& [start, unit] : grids)
+        for (const long den : denominators)
+            if (auto p = near_x(start, unit, den); p && is_singular_at(*p)) return p;
     return std::nullopt;
 }
 
