@@ -46,3 +46,40 @@ TEST_CASE("a range is cut at a simple fraction of it where the formula is singul
         check("log(ellipk(2*(1000*(x-1000))/(1+(1000*(x-1000))^2)))", "1000", "1000.002", "0.00195614843293699883253661681877");
     CHECK(shifted.parts.size() == 2);
 }
+
+TEST_CASE("the ends of a narrow range are told apart, and x is counted from one of them")
+{
+    check("exp(x)", "1", "1+1e-80", "e*1e-80"); // to 80 digits
+    check("exp(x)", "1+1e-80", "1", "-e*1e-80");
+    check("(x-pi)^(-1/3)", "pi", "pi+1e-15", "1.5e-10");
+    check("(1-cos(x-1))/(x-1)^2", "1", "1+1e-20", "5e-21");
+    check("log(1+x-2)/(x-2)", "2", "2+1e-20", "1e-20*(1-1e-20/4)");
+    check("(2+1e-20-x)^(-1/2)", "2", "2+1e-20", "2e-10");
+    check("abs(x-1-1e-80)*1e160", "1", "1+2e-80", "1"); // with its kink inside
+    // ends that are no exact numbers are sharpened by as many digits as cancel
+    const Integral rough = over("exp(x)", "exp(1)", "exp(1)+1e-15");
+    CHECK(rough.status == Status::certified);
+    CHECK(rough.value.overlaps(parse_limit("exp(exp(1))*(exp(1e-15)-1)").ball()));
+    check("(x-exp(1)+1)^(-1/3)", "exp(1)", "exp(1)+1e-15", "(3/2)*((1+1e-15)^(2/3)-1)");
+    // what is no number a < b is still refused
+    CHECK_THROWS_AS(over("x", "exp(log(2))", "2"), DomainError);
+    IntegralOptions beyond;
+    beyond.at = {parse_limit("1+2e-80")};
+    CHECK_THROWS_AS(integrate(parse_expression("x"), parse_limit("1"), parse_limit("1+1e-80"), beyond), DomainError);
+}
+
+TEST_CASE("beside a small range a zero is expanded on a disc as large as the formula allows")
+{
+    check("x/(exp(x)-1)", "0", "1e-20", "1e-20*(1-1e-20/4)");
+    check("x/log(1+x)", "0", "1e-20", "1e-20*(1+1e-20/4)");
+    check("x^2/(1-cos(x))", "0", "1e-30", "2e-30");
+    check("(exp(x)-1)^(-1/2)", "0", "1e-30", "2e-15");
+    check("sqrt(1-cos(x))", "0", "1e-400", "1e-800/sqrt(8)");
+    check("(1-cos(x))/x^2", "0", "1e-400", "5e-401");
+    // the formula's own scale, between that of the range and 1
+    check("x/(exp(1e10*x)-1)", "0", "1e-20", "1e-30*(1-1e-10/4+1e-20/36)");
+    check("x/sin(1e25*x)", "0", "1e-26", "1.000555944737572892963228e-51");
+    // a zero at the other end too, which the disc must not have in it
+    check("(1e-20-x)^(1/2)/log(1+x)^(1/2)", "0", "1e-20", "(pi/2)*1e-20*(1+1e-20/8)");
+    check("sqrt(log(1+x)*log(1+1e-20-x))", "0", "1e-20", "(pi/8)*1e-40*(1-1e-20/4)");
+}

@@ -478,8 +478,11 @@ void Compiler::find_zeros(Node& n, const ExpressionPtr& e) const
         return;
     }
     std::array<std::optional<Zero>, 2> found;
-    for (const Side s : {Side::left, Side::right})
-        if (end(s)) found[s == Side::left ? 0 : 1] = zeros.at(n, s, [&] { return expanded(e, s); });
+    for (const bool beyond_the_range : {true, false}) { // where the other end is a zero too, T of a disc that has both says little there
+        for (const Side s : {Side::left, Side::right})
+            if (end(s)) found[s == Side::left ? 0 : 1] = zeros.at(n, s, [&] { return expanded(e, s); }, beyond_the_range);
+        if (!found[0] || !found[1] || is_infinite()) break;
+    }
     n.zero = std::move(found);
 }
 
