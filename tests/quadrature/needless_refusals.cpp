@@ -83,3 +83,16 @@ TEST_CASE("beside a small range a zero is expanded on a disc as large as the for
     check("(1e-20-x)^(1/2)/log(1+x)^(1/2)", "0", "1e-20", "(pi/2)*1e-20*(1+1e-20/8)");
     check("sqrt(log(1+x)*log(1+1e-20-x))", "0", "1e-20", "(pi/8)*1e-40*(1-1e-20/4)");
 }
+
+TEST_CASE("sinc has its zeros at an end, and its bound far out, as the sine has")
+{
+    check("sqrt(sinc(x))", "0", "pi", "2.27782121555060432213032256504");
+    check("log(sinc(x))", "0", "pi", "-2.63226843644296709012404726660");
+    check("sinc(x)^(-1/3)", "1", "pi", "3.47084947296994731083863214557");
+    check("sqrt(sinc(x))", "-1", "pi", "3.25017614792570554779502547307"); // sin(x)/x would have no value at 0
+    check("sqrt(sinc(pi*sqrt(x)))", "0", "1", "0.585275363940382076617249864828");
+    check("sinc(x)*exp(-x)", "0", "inf", "pi/4");
+    check("sinc(x)*exp(-x^2)", "-inf", "inf", "pi*erf(1/2)");
+    check("sinc(x)*exp(-x)", "-1", "inf", "2.38776985151052241926279208910");
+    check("sinc(x-1)*exp(x)", "-inf", "1", "e*pi/4");
+}

@@ -49,6 +49,7 @@ private:
     NodePtr logarithm_near_one(const ExpressionPtr& argument) const;
     int sign_of_linear(const Expression& e) const;
     bool rises_far_out(const Expression& e) const;
+    bool vanishes_at_most_at_the_end(const ExpressionPtr& e) const;
     ExpressionPtr settled(const ExpressionPtr& e) const;
     static bool is_zero(const Expression& e);
 
@@ -197,6 +198,8 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     case Op::csc: return quotient(one, of(Op::sin, a));
     case Op::coth: return quotient(of(Op::cosh, a), of(Op::sinh, a));
     case Op::csch: return quotient(one, of(Op::sinh, a));
+    case Op::sinc: // far out the sine has a bound
+        return is_infinite() && vanishes_at_most_at_the_end(a) ? std::optional(quotient(of(Op::sin, a), a)) : std::nullopt;
     case Op::sinh: return is_infinite() ? std::optional(quotient(both_exponentials(true), two)) : std::nullopt;
     case Op::cosh: return is_infinite() ? std::optional(quotient(both_exponentials(false), two)) : std::nullopt;
     case Op::tanh: {
@@ -309,6 +312,20 @@ bool Compiler::rises_far_out(const Expression& e) const
     const bool left = has_range() && (place_.range->map == Map::left_algebraic || place_.range->map == Map::left_exponential);
     const bool odd = p->size() % 2 == 0;
     return (arb_is_negative(p->back().ball().get()) != 0) == (left && odd);
+}
+
+/// Whether a polynomial has no zero inside the half-line: in the distance to its end no two coefficients differ in sign.
+bool Compiler::vanishes_at_most_at_the_end(const ExpressionPtr& e) const
+{
+    const bool right = place_.range->map == Map::right_algebraic || place_.range->map == Map::right_exponential;
+    const bool left = place_.range->map == Map::left_algebraic || place_.range->map == Map::left_exponential;
+    const auto& finite_end = end(right ? Side::left : Side::right);
+    const auto p = right != left && finite_end ? polynomial(*shifted(e, *finite_end, right ? 1 : -1)) : std::nullopt;
+    if (!p || p->empty()) return false;
+    const auto all = [&](auto has_sign) {
+        return std::all_of(p->begin(), p->end(), [&](const ExactSum& c) { return c.is_zero() || has_sign(c.ball().get()) != 0; });
+    };
+    return all([](arb_srcptr c) { return arb_is_positive(c); }) || all([](arb_srcptr c) { return arb_is_negative(c); });
 }
 
 /// max and min of what is surely ordered on the range: the one that it is.

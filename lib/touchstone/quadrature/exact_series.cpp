@@ -324,7 +324,7 @@ Series Expansion::analytic(const Expression& e, const Series& argument)
     case Op::sech: return inverse(trigonometric(sign).second);
     case Op::csc:
     case Op::csch: return inverse(trigonometric(sign).first);
-    case Op::sinc: return at_zero ? product(trigonometric(-1).first, inverse(argument)) : std::nullopt;
+    case Op::sinc: return product(trigonometric(-1).first, inverse(argument));
     case Op::atan: return at_zero ? integrated(a, inverse(sum(one, square)), 0) : std::nullopt;
     case Op::atanh: return at_zero ? integrated(a, inverse(sum(one, negative(square))), 0) : std::nullopt;
     case Op::asinh: return at_zero ? integrated(a, power(sum(one, square), Rational(-1, 2)), 0) : std::nullopt;
