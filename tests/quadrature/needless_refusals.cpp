@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What was once refused, or took a minute, for no good reason: each against a value that was had in another way (mpmath, 50 digits).
+#include "touchstone/quadrature/expression_tree.hpp"
 #include "touchstone/quadrature/integrate.hpp"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
 
 using namespace touchstone;
 using namespace touchstone::quadrature;
@@ -95,4 +98,40 @@ TEST_CASE("sinc has its zeros at an end, and its bound far out, as the sine has"
     check("sinc(x)*exp(-x^2)", "-inf", "inf", "pi*erf(1/2)");
     check("sinc(x)*exp(-x)", "-1", "inf", "2.38776985151052241926279208910");
     check("sinc(x-1)*exp(x)", "-inf", "1", "e*pi/4");
+}
+
+TEST_CASE("the numbers of a sum are added up, so that 1 - (1 - g) vanishes with g, whatever root g is")
+{
+    check("ellipk(1-sqrt(x))", "0", "1", "16/9");
+    check("ellipk(1-x^(1/3))", "0", "1", "128/75");
+    check("ellipk(1-sqrt(x)/2)", "0", "1", "2.074192392111753059410580975231");
+    check("ellipe(1-x^(1/3))", "0", "1", "256/175");
+    check("acos(1-sqrt(x))", "0", "1", "2-pi/4");
+    check("acos(1-2*sqrt(x))", "0", "1", "5*pi/8"); // -1 at the other end
+    check("acosh(1+sqrt(x))", "0", "1", "1.0735718591064689392149231678519");
+    check("atanh(1-sqrt(x))", "0", "1", "2*log(2)-1");
+    check("asin(1-x^(1/3))", "0", "1", "0.26032415032057488141163756243271");
+    check("asin(sqrt(x)-1)", "0", "1", "-0.356194490192344928846982537460");
+    check("log(1-(1-sqrt(x)))", "0", "1", "-1/2");
+    for (const char* beyond : {"acos(1+sqrt(x))", "acosh(1-sqrt(x))", "ellipk(1+sqrt(x))", "atanh(1+sqrt(x))", "log(1-(1+sqrt(x)))"}) {
+        CAPTURE(std::string(beyond));
+        CHECK(over(beyond, "0", "1").reason.find("on its cut") != std::string::npos);
+    }
+}
+
+TEST_CASE("with its numbers collected a sum is the same function, and one without two of them is itself")
+{
+    for (const char* text : {"1-(1-x)", "2-(x-(3-x*x))-1", "-(1-(exp(x)-2))", "1+(x+(2+x))", "x-(-1-1)", "1/3-(1/3-x)"}) {
+        CAPTURE(std::string(text));
+        const ExpressionPtr e = parse_expression(text), collected = tree::with_numbers_collected(e);
+        const Ball x(Rational(5, 7));
+        CHECK(evaluate_at(*e, x).overlaps(evaluate_at(*collected, x)));
+        const auto all = tree::summands(collected);
+        CHECK(std::count_if(all.begin(), all.end(), [](const ExpressionPtr& a) { return a->op == Op::number; }) <= 1);
+    }
+    for (const char* text : {"x", "x+1", "2*(1-x)", "sin(1-(1-x))"}) {
+        const ExpressionPtr e = parse_expression(text);
+        CHECK(tree::with_numbers_collected(e) == e);
+    }
+    CHECK(tree::with_numbers_collected(parse_expression("1-x-(1-x)+x-1+1"))->op == Op::add); // terms in x are not added up
 }

@@ -104,14 +104,14 @@ NodePtr Compiler::factored(const Polynomial& p) const
     return n->order[0] != 0 || n->order[1] != 0 ? std::move(n) : nullptr;
 }
 
-/// Whether e is 1 or -1 at an end of the range.
+/// Whether e is 1 or -1 at an end of the range: as 1 - sqrt(x) is, which has no expansion, by what its distance to them is.
 bool Compiler::reaches_one(const ExpressionPtr& e) const
 {
+    const ExpressionPtr one = number(1), below = with_numbers_collected(difference(one, e)), above = with_numbers_collected(sum(one, e));
     for (const Side s : {Side::left, Side::right}) {
         if (!has_range() || !end(s)) continue;
-        const auto series = expanded(e, s);
-        if (!series || series->c.empty() || series->valuation != 0) continue;
-        if (series->c[0] == ExactSum(1) || series->c[0] == ExactSum(-1)) return true;
+        for (const ExpressionPtr& distance : {below, above})
+            if (const auto series = expanded(distance, s); series && (series->is_exactly_zero || series->valuation > 0)) return true;
     }
     return false;
 }
@@ -477,6 +477,7 @@ NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
             if (const auto p = polynomial(*e))
                 if (NodePtr n = factored(*p)) return n;
     }
+    if (const ExpressionPtr shorter = with_numbers_collected(e); shorter != e) return compile(shorter);
     if (const auto better = rewritten(*e)) return compile(*better);
     if (const ExpressionPtr scaled = is_infinite() ? with_scaled_functions(e) : nullptr) return compile(scaled);
     NodePtr n = by_operation(e);
