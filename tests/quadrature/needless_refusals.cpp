@@ -135,3 +135,19 @@ TEST_CASE("with its numbers collected a sum is the same function, and one withou
     }
     CHECK(tree::with_numbers_collected(parse_expression("1-x-(1-x)+x-1+1"))->op == Op::add); // terms in x are not added up
 }
+
+TEST_CASE("what tends to 1 far out has its distance to 1 there, in elliptic integrals and inverse functions")
+{
+    check("ellipk(x/(1+x))/(1+x)^2", "0", "inf", "2");
+    check("ellipk(1-1/x^2)/x^2", "1", "inf", "pi^2/4");
+    check("ellipe(x/(1+x))/(1+x)^2", "0", "inf", "4/3");
+    check("ellipk(tanh(x))*exp(-x)", "0", "inf", "2.27006328852826191366079454562");
+    check("ellipk(x/(x-1))/(1-x)^2", "-inf", "0", "2");
+    check("ellipk(x^2/(1+x^2))/(1+x^2)", "-inf", "inf", "2*3.43759290901018641374504788991");
+    check("ellipk(1/(1+x^2))/(1+x^2)", "0", "inf", "3.43759290901018641374504788991"); // 1 at the finite end
+    check("acos(x/(1+x))/(1+x)", "0", "inf", "2.92072423350623909535955147898");
+    check("atanh(x/(1+x))/(1+x)^2", "0", "inf", "log(2)");
+    check("acosh(1+1/x)/x", "1", "inf", "2.75867237188297002857647825988");
+    check("asin(x/(1+x))/(1+x)^2", "0", "inf", "pi/2-1");
+    CHECK(over("ellipk(1+1/x)/x^2", "1", "inf").status != Status::certified);
+}

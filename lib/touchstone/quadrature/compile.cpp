@@ -24,6 +24,8 @@ public:
             if (has_range() && end(s)) expansions_[s == Side::left ? 0 : 1].emplace(*end(s), s == Side::left ? 1 : -1);
     }
     NodePtr compile(const ExpressionPtr& e) const;
+    /// To be told of a formula before it is compiled: only beneath what is singular where its argument vanishes are the zeros of sinc needed.
+    void look_for_sinc_with_zeros(const Expression& e, bool beneath_singular);
 
 private:
     NodePtr compiled_anew(const ExpressionPtr& e) const;
@@ -43,6 +45,8 @@ private:
     bool has_range() const { return place_.range != nullptr; }
     bool is_infinite() const { return has_range() && place_.range->map != Map::finite; }
     bool reaches_one(const ExpressionPtr& e) const;
+    bool tends_to_one(const ExpressionPtr& e) const;
+    ExpressionPtr less_than_one(const ExpressionPtr& e) const;
     std::optional<long> zero_of_sine(const Polynomial& argument, Side s, const ExactSum& first) const;
     std::optional<ExpressionPtr> about_its_zero(const Expression& e) const;
     NodePtr logarithm(const ExpressionPtr& argument) const;
@@ -55,9 +59,22 @@ private:
 
     Place place_;
     mutable std::array<std::optional<Expansions>, 2> expansions_; // about the ends that are exact
+    std::unordered_map<const Expression*, bool> beneath_singular_; // whether a part is, of the whole formula
     mutable std::unordered_map<const Expression*, NodePtr> done_;
     mutable std::vector<ExpressionPtr> alive_; // what done_ points to
 };
+
+void Compiler::look_for_sinc_with_zeros(const Expression& e, bool beneath_singular)
+{
+    const auto [known, is_new] = beneath_singular_.emplace(&e, beneath_singular);
+    if (!is_new && (known->second || !beneath_singular)) return;
+    known->second = beneath_singular;
+    for (std::size_t k = 0; k < e.args.size(); ++k) {
+        const bool entire = e.op == Op::add || e.op == Op::multiply || e.op == Op::negate || e.op == Op::exp || e.op == Op::sin ||
+                            e.op == Op::cos || (e.op == Op::divide && k == 0);
+        look_for_sinc_with_zeros(*e.args[k], beneath_singular || !entire);
+    }
+}
 
 NodePtr Compiler::constant(const ExactSum& c) const
 {
@@ -113,7 +130,29 @@ bool Compiler::reaches_one(const ExpressionPtr& e) const
         for (const ExpressionPtr& distance : {below, above})
             if (const auto series = expanded(distance, s); series && (series->is_exactly_zero || series->valuation > 0)) return true;
     }
-    return false;
+    return tends_to_one(e);
+}
+
+/// Whether e may tend to 1 at an infinite end: what less_one gives vanishes there in powers of 1/x, or in another way.
+bool Compiler::tends_to_one(const ExpressionPtr& e) const
+{
+    const ExpressionPtr v = is_infinite() ? less_one(e) : nullptr;
+    if (!v) return false;
+    const auto tends = [&](int direction) {
+        const auto series = expand(*substituted(v, quotient(number(direction), make_variable())), ExactSum(0), 1);
+        return !series || series->is_exactly_zero || series->valuation > 0;
+    };
+    const Map map = place_.range->map;
+    const bool right_only = map == Map::right_algebraic || map == Map::right_exponential;
+    const bool left_only = map == Map::left_algebraic || map == Map::left_exponential;
+    return (!left_only && tends(1)) || (!right_only && tends(-1));
+}
+
+/// 1 - e, with the zero that it has far out.
+ExpressionPtr Compiler::less_than_one(const ExpressionPtr& e) const
+{
+    const ExpressionPtr v = is_infinite() ? less_one(e) : nullptr;
+    return v ? of(Op::negate, v) : difference(number(1), e);
 }
 
 /// m, if the argument is first + m pi at the end.
@@ -181,7 +220,7 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     if (e.args.size() != 1) return std::nullopt;
     const ExpressionPtr& a = e.args[0];
     const ExpressionPtr one = number(1), two = number(2);
-    const auto below = [&] { return of(Op::sqrt, difference(one, a)); };
+    const auto below = [&] { return of(Op::sqrt, less_than_one(a)); };
     const auto above = [&] { return of(Op::sqrt, sum(one, a)); };
     const auto both_exponentials = [&](bool minus) {
         const ExpressionPtr up = of(Op::exp, a), down = of(Op::exp, of(Op::negate, a));
@@ -219,13 +258,13 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     case Op::elliptic_k:
     case Op::elliptic_e:
         if (!reaches_one(a)) return std::nullopt;
-        return of(e.op == Op::elliptic_k ? Op::elliptic_k_of_complement : Op::elliptic_e_of_complement, difference(one, a));
+        return of(e.op == Op::elliptic_k ? Op::elliptic_k_of_complement : Op::elliptic_e_of_complement, less_than_one(a));
     case Op::acosh:
         if (!reaches_one(a)) return std::nullopt;
-        return product(two, of(Op::asinh, of(Op::sqrt, quotient(difference(a, one), two))));
+        return product(two, of(Op::asinh, of(Op::sqrt, quotient(of(Op::negate, less_than_one(a)), two))));
     case Op::atanh:
         if (!reaches_one(a)) return std::nullopt;
-        return quotient(difference(of(Op::log, sum(one, a)), of(Op::log, difference(one, a))), two);
+        return quotient(difference(of(Op::log, sum(one, a)), of(Op::log, less_than_one(a))), two);
     default: return std::nullopt;
     }
 }
@@ -484,7 +523,9 @@ NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
     const bool is_another = n.use_count() > 1; // its zeros are known
     const bool may_vanish = n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||
                             n->kind == Kind::real_part || n->kind == Kind::imaginary_part || n->kind == Kind::logarithm_near_one;
-    if (!is_another && may_vanish && has_range() && depends_on_x(*e)) find_zeros(*n, e);
+    const auto known = e->op == Op::sinc ? beneath_singular_.find(e.get()) : beneath_singular_.end();
+    const bool is_in_the_open = known != beneath_singular_.end() && !known->second;
+    if (!is_another && may_vanish && has_range() && depends_on_x(*e) && !is_in_the_open) find_zeros(*n, e);
     return n;
 }
 
@@ -514,6 +555,12 @@ void require_real_arguments(const Expression& e, bool all_but_last)
             throw ExpressionError(e.column, "this function takes real arguments: write re(...) or im(...) where a number is complex");
 }
 
-NodePtr compile(const ExpressionPtr& e, const Place& place) { return Compiler(place).compile(with_shared_parts(e)); }
+NodePtr compile(const ExpressionPtr& e, const Place& place)
+{
+    Compiler compiler(place);
+    const ExpressionPtr shared = with_shared_parts(e);
+    compiler.look_for_sinc_with_zeros(*shared, false);
+    return compiler.compile(shared);
+}
 
 } // namespace touchstone::quadrature::compiled
