@@ -151,3 +151,22 @@ TEST_CASE("what tends to 1 far out has its distance to 1 there, in elliptic inte
     check("asin(x/(1+x))/(1+x)^2", "0", "inf", "pi/2-1");
     CHECK(over("ellipk(1+1/x)/x^2", "1", "inf").status != Status::certified);
 }
+
+TEST_CASE("the elliptic integrals have their expansions at 0")
+{
+    const auto coefficients = [](const char* formula) { return expand(*parse_expression(formula), ExactSum(0), 1); };
+    const ExactSum quarter_turn = ExactSum(Rational(1, 2)) * ExactSum::pi();
+    const auto k = coefficients("ellipk(x)"), e = coefficients("ellipe(x)");
+    REQUIRE((k && e));
+    const std::vector<Rational> of_k{1, {1, 4}, {9, 64}, {25, 256}}, of_e{1, {-1, 4}, {-3, 64}, {-5, 256}}; // DLMF 19.5.1, 19.5.2
+    for (std::size_t n = 0; n < of_k.size(); ++n) {
+        CHECK(k->c[n] == ExactSum(of_k[n]) * quarter_turn);
+        CHECK(e->c[n] == ExactSum(of_e[n]) * quarter_turn);
+    }
+    check("(ellipk(x)-pi/2)/x", "0", "1", "0.691309803898328200782963736746");
+    check("(ellipk(x)-ellipe(x))/x", "0", "1", "pi-2");
+    check("(ellipk(x)-ellipe(x))/x", "0", "1/2", "0.440304891494442233422293912602");
+    check("sqrt(ellipk(x)-pi/2)", "0", "1", "0.575262996154970478038162730050");
+    check("(ellipk(-x)-pi/2)/x", "0", "1", "-0.315328353041659662324909920010");
+    check("(ellipk(sin(x)^2)-pi/2)/x", "0", "pi/4", "0.130752230387832485971431825641");
+}
