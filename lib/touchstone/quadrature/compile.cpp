@@ -24,7 +24,7 @@ public:
             if (has_range() && end(s)) expansions_[s == Side::left ? 0 : 1].emplace(*end(s), s == Side::left ? 1 : -1);
     }
     NodePtr compile(const ExpressionPtr& e) const;
-    /// To be told of a formula before it is compiled: only beneath what is singular where its argument vanishes are the zeros of sinc needed.
+    /// To be told of the whole formula first: the zeros of sinc are needed only beneath what is singular where its argument vanishes.
     void look_for_sinc_with_zeros(const Expression& e, bool beneath_singular);
 
 private:
@@ -539,7 +539,10 @@ void Compiler::find_zeros(Node& n, const ExpressionPtr& e) const
     std::array<std::optional<Zero>, 2> found;
     for (const bool beyond_the_range : {true, false}) { // where the other end is a zero too, T of a disc that has both says little there
         for (const Side s : {Side::left, Side::right})
-            if (end(s)) found[s == Side::left ? 0 : 1] = zeros.at(n, s, [&] { return expanded(e, s); }, beyond_the_range);
+            if (end(s)) {
+                const auto expand = [&] { return expanded(e, s); };
+                found[s == Side::left ? 0 : 1] = zeros.at(n, s, expand, beyond_the_range);
+            }
         if (!found[0] || !found[1] || is_infinite()) break;
     }
     n.zero = std::move(found);
