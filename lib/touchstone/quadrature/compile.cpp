@@ -24,6 +24,8 @@ public:
             if (has_range() && end(s)) expansions_[s == Side::left ? 0 : 1].emplace(*end(s), s == Side::left ? 1 : -1);
     }
     NodePtr compile(const ExpressionPtr& e) const;
+    /// To be told of the whole formula first: the zeros of sinc are needed only beneath what is singular where its argument vanishes.
+    void look_for_sinc_with_zeros(const Expression& e, bool beneath_singular);
 
 private:
     NodePtr compiled_anew(const ExpressionPtr& e) const;
@@ -43,20 +45,36 @@ private:
     bool has_range() const { return place_.range != nullptr; }
     bool is_infinite() const { return has_range() && place_.range->map != Map::finite; }
     bool reaches_one(const ExpressionPtr& e) const;
+    bool tends_to_one(const ExpressionPtr& e) const;
+    ExpressionPtr less_than_one(const ExpressionPtr& e) const;
     std::optional<long> zero_of_sine(const Polynomial& argument, Side s, const ExactSum& first) const;
     std::optional<ExpressionPtr> about_its_zero(const Expression& e) const;
     NodePtr logarithm(const ExpressionPtr& argument) const;
     NodePtr logarithm_near_one(const ExpressionPtr& argument) const;
     int sign_of_linear(const Expression& e) const;
     bool rises_far_out(const Expression& e) const;
+    bool vanishes_at_most_at_the_end(const ExpressionPtr& e) const;
     ExpressionPtr settled(const ExpressionPtr& e) const;
     static bool is_zero(const Expression& e);
 
     Place place_;
     mutable std::array<std::optional<Expansions>, 2> expansions_; // about the ends that are exact
+    std::unordered_map<const Expression*, bool> beneath_singular_; // whether a part is, of the whole formula
     mutable std::unordered_map<const Expression*, NodePtr> done_;
     mutable std::vector<ExpressionPtr> alive_; // what done_ points to
 };
+
+void Compiler::look_for_sinc_with_zeros(const Expression& e, bool beneath_singular)
+{
+    const auto [known, is_new] = beneath_singular_.emplace(&e, beneath_singular);
+    if (!is_new && (known->second || !beneath_singular)) return;
+    known->second = beneath_singular;
+    for (std::size_t k = 0; k < e.args.size(); ++k) {
+        const bool entire = e.op == Op::add || e.op == Op::multiply || e.op == Op::negate || e.op == Op::exp || e.op == Op::sin ||
+                            e.op == Op::cos || (e.op == Op::divide && k == 0);
+        look_for_sinc_with_zeros(*e.args[k], beneath_singular || !entire);
+    }
+}
 
 NodePtr Compiler::constant(const ExactSum& c) const
 {
@@ -103,16 +121,38 @@ NodePtr Compiler::factored(const Polynomial& p) const
     return n->order[0] != 0 || n->order[1] != 0 ? std::move(n) : nullptr;
 }
 
-/// Whether e is 1 or -1 at an end of the range.
+/// Whether e is 1 or -1 at an end of the range: as 1 - sqrt(x) is, which has no expansion, by what its distance to them is.
 bool Compiler::reaches_one(const ExpressionPtr& e) const
 {
+    const ExpressionPtr one = number(1), below = with_numbers_collected(difference(one, e)), above = with_numbers_collected(sum(one, e));
     for (const Side s : {Side::left, Side::right}) {
         if (!has_range() || !end(s)) continue;
-        const auto series = expanded(e, s);
-        if (!series || series->c.empty() || series->valuation != 0) continue;
-        if (series->c[0] == ExactSum(1) || series->c[0] == ExactSum(-1)) return true;
+        for (const ExpressionPtr& distance : {below, above})
+            if (const auto series = expanded(distance, s); series && (series->is_exactly_zero || series->valuation > 0)) return true;
     }
-    return false;
+    return tends_to_one(e);
+}
+
+/// Whether e may tend to 1 at an infinite end: what less_one gives vanishes there in powers of 1/x, or in another way.
+bool Compiler::tends_to_one(const ExpressionPtr& e) const
+{
+    const ExpressionPtr v = is_infinite() ? less_one(e) : nullptr;
+    if (!v) return false;
+    const auto tends = [&](int direction) {
+        const auto series = expand(*substituted(v, quotient(number(direction), make_variable())), ExactSum(0), 1);
+        return !series || series->is_exactly_zero || series->valuation > 0;
+    };
+    const Map map = place_.range->map;
+    const bool right_only = map == Map::right_algebraic || map == Map::right_exponential;
+    const bool left_only = map == Map::left_algebraic || map == Map::left_exponential;
+    return (!left_only && tends(1)) || (!right_only && tends(-1));
+}
+
+/// 1 - e, with the zero that it has far out.
+ExpressionPtr Compiler::less_than_one(const ExpressionPtr& e) const
+{
+    const ExpressionPtr v = is_infinite() ? less_one(e) : nullptr;
+    return v ? of(Op::negate, v) : difference(number(1), e);
 }
 
 /// m, if the argument is first + m pi at the end.
@@ -180,7 +220,7 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     if (e.args.size() != 1) return std::nullopt;
     const ExpressionPtr& a = e.args[0];
     const ExpressionPtr one = number(1), two = number(2);
-    const auto below = [&] { return of(Op::sqrt, difference(one, a)); };
+    const auto below = [&] { return of(Op::sqrt, less_than_one(a)); };
     const auto above = [&] { return of(Op::sqrt, sum(one, a)); };
     const auto both_exponentials = [&](bool minus) {
         const ExpressionPtr up = of(Op::exp, a), down = of(Op::exp, of(Op::negate, a));
@@ -197,6 +237,8 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     case Op::csc: return quotient(one, of(Op::sin, a));
     case Op::coth: return quotient(of(Op::cosh, a), of(Op::sinh, a));
     case Op::csch: return quotient(one, of(Op::sinh, a));
+    case Op::sinc: // far out the sine has a bound
+        return is_infinite() && vanishes_at_most_at_the_end(a) ? std::optional(quotient(of(Op::sin, a), a)) : std::nullopt;
     case Op::sinh: return is_infinite() ? std::optional(quotient(both_exponentials(true), two)) : std::nullopt;
     case Op::cosh: return is_infinite() ? std::optional(quotient(both_exponentials(false), two)) : std::nullopt;
     case Op::tanh: {
@@ -216,13 +258,13 @@ std::optional<ExpressionPtr> Compiler::rewritten(const Expression& e) const
     case Op::elliptic_k:
     case Op::elliptic_e:
         if (!reaches_one(a)) return std::nullopt;
-        return of(e.op == Op::elliptic_k ? Op::elliptic_k_of_complement : Op::elliptic_e_of_complement, difference(one, a));
+        return of(e.op == Op::elliptic_k ? Op::elliptic_k_of_complement : Op::elliptic_e_of_complement, less_than_one(a));
     case Op::acosh:
         if (!reaches_one(a)) return std::nullopt;
-        return product(two, of(Op::asinh, of(Op::sqrt, quotient(difference(a, one), two))));
+        return product(two, of(Op::asinh, of(Op::sqrt, quotient(of(Op::negate, less_than_one(a)), two))));
     case Op::atanh:
         if (!reaches_one(a)) return std::nullopt;
-        return quotient(difference(of(Op::log, sum(one, a)), of(Op::log, difference(one, a))), two);
+        return quotient(difference(of(Op::log, sum(one, a)), of(Op::log, less_than_one(a))), two);
     default: return std::nullopt;
     }
 }
@@ -309,6 +351,20 @@ bool Compiler::rises_far_out(const Expression& e) const
     const bool left = has_range() && (place_.range->map == Map::left_algebraic || place_.range->map == Map::left_exponential);
     const bool odd = p->size() % 2 == 0;
     return (arb_is_negative(p->back().ball().get()) != 0) == (left && odd);
+}
+
+/// Whether a polynomial has no zero inside the half-line: in the distance to its end no two coefficients differ in sign.
+bool Compiler::vanishes_at_most_at_the_end(const ExpressionPtr& e) const
+{
+    const bool right = place_.range->map == Map::right_algebraic || place_.range->map == Map::right_exponential;
+    const bool left = place_.range->map == Map::left_algebraic || place_.range->map == Map::left_exponential;
+    const auto& finite_end = end(right ? Side::left : Side::right);
+    const auto p = right != left && finite_end ? polynomial(*shifted(e, *finite_end, right ? 1 : -1)) : std::nullopt;
+    if (!p || p->empty()) return false;
+    const auto all = [&](auto has_sign) {
+        return std::all_of(p->begin(), p->end(), [&](const ExactSum& c) { return c.is_zero() || has_sign(c.ball().get()) != 0; });
+    };
+    return all([](arb_srcptr c) { return arb_is_positive(c); }) || all([](arb_srcptr c) { return arb_is_negative(c); });
 }
 
 /// max and min of what is surely ordered on the range: the one that it is.
@@ -460,13 +516,16 @@ NodePtr Compiler::compiled_anew(const ExpressionPtr& e) const
             if (const auto p = polynomial(*e))
                 if (NodePtr n = factored(*p)) return n;
     }
+    if (const ExpressionPtr shorter = with_numbers_collected(e); shorter != e) return compile(shorter);
     if (const auto better = rewritten(*e)) return compile(*better);
     if (const ExpressionPtr scaled = is_infinite() ? with_scaled_functions(e) : nullptr) return compile(scaled);
     NodePtr n = by_operation(e);
     const bool is_another = n.use_count() > 1; // its zeros are known
     const bool may_vanish = n->kind == Kind::add || n->kind == Kind::function || n->kind == Kind::ordered_function ||
                             n->kind == Kind::real_part || n->kind == Kind::imaginary_part || n->kind == Kind::logarithm_near_one;
-    if (!is_another && may_vanish && has_range() && depends_on_x(*e)) find_zeros(*n, e);
+    const auto known = e->op == Op::sinc ? beneath_singular_.find(e.get()) : beneath_singular_.end();
+    const bool is_in_the_open = known != beneath_singular_.end() && !known->second;
+    if (!is_another && may_vanish && has_range() && depends_on_x(*e) && !is_in_the_open) find_zeros(*n, e);
     return n;
 }
 
@@ -478,8 +537,14 @@ void Compiler::find_zeros(Node& n, const ExpressionPtr& e) const
         return;
     }
     std::array<std::optional<Zero>, 2> found;
-    for (const Side s : {Side::left, Side::right})
-        if (end(s)) found[s == Side::left ? 0 : 1] = zeros.at(n, s, [&] { return expanded(e, s); });
+    for (const bool beyond_the_range : {true, false}) { // where the other end is a zero too, T of a disc that has both says little there
+        for (const Side s : {Side::left, Side::right})
+            if (end(s)) {
+                const auto expand = [&] { return expanded(e, s); };
+                found[s == Side::left ? 0 : 1] = zeros.at(n, s, expand, beyond_the_range);
+            }
+        if (!found[0] || !found[1] || is_infinite()) break;
+    }
     n.zero = std::move(found);
 }
 
@@ -493,6 +558,12 @@ void require_real_arguments(const Expression& e, bool all_but_last)
             throw ExpressionError(e.column, "this function takes real arguments: write re(...) or im(...) where a number is complex");
 }
 
-NodePtr compile(const ExpressionPtr& e, const Place& place) { return Compiler(place).compile(with_shared_parts(e)); }
+NodePtr compile(const ExpressionPtr& e, const Place& place)
+{
+    Compiler compiler(place);
+    const ExpressionPtr shared = with_shared_parts(e);
+    compiler.look_for_sinc_with_zeros(*shared, false);
+    return compiler.compile(shared);
+}
 
 } // namespace touchstone::quadrature::compiled

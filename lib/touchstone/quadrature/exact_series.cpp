@@ -250,6 +250,21 @@ Series bessel(const Series& argument, long n, int sign)
     return total;
 }
 
+/// K, or E, of a series without constant term: (pi/2) sum of ((1/2)_n/n!)^2 a^n, for E each over 1 - 2n.
+Series elliptic(const Series& a, bool is_second_kind)
+{
+    const ExactSum quarter_turn = ExactSum(Rational(1, 2)) * ExactSum::pi();
+    Series total = constant(quarter_turn), power = constant(1);
+    Rational root = 1;
+    for (long n = 1; n < static_cast<long>(terms); ++n) {
+        power = product(power, a);
+        root *= Rational(2 * n - 1, 2 * n);
+        const Rational factor = is_second_kind ? Rational(root * root / (1 - 2 * n)) : Rational(root * root);
+        total = sum(total, product(power, constant(ExactSum(factor) * quarter_turn)));
+    }
+    return total;
+}
+
 class Expansion {
 public:
     Expansion(const ExactSum& centre, int direction)
@@ -324,7 +339,7 @@ Series Expansion::analytic(const Expression& e, const Series& argument)
     case Op::sech: return inverse(trigonometric(sign).second);
     case Op::csc:
     case Op::csch: return inverse(trigonometric(sign).first);
-    case Op::sinc: return at_zero ? product(trigonometric(-1).first, inverse(argument)) : std::nullopt;
+    case Op::sinc: return product(trigonometric(-1).first, inverse(argument));
     case Op::atan: return at_zero ? integrated(a, inverse(sum(one, square)), 0) : std::nullopt;
     case Op::atanh: return at_zero ? integrated(a, inverse(sum(one, negative(square))), 0) : std::nullopt;
     case Op::asinh: return at_zero ? integrated(a, power(sum(one, square), Rational(-1, 2)), 0) : std::nullopt;
@@ -341,6 +356,8 @@ Series Expansion::analytic(const Expression& e, const Series& argument)
         if (!exponent) return std::nullopt;
         return integrated(a, product(constant(ExactSum(2) * ExactSum::pi(-1)), from_taylor(exponential(*exponent))), 0);
     }
+    case Op::elliptic_k:
+    case Op::elliptic_e: return at_zero ? elliptic(argument, e.op == Op::elliptic_e) : std::nullopt;
     case Op::si: {
         if (!at_zero) return std::nullopt;
         return integrated(a, product(trigonometric(-1).first, inverse(argument)), 0);

@@ -205,4 +205,61 @@ private:
 
 ExpressionPtr with_names_bound(const ExpressionPtr& e, const Parameters& parameters) { return Names(parameters).bound(e); }
 
+namespace tree {
+namespace {
+
+void add_summands(const ExpressionPtr& e, bool negated, std::vector<ExpressionPtr>& out)
+{
+    if (e->op == Op::add)
+        for (const ExpressionPtr& a : e->args) add_summands(a, negated, out);
+    else if (e->op == Op::negate)
+        add_summands(e->args[0], !negated, out);
+    else
+        out.push_back(negated ? of(Op::negate, e) : e);
+}
+
+/// The number, with its sign.
+std::optional<Rational> number_of(const Expression& e)
+{
+    if (e.op == Op::number) return e.number;
+    return e.op == Op::negate && e.args[0]->op == Op::number ? std::optional(Rational(-e.args[0]->number)) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<ExpressionPtr> summands(const ExpressionPtr& e)
+{
+    std::vector<ExpressionPtr> all;
+    add_summands(e, false, all);
+    return all;
+}
+
+ExpressionPtr sum_of(const std::vector<ExpressionPtr>& all)
+{
+    if (all.empty()) return number(0);
+    ExpressionPtr r = all.front();
+    for (std::size_t i = 1; i < all.size(); ++i) r = sum(r, all[i]);
+    return r;
+}
+
+ExpressionPtr with_numbers_collected(const ExpressionPtr& e)
+{
+    if (e->op != Op::add) return e;
+    Rational total = 0;
+    std::size_t numbers = 0;
+    std::vector<ExpressionPtr> others;
+    for (const ExpressionPtr& a : summands(e))
+        if (const auto q = number_of(*a)) {
+            total += *q;
+            ++numbers;
+        }
+        else
+            others.push_back(a);
+    if (numbers < 2) return e;
+    if (total != 0) others.insert(others.begin(), make_number(total));
+    return sum_of(others);
+}
+
+} // namespace tree
+
 } // namespace touchstone::quadrature

@@ -24,6 +24,12 @@ inline ExpressionPtr difference(const ExpressionPtr& a, const ExpressionPtr& b) 
 inline ExpressionPtr product(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::multiply, {a, b}); }
 inline ExpressionPtr quotient(const ExpressionPtr& a, const ExpressionPtr& b) { return make(Op::divide, {a, b}); }
 inline ExpressionPtr of(Op op, const ExpressionPtr& a) { return make(op, {a}); }
+
+/// The summands of a sum, of its sums, of what a minus stands before; of anything else itself.
+std::vector<ExpressionPtr> summands(const ExpressionPtr&);
+ExpressionPtr sum_of(const std::vector<ExpressionPtr>&);
+/// A sum with the numbers among its summands added up, so that 1 - (1 - g) is g, whose zero shows; itself if there are no two.
+ExpressionPtr with_numbers_collected(const ExpressionPtr&);
 } // namespace tree
 
 } // namespace touchstone::quadrature

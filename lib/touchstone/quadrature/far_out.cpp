@@ -12,17 +12,6 @@ using namespace tree;
 
 namespace {
 
-/// The summands of a sum, of its sums, of what a minus stands before.
-void add_summands(const ExpressionPtr& e, bool negated, std::vector<ExpressionPtr>& out)
-{
-    if (e->op == Op::add)
-        for (const ExpressionPtr& a : e->args) add_summands(a, negated, out);
-    else if (e->op == Op::negate)
-        add_summands(e->args[0], !negated, out);
-    else
-        out.push_back(negated ? of(Op::negate, e) : e);
-}
-
 /// p - q, without the powers whose coefficients cancel.
 ExpressionPtr formula_of_difference(Polynomial p, Polynomial q)
 {
@@ -93,15 +82,11 @@ ExpressionPtr less_one(const ExpressionPtr& e)
     if (e->op == Op::divide)
         if (const auto p = polynomial(*e->args[0]), q = polynomial(*e->args[1]); p && q)
             return quotient(formula_of_difference(*p, *q), e->args[1]);
-    std::vector<ExpressionPtr> summands;
-    add_summands(e, false, summands);
-    const auto one =
-        std::find_if(summands.begin(), summands.end(), [](const ExpressionPtr& a) { return a->op == Op::number && a->number == 1; });
-    if (summands.size() < 2 || one == summands.end()) return nullptr;
-    summands.erase(one);
-    ExpressionPtr rest = summands.front();
-    for (std::size_t i = 1; i < summands.size(); ++i) rest = sum(rest, summands[i]);
-    return rest;
+    std::vector<ExpressionPtr> all = summands(e);
+    const auto one = std::find_if(all.begin(), all.end(), [](const ExpressionPtr& a) { return a->op == Op::number && a->number == 1; });
+    if (all.size() < 2 || one == all.end()) return nullptr;
+    all.erase(one);
+    return sum_of(all);
 }
 
 ExpressionPtr with_scaled_functions(const ExpressionPtr& e)

@@ -234,7 +234,7 @@ public:
     std::vector<ExactSum> sorted()
     {
         std::sort(points_.begin(), points_.end(),
-                  [](const ExactSum& a, const ExactSum& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
+                  [](const ExactSum& a, const ExactSum& b) { return arb_is_negative((a - b).ball().get()) != 0; });
         points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
         return points_;
     }
@@ -299,12 +299,10 @@ private:
     }
     void add(const ExactSum& x)
     {
-        const Ball v = x.ball();
         const auto beyond = [&](const Limit& end, bool right) {
             if (end.infinite) return true;
-            if (end.exact && *end.exact == x) return false;
-            const Ball e = end.ball();
-            return (right ? arb_lt(v.get(), e.get()) : arb_gt(v.get(), e.get())) != 0;
+            const Ball gap = end.exact ? (*end.exact - x).ball() : end.ball() - x.ball();
+            return (right ? arb_is_positive(gap.get()) : arb_is_negative(gap.get())) != 0;
         };
         if (!beyond(from_, false) || !beyond(to_, true)) return;
         points_.push_back(x);

@@ -11,7 +11,7 @@
 ///   analytic on a disc |s| < R about the end: near the end T is its first exact coefficients and a Cauchy bound of the rest, sup|T|
 ///   (|s|/R)^n/(1 - |s|/R), farther away the quotient of balls;
 /// - exp(k x + c) on a range where x is a logarithm is a power of the distances;
-/// - asin, acos, acosh, atanh of what reaches +-1 are written by roots and logarithms of 1 -+ it;
+/// - asin, acos, acosh, atanh of what reaches +-1, at a finite end or far out, are written by roots and logarithms of 1 -+ it;
 /// - abs, sign, max, min of what has no zero inside the range lose their branch.
 ///
 /// Contract: at() on Ball and on ComplexBall encloses one and the same function, that of the text.

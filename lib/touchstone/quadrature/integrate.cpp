@@ -10,6 +10,7 @@
 #include "touchstone/quadrature/upper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -45,11 +46,30 @@ bool changes_branch(const Expression& e, const ExactSum& at)
     return std::any_of(e.args.begin(), e.args.end(), [&](const ExpressionPtr& a) { return changes_branch(*a, at); });
 }
 
-bool is_reversed(const Limit& from, const Limit& to)
+/// Whether a < b: exact numbers that differ are told apart however near they are, others by some thousand digits.
+bool is_less(const Limit& a, const Limit& b)
 {
-    const WorkingPrecision precision(256);
-    if (from.infinite || to.infinite) return from.infinite > to.infinite;
-    return arb_gt(from.ball().get(), to.ball().get()) != 0;
+    if (a.infinite || b.infinite) return a.infinite < b.infinite;
+    const auto gap = a.exact && b.exact ? std::optional(*b.exact - *a.exact) : std::nullopt;
+    if (gap && gap->is_zero()) return false;
+    constexpr slong first_bits = 256, most_bits = 1 << 14;
+    for (slong bits = first_bits; bits <= most_bits; bits *= 2) {
+        const WorkingPrecision precision(bits);
+        const Ball width = gap ? gap->ball() : b.ball() - a.ball();
+        if (!width.contains_zero()) return arb_is_positive(width.get()) != 0;
+    }
+    return false;
+}
+
+/// Whether so little of the range's ends differs that x is better counted from one of them.
+bool is_narrow(const Limit& from, const Limit& to)
+{
+    if (from.infinite || to.infinite || !from.exact || !to.exact) return false;
+    constexpr slong equal_bits = 24; // of the 53 with which proofs are made
+    const Ball size = abs(from.ball());
+    Ball width = (*to.exact - *from.exact).ball();
+    arb_mul_2exp_si(width.get(), width.get(), equal_bits);
+    return arb_lt(width.get(), size.get()) != 0;
 }
 
 class Integration {
@@ -71,7 +91,9 @@ private:
     bool add_oscillating_tail(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
     bool add_about_infinity(const Limit& from, const Limit& to, bool left, long digits, int depth, Integral& out);
     bool add_in_a_power(const Limit& from, const Limit& to, long digits, Integral& out);
-    bool add_of_another(const ExpressionPtr& e, const Limit& from, const Limit& to, const std::string& in, long digits, Integral& out);
+    bool add_of_another(const ExpressionPtr& e, const Limit& from, const Limit& to, const std::string& in, long digits, Integral& out,
+                        bool is_substituted = true);
+    bool add_counted_from_an_end(const Limit& from, const Limit& to, long digits, Integral& out);
     Attempt attempt(const Limit& from, const Limit& to, long digits) const;
     bool add_parts_by_themselves(const Limit& from, const Limit& to, long digits, int depth, Integral& out);
     std::optional<ExactSum> named_point(double x, const Limit& from, const Limit& to) const;
@@ -171,30 +193,37 @@ bool Integration::add_parts_by_themselves(const Limit& from, const Limit& to, lo
     return true;
 }
 
-/// A rational number or multiple of pi close to where a proof stopped: a candidate for a cut.
+/// A rational number or multiple of pi close to where a proof stopped, or a simple fraction of the range: a candidate for a cut.
 std::optional<ExactSum> Integration::named_point(double x, const Limit& from, const Limit& to) const
 {
-    const double scale = from.infinite || to.infinite ? std::max(1.0, std::fabs(x)) : to_double(to.ball() - from.ball());
+    const bool finite = !from.infinite && !to.infinite;
+    const double scale = finite ? to_double(to.ball() - from.ball()) : std::max(1.0, std::fabs(x));
     const auto inside = [&](const ExactSum& p) {
         const Ball v = p.ball();
         return (from.infinite || arb_gt(v.get(), from.ball().get())) && (to.infinite || arb_lt(v.get(), to.ball().get()));
     };
-    for (const bool with_pi : {false, true})
-        for (const long den : {1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L, 12L, 16L, 20L, 25L, 32L, 50L, 64L, 100L, 1000L}) {
-            const double unit = (with_pi ? M_PI : 1.0) / static_cast<double>(den);
-            const double n = std::round(x / unit);
-            if (std::fabs(n) > 1e6 || std::fabs(n * unit - x) > 2e-2 * scale / static_cast<double>(den)) continue;
-            ExactSum p(Rational(static_cast<long>(n), den));
-            Rational q(static_cast<long>(n), den);
-            q.canonicalize();
-            p = ExactSum(q);
-            if (with_pi) p = p * ExactSum::pi();
-            if (!inside(p)) continue;
-            const auto right = expand(*e_, p, 1);
-            const auto plain = evaluate_at(*e_, p.ball());
-            if (!plain.is_finite() || (right && right->valuation < 0)) return p; // the formula itself is singular there
-            if (changes_branch(*e_, p)) return p;
-        }
+    const auto is_singular_at = [&](const ExactSum& p) {
+        if (!inside(p)) return false;
+        const auto right = expand(*e_, p, 1);
+        const auto plain = evaluate_at(*e_, p.ball());
+        if (!plain.is_finite() || (right && right->valuation < 0)) return true; // the formula itself is singular there
+        return changes_branch(*e_, p);
+    };
+    constexpr std::array denominators{1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L, 11L, 12L, 16L, 20L, 25L, 32L, 50L, 64L, 100L, 1000L};
+    /// start + n/den unit, where that is as close to x as it can be meant to be
+    const auto near_x = [&](const ExactSum& start, const ExactSum& unit, long den) -> std::optional<ExactSum> {
+        const double step = to_double(unit.ball()) / static_cast<double>(den), away = to_double(Ball::exactly(x) - start.ball());
+        const double n = std::round(away / step);
+        if (!(std::fabs(n) <= 1e6) || std::fabs(n * step - away) > 2e-2 * scale / static_cast<double>(den)) return std::nullopt;
+        Rational q(static_cast<long>(n), den);
+        q.canonicalize();
+        return start + ExactSum(q) * unit;
+    };
+    std::vector<std::pair<ExactSum, ExactSum>> grids{{ExactSum(0), ExactSum(1)}, {ExactSum(0), ExactSum::pi()}};
+    if (finite && from.exact && to.exact) grids.emplace_back(*from.exact, *to.exact - *from.exact);
+    for (const auto& [start, unit] : grids)
+        for (const long den : denominators)
+            if (auto p = near_x(start, unit, den); p && is_singular_at(*p)) return p;
     return std::nullopt;
 }
 
@@ -206,12 +235,12 @@ bool Integration::add_cut(const Limit& from, const Limit& to, const ExactSum& at
 
 /// The parts of another formula's integral; `in` says what its variable is.
 bool Integration::add_of_another(const ExpressionPtr& e, const Limit& from, const Limit& to, const std::string& in, long digits,
-                                 Integral& out)
+                                 Integral& out, bool is_substituted)
 {
     IntegralOptions options;
     options.digits = digits;
     options.gauss_legendre = options_.gauss_legendre;
-    Integral other = Integration(e, options, true).run(from, to);
+    Integral other = Integration(e, options, is_substituted).run(from, to);
     if (!other.value.is_finite()) return false;
     for (Part& p : other.parts) {
         p.rule += in;
@@ -320,8 +349,18 @@ bool Integration::add_in_a_power(const Limit& from, const Limit& to, long digits
     return add_of_another(in_power(f, *m), limit_at(*start, text_of(*start)), parse_limit("inf"), in, digits, out);
 }
 
+/// A narrow range in the distance to its left end: balls of x itself would hold little of where in the range they are.
+bool Integration::add_counted_from_an_end(const Limit& from, const Limit& to, long digits, Integral& out)
+{
+    if (options_.quick || !is_narrow(from, to)) return false;
+    const ExactSum width = *to.exact - *from.exact;
+    const std::string in = std::string(" in x-(").append(from.text).append(")");
+    return add_of_another(shifted(e_, *from.exact, 1), parse_limit("0"), limit_at(width, text_of(width)), in, digits, out, substituted_);
+}
+
 bool Integration::add_part(const Limit& from, const Limit& to, long digits, int depth, Integral& out)
 {
+    if (add_counted_from_an_end(from, to, digits, out)) return true;
     const auto take = [&](Attempt& done) {
         done.part.from = from.text;
         done.part.to = to.text;
@@ -399,7 +438,7 @@ Integral Integration::run(const Limit& from, const Limit& to)
             return nothing;
         }
     }
-    return is_reversed(from, to) ? over(to, from, true) : over(from, to, false);
+    return is_less(to, from) ? over(to, from, true) : over(from, to, false);
 }
 
 /// Of a range that is not empty; `reversed`: with the other sign.
@@ -408,17 +447,14 @@ Integral Integration::over(const Limit& from, const Limit& to, bool reversed)
     std::vector<Limit> cuts;
     {
         const WorkingPrecision precision(256);
-        const auto ordered = [](const Limit& a, const Limit& b) {
-            return a.infinite < 0 || b.infinite > 0 || arb_lt(a.ball().get(), b.ball().get()) != 0;
-        };
-        if (!ordered(from, to)) throw DomainError("the ends " + from.text + " and " + to.text + " cannot be told apart");
+        if (!is_less(from, to)) throw DomainError("the ends " + from.text + " and " + to.text + " cannot be told apart");
         cuts = options_.at;
         for (const Limit& c : cuts)
-            if (c.infinite || !ordered(from, c) || !ordered(c, to))
+            if (c.infinite || !is_less(from, c) || !is_less(c, to))
                 throw DomainError("the break point " + c.text + " is not between " + from.text + " and " + to.text);
         for (const ExactSum& x : branch_points(*e_, from, to)) cuts.push_back(limit_at(x, text_of(x)));
-        std::sort(cuts.begin(), cuts.end(), [](const Limit& a, const Limit& b) { return arb_lt(a.ball().get(), b.ball().get()) != 0; });
-        const auto same = [&](const Limit& a, const Limit& b) { return !ordered(a, b); };
+        std::sort(cuts.begin(), cuts.end(), is_less);
+        const auto same = [](const Limit& a, const Limit& b) { return !is_less(a, b); };
         cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
         cuts.insert(cuts.begin(), from);
         cuts.push_back(to);
@@ -506,7 +542,7 @@ Integral with_enough_digits(const IntegralOptions& options, const std::function<
 Integral integrate(const ExpressionPtr& e, const Limit& from, const Limit& to, const IntegralOptions& options)
 {
     if (options.principal_value.empty()) return Integration(e, options).run(from, to);
-    return is_reversed(from, to) ? principal_value(e, to, from, options, true) : principal_value(e, from, to, options, false);
+    return is_less(to, from) ? principal_value(e, to, from, options, true) : principal_value(e, from, to, options, false);
 }
 
 } // namespace touchstone::quadrature

@@ -1,13 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/quadrature/interval.hpp"
 
+#include "touchstone/quadrature/upper.hpp"
+
 namespace touchstone::quadrature {
+namespace {
+
+/// b - a to the working precision, by as many more bits as cancel: ends that are balls have no more.
+Ball difference(const Endpoint& a, const Endpoint& b)
+{
+    if (a.exact() && b.exact()) return Ball(Rational(*b.exact() - *a.exact()));
+    constexpr slong spare = 8, most_bits = 1 << 14;
+    const slong bits = WorkingPrecision::bits();
+    Ball width = b.ball() - a.ball();
+    for (slong more = 2 * bits; width.is_finite() && width.relative_bits() < bits - spare && more <= most_bits; more *= 2) {
+        const WorkingPrecision precision(more);
+        const Ball sharper = b.ball() - a.ball(), twice = radius_of(sharper) * Ball(2);
+        if (!arb_lt(twice.get(), radius_of(width).get())) break;
+        width = sharper;
+    }
+    Ball rounded;
+    arb_set_round(rounded.get(), width.get(), bits);
+    return rounded;
+}
+
+} // namespace
 
 void Interval::prepare()
 {
     start_ = a_.ball();
     end_ = b_.ball();
-    width_ = a_.exact() && b_.exact() ? Ball(Rational(*b_.exact() - *a_.exact())) : end_ - start_;
+    width_ = difference(a_, b_);
 }
 
 bool Interval::is_proper() const

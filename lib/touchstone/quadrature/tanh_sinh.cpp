@@ -155,6 +155,22 @@ Sums evaluate(ProvedPanel& proved, std::size_t count, double log2_tolerance, slo
     return {std::move(sums), absolute * Ball(4) / Ball(p.m)}; // pi log 2 < 4
 }
 
+/// The end of a panel that is none of the interval's is the cut at that fraction: what can be done about an end does not help there.
+std::string with_cuts_for_ends(std::string reason, const Rational& from, const Rational& to)
+{
+    for (const bool left : {true, false}) {
+        const std::string end = left ? "at the left end" : "at the right end";
+        const Rational& fraction = left ? from : to;
+        const auto found = reason.find(end);
+        if (found == std::string::npos || fraction == (left ? 0 : 1)) continue;
+        std::ostringstream cut;
+        cut.precision(8);
+        cut << "at the cut at the fraction " << fraction.get_d() << " of the interval";
+        reason.replace(found, end.size(), cut.str());
+    }
+    return reason;
+}
+
 constexpr double cost_of_straight_values = 0.5; ///< against endpoint numbers, about
 
 /// Prove panels, bisecting near what stops a proof or makes its strip thin.
@@ -179,11 +195,8 @@ bool prove_panels(const MakePanel& make, const Rational& from, const Rational& t
     const auto described = [&] {
         std::ostringstream text;
         text.precision(8);
-        text << proof.reason;
-        if (at >= 0)
-            text << " near the fraction " << place << " of the interval";
-        else if (from != 0 || to != 1)
-            text << " of the part from fraction " << from.get_d() << " to " << to.get_d();
+        text << (at >= 0 ? proof.reason : with_cuts_for_ends(proof.reason, from, to));
+        if (at >= 0) text << " near the fraction " << place << " of the interval";
         return text.str();
     };
     if ((!proved || p.panel.strip < 0.2) && depth < options.bisections && at > 1e-3 && at < 1 - 1e-3) {

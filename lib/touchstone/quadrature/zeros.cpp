@@ -30,6 +30,19 @@ Ball divided(Ball x, slong halvings)
 
 constexpr int most_halvings = 6; ///< of the radius of the discs that are tried
 
+/// The radii that are tried, the largest first. Beside a small range a disc may be much larger than that: how a formula behaves has another
+/// scale, and on a disc of 1e-20 nothing is seen of exp(s) - 1 with the bits of a proof.
+std::vector<Ball> radii_about(const Ball& span, bool beyond_the_range)
+{
+    std::vector<Ball> all;
+    constexpr slong small = 6; // halvings of 1 that such a range begins with
+    if (beyond_the_range && arb_lt(span.get(), divided(Ball(1), small).get()))
+        for (slong halvings = 0; arb_lt(span.get(), divided(Ball(1), halvings).get()); halvings = 2 * halvings + 2)
+            all.push_back(divided(Ball(1), halvings));
+    for (slong k = 0; k <= most_halvings; ++k) all.push_back(divided(span, k));
+    return all;
+}
+
 } // namespace
 
 /// The power of s that n shows on a small box beside the end; nothing if it is not proved analytic there.
@@ -78,7 +91,7 @@ std::optional<std::pair<Exponent, Ball>> Zeros::bound_on_disc(const Node& n, Sid
 }
 
 /// The zero that the exact expansion shows and the sum of terms does not.
-std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) const
+std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand, bool beyond_the_range) const
 {
     constexpr slong beside = 20;
     const Range& range = *place_.range;
@@ -94,8 +107,7 @@ std::optional<Zero> Zeros::at(const Node& n, Side side, const Expand& expand) co
     if (const auto own = order_beside(n, side, divided(span, most_halvings)); own && *own == Exponent(zero.order))
         return std::nullopt; // it shows as it is
     std::optional<Zero> best;
-    for (int k = 0; k <= most_halvings; ++k) {
-        const Ball radius = divided(span, k);
+    for (const Ball& radius : radii_about(span, beyond_the_range && range.map == Map::finite)) {
         const auto bound = bound_on_disc(n, side, radius);
         if (!bound) continue;
         const auto& [order, size] = *bound;

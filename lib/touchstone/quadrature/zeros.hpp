@@ -20,7 +20,8 @@ public:
     }
     /// The zero that the exact expansion about the end shows and the sum of terms does not. \param expand is asked only where it is needed
     using Expand = std::function<std::optional<ExactSeries>()>;
-    std::optional<Zero> at(const Node&, Side, const Expand& expand) const;
+    /// \param beyond_the_range whether the disc may be larger than a small range, and have the other end in it
+    std::optional<Zero> at(const Node&, Side, const Expand& expand, bool beyond_the_range) const;
     /// Of h(s) - h(-s) at the left end, which is 0. \param h as it stands, compiled for no range
     std::optional<Zero> of_odd_difference(const Node&, const Node& h) const;
 
