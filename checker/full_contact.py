@@ -49,26 +49,26 @@ class Far(Exception):
     cuts = ()
 
 
+@lru_cache(maxsize=4)
 class Trigonometry:
     """cos, sin and the angle, within some ten units 2^-bits."""
 
     def __init__(self, bits):
-        self.bits, self.one = bits, 1 << bits
-        Interval.bits = bits + 64
+        self.bits, self.one, Interval.bits = bits, 1 << bits, bits + 64
         self.pi = fixed(iv.pi(), bits)
         self.arctan = [fixed(iv.arctan(Interval.of(Fraction(i, 64))), bits) for i in range(65)]
         self.of_pieces = [tuple(fixed(iv.sin_pi(Fraction(k, 96)), bits) for k in (48 + i, i)) for i in range(97)]
-        self.inverse = [self.one // factorial(k) for k in range(bits + 4)]
-        self.enough = next(k for k in range(2, bits + 2, 2) if not self.inverse[k] >> 2 * k)  # (1/4)^k/k! is below a unit
+        f = [self.one // factorial(k) for k in range(bits + 4)]  # the sine's terms by the bits of a^2, up to where a^k/k! is below a unit
+        self.sines = [[f[k + 3] for k in range(bits & -2, -2, -2) if f[k] >> max(4, bits - b) * k // 2] for b in range(bits + 1)]
         self.gauss = lru_cache(maxsize=None)(self.gauss)
 
     def small(self, a):
         """cos a, sin a, |a| <= 1/4"""
-        bits, square = self.bits, a * a >> self.bits
-        c = s = 0  # by Horner's rule; what is left out is below the first power that is below a unit
-        for k in range(min(self.enough, 2 * (bits // (bits - square.bit_length())) + 2), 0, -2):
-            c, s = self.inverse[k] - (square * c >> bits), self.inverse[k + 1] - (square * s >> bits)
-        return self.one - (square * c >> bits), a - (a * (square * s >> bits) >> bits)
+        bits, square, s = self.bits, a * a >> self.bits, 0
+        for term in self.sines[square.bit_length()]:  # by Horner's rule
+            s = term - (square * s >> bits)
+        s = a - (a * (square * s >> bits) >> bits)
+        return isqrt((1 << 2 * bits) - s * s), s  # off by no more than s is, and a unit, as the tangent is below 1
 
     def cos_sin(self, a):
         """0 <= a <= pi"""

@@ -23,7 +23,7 @@ from fractions import Fraction
 parser = argparse.ArgumentParser()
 parser.add_argument("--checker", required=True, type=pathlib.Path)
 parser.add_argument("--program", required=True)
-parser.add_argument("--mutants", type=int, default=24)
+parser.add_argument("--mutants", type=int, default=12)
 parser.add_argument("--part", choices=["proofs", "others"], help="what is proved, or all other cases: each about half of the time")
 parser.add_argument("--long", action="store_true", help="proofs that take minutes, and each kind of line under each kind of claim")
 parser.add_argument("--seed", type=int, default=20261122)
@@ -63,6 +63,12 @@ def answered(*arguments):
     return at_once.ask(certificate, *arguments)
 
 
+def answered_from(line, path):
+    """Of this line and those after it, given those before it: they are as they were where this is the first that has been changed."""
+    last = re.search("lines=([0-9]+)", path.read_text())[1]
+    return answered("--lines", f"{line}-{last}", path)
+
+
 def answered_to_claim(path):
     """Of its last line alone, which proves its claim, given those before it: they are as they were where the claim has been changed."""
     last = re.search("lines=([0-9]+)", path.read_text())[1]
@@ -93,9 +99,9 @@ def area(n, load, G, digits=None):
     return true_value("contact.area", (n, load), G, digits)
 
 
-def distribution(quantity, n, at, load, G):
+def distribution(quantity, n, at, load, G, digits=None):
     """a share above the pressure `at`, a density there, or that of segments of half-width `at`"""
-    return true_value(quantity, (n, at, load), G)
+    return true_value(quantity, (n, at, load), G, digits)
 
 
 def limit(G, digits=None):
@@ -103,14 +109,14 @@ def limit(G, digits=None):
     return true_value("limit.area_constant", (), G, digits)
 
 
-def limiting(quantity, at, G):
+def limiting(quantity, at, G, digits=None):
     """the limit of a share or density, which the program has from a function on a mesh"""
-    return true_value(quantity, (at,), G)
+    return true_value(quantity, (at,), G, digits)
 
 
 # What is changed in many ways, and how often: partial contact, full contact without and with a wave between, shares above a pressure, the limit.
 CHANGED = {("contact.area", "n=2", "load=1/10", "G=16", "--digits", 6): 9, ("contact.area", "n=1", "load=3/2", "G=3/2", "--digits", 2): 7,
-           ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2", "--digits", 2): 3, ("limit.area_constant", "G=16", "--digits", 3): 3, ("limit.area_constant", "G=2", "--digits", 2): 2,
+           ("contact.area", "n=2", "load=3/2", "G=4", "--digits", 2): 1, ("contact.exceedance", "n=1", "p=1/2", "load=3/2", "G=3/2", "--digits", 2): 3, ("limit.area_constant", "G=16", "--digits", 3): 3, ("limit.area_constant", "G=2", "--digits", 2 if known.long else 1): 2,
            ("contact.density", "n=3", "p=2", "load=1/10", "G=3", "--digits", 4): 6, ("limit.density", "p=1/2", "G=4", "--digits", 1): 4,
            ("limit.scale", "load=1/2", "tolerance=1/10", "G=16"): 3, ("limit.gap", "G=1000", "--digits", 2): 3}
 # Its no comes only after the whole of another proof: left to ctest -R certificates_long.
@@ -156,7 +162,7 @@ class Certificates(unittest.TestCase):
         return "proved", read
 
     def test_proves_what_the_program_says(self):
-        for inputs, digits in ((("1", "1", "41/20"), 7), (("3", "1/10", "3"), 20), (("2", "999999999999/1000000000000", "5^1/2"), 9), (("20", "1/1000000", "10000"), 4),
+        for inputs, digits in ((("1", "1", "41/20"), 7), (("3", "1/10", "3"), 20 if known.long else 12), (("2", "999999999999/1000000000000", "5^1/2"), 9), (("20", "1/1000000", "10000"), 4),
                                (("1", "1000", "3/2"), 6), (("1", "1/3", "51/50"), 4), (("2", "9/7", "7^1/2"), 2)):
             n, load, G = inputs
             self.make("contact.area", f"n={n}", f"load={load}", f"G={G.replace('^1/2', '^0.5')}", "--digits", digits)
@@ -165,11 +171,11 @@ class Certificates(unittest.TestCase):
                 self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
                 (claim,) = certificate.Certificate(self.path).claims.values()
                 value, error = claim[3:]
-                self.assertLessEqual(abs(value - area(n, load, G.replace("^1/2", "^0.5"))), error)
+                self.assertLessEqual(abs(value - area(n, load, G.replace("^1/2", "^0.5"), digits + 3)), error)
                 self.assertLess(error / value, Fraction(1, 10**digits))
 
     def test_proves_limits(self):
-        for G, digits in (("5/2", 7), *((("2009/1000", 3), ("2", 2), ("1000000", 4), ("21/20", 2)) if known.long else ())):  # proved_mean has G = 2
+        for G, digits in (("5/2", 5), *((("5/2", 7), ("2009/1000", 3), ("2", 2), ("1000000", 4), ("21/20", 2)) if known.long else ())):  # proved_mean has G = 2
             self.make("limit.area_constant", f"G={G}", "--digits", digits)
             said = check(self.path)
             with self.subTest(G=G):
@@ -241,7 +247,7 @@ class Certificates(unittest.TestCase):
             with self.subTest(inputs=inputs):
                 self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
                 ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
-                self.assertLessEqual(abs(value - distribution("contact.exceedance", n, p, load, G)), error)
+                self.assertLessEqual(abs(value - distribution("contact.exceedance", n, p, load, G, digits + 3)), error)
                 self.assertLess(error / value, Fraction(1, 10**digits))
 
     def test_proves_distributions_in_partial_contact(self):
@@ -253,7 +259,7 @@ class Certificates(unittest.TestCase):
             with self.subTest(quantity=quantity, n=n, at=at):
                 self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
                 ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
-                self.assertLessEqual(abs(value - distribution(quantity, n, at, load, G)), error)
+                self.assertLessEqual(abs(value - distribution(quantity, n, at, load, G, digits + 3)), error)
                 self.assertLessEqual(error / value, Fraction(502, 1000 * 10**digits))
         said = program("certificate", "contact.area", "n=1", "load=2", "G=3", "--digits", 30)
         self.assertEqual((said.returncode, said.stdout.count("claim 1 "), "not 30" in said.stderr), (0, 1, True), said.stderr)
@@ -301,7 +307,7 @@ class Certificates(unittest.TestCase):
         return made[0], read.claims[1][1], iv.Interval.bits
 
     def test_bounds_of_the_residual_hold(self):
-        """(W): B_0 - c x - V/G + T V in binary64, by the rule of the midpoint in 6000 angles, on intervals that a proof looked at, narrow holes among them."""
+        """(W): B_0 - c x - V/G + T V in binary64, by the rule of the midpoint in 6000 angles, on intervals that a proof looked at, and on narrow holes: some of 2 digits, and what 1 digit has to do without."""
         mesh, c = self.poisson()
         edges, one, G, chosen = [y / mesh.one for y in mesh.edges], mesh.one, 2.0, random.Random(known.seed)
 
@@ -323,15 +329,20 @@ class Certificates(unittest.TestCase):
                 total += V(math.sqrt(z) / G)
             return (2 / math.pi * math.asin(math.sqrt(x)) if x < 1 else 1.0) - float(c) * x - V(x) / G + total / angles * top / math.pi
 
-        narrow = [s for s in mesh.seen if s[1] - s[0] < one >> 20]
-        self.assertGreater(len(narrow), 5)
-        for x1, x2, bound in [*chosen.sample(mesh.seen, 12), *chosen.sample(narrow, 4)]:
+        seen, ends, width = list(mesh.seen), (mesh.edges[0], mesh.edges[mesh.farthest[-1]]), one >> 21
+        if known.long:
+            narrow = chosen.sample([s for s in seen if s[1] - s[0] < one >> 20], 6)
+        else:
+            places = [one - width, one, *(chosen.randrange(*ends) for _ in range(4))]
+            narrow = [(x, x + width, mesh.hole(mesh.panel(x), x, x + width)) for x in places if mesh.panel(x) == mesh.panel(x + width - 1)]
+        self.assertGreater(len(narrow), 4)
+        for x1, x2, bound in [*chosen.sample(seen, 12), *narrow]:
             for part in (0.01, chosen.random(), 0.99):
                 x = (x1 + part * (x2 - x1)) / one
                 self.assertLessEqual(abs(R(x)), float(bound) * 1.001 + 3e-6, (x1 / one, x2 / one))
         x = edges[0] / 2
         self.assertLessEqual(abs(R(x)), float(mesh.found[0][1]))
-        total = sum((b - a for a, b, _ in mesh.seen), Fraction(0)) + mesh.edges[0]
+        total = sum((b - a for a, b, _ in seen), Fraction(0)) + mesh.edges[0]
         self.assertEqual(total, mesh.edges[mesh.farthest[-1]])  # and they cover all
 
     def test_what_inner_panels_give_is_had_once(self):
@@ -341,7 +352,7 @@ class Certificates(unittest.TestCase):
         places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
         series = [[[chosen.randrange(-one, one) >> 4 * k for k in range(6)]] for _ in places]
         mesh = poisson.Poisson(transfer.Interval.of(3), Fraction(0), 3, bits, edges, places, [30] * len(places), series, bits, 30, 0)
-        for _ in range(50):
+        for _ in range(30):
             a, b = chosen.choice([(one // 64, one), (one, 3 * one)])
             a, b = sorted(chosen.randrange(a, b) for _ in "ab")
             inner = poisson.Inner()
@@ -356,7 +367,7 @@ class Certificates(unittest.TestCase):
                 (true, ) = mesh.row(x, -1, len(mesh.series), 60, inner.panels)
                 self.assertLess(abs(mesh.inner_at(x, inner) - true), inner.off * mesh.unit, (x / one, (b - a) / one))
                 self.assertLess(inner.off, Fraction(1, 2**30))
-        self.assertGreater(seen, 50)
+        self.assertGreater(seen, 40)
         self.assertGreater(deepest, 1)
 
     def test_one_level_is_summed_as_many_are(self):
@@ -430,15 +441,15 @@ class Certificates(unittest.TestCase):
             self.assertNotEqual(new, text, why)
             self.path.write_text(signed(new))
             with self.subTest(why):
-                said = answered(self.path)
+                said = answered_from(min(by_number), self.path)
                 self.assertIn(said.returncode, (1, 65), said.stdout)
         error = claim.split("error=")[1]
         self.path.write_text(signed(text.replace(f"error={error}", "error=1:-20", 1)))
-        self.assertEqual(answered(self.path).returncode, 1)
+        self.assertEqual(answered_to_claim(self.path).returncode, 1)
 
     def test_proves_limiting_distributions(self):
         """Shares of the area, of the force and of segments, and densities, as n tends to infinity: next to no pressure; with --long to more digits, at the smallest G and next to the largest pressure too."""
-        chosen = (("limit.density", "1/100", "3", 2), ("limit.force", "1/300", "100", 1))
+        chosen = (("limit.density", "1/100", "3", 1), ("limit.force", "1/300", "100", 1))
         more = (("limit.exceedance", "1/2", "10^0.5", 3), ("limit.density", "1/100", "3", 3), ("limit.segments", "1/7", "5/2", 2), ("limit.force", "1/300", "1000", 1),
                 ("limit.force", "19/10", "41/20", 2), ("limit.exceedance", "13/10", "3", 2))
         for quantity, at, G, digits in more if known.long else chosen:
@@ -447,7 +458,7 @@ class Certificates(unittest.TestCase):
             with self.subTest(quantity=quantity, at=at):
                 self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
                 ((*_, value, error),) = certificate.Certificate(self.path).claims.values()
-                self.assertLessEqual(abs(value - limiting(quantity, at, G)), error)
+                self.assertLessEqual(abs(value - limiting(quantity, at, G, digits + 3)), error)
                 self.assertLessEqual(error / value, Fraction(502, 1000 * 10**digits))
         for quantity, place, G, why in (("limit.density", "p=4/3", "3", "largest pressure"), ("limit.segments", "a=1/2", "3", "largest pressure")):
             said = program("certificate", quantity, place, f"G={G}")
@@ -496,7 +507,7 @@ class Certificates(unittest.TestCase):
             self.assertNotEqual(new, text, why)
             self.path.write_text(signed(new))
             with self.subTest(why):
-                said = answered(self.path)
+                said = answered_from(min(by_number), self.path)
                 self.assertEqual((said.returncode, said.stdout[:4]), (1, "no: "), said.stdout)
         for old, new in (("p=2 ", "p=3 "), ("n=3 ", "n=2 "), ("G=3 value", "G=4 value"), ("load=1/10 G=3 value", "load=1/9 G=3 value")):
             self.path.write_text(signed(text.replace(claim, claim.replace(old, new), 1)))
@@ -568,7 +579,7 @@ class Certificates(unittest.TestCase):
             self.assertNotEqual(new, text, why)
             self.path.write_text(signed(new))
             with self.subTest(why):
-                said = answered(self.path)
+                said = answered_from(min(by_number), self.path)
                 self.assertEqual((said.returncode, said.stdout[:4]), (1, "no: "), said.stdout)
                 self.assertRegex(said.stdout, said_why)
         for what, new in (("p=1/2 ", "p=1/3 "), ("p=1/2 ", "p=1 "), ("p=1/2 ", "p=3/2 "), ("G=4 value", "G=5 value")):  # 1 is the largest pressure
@@ -1066,16 +1077,31 @@ class Certificates(unittest.TestCase):
                 trig.gauss.cache_clear()
                 trig.gauss(8)
 
+    def test_small_angles_have_their_sines(self):
+        """Within two units, as many terms as there are: against sums of 64 bits more, at both ends and where another number of terms is taken."""
+        chosen = random.Random(known.seed)
+        for bits in (64, 97, 320):
+            trig = full_contact.Trigonometry(bits)
+            angles = [0, 1, trig.one // 4, *(chosen.randrange(trig.one >> k) for k in range(2, bits, 5))]
+            for a in [*angles, *(-a for a in angles)]:
+                term, of = trig.one << 64, [trig.one << 64, 0]
+                for k in range(1, bits):
+                    term = term * a // (k << bits)
+                    of[k % 2] += (-1) ** (k // 2) * term
+                for found, true in zip(trig.small(a), of):
+                    self.assertLess(abs((found << 64) - true), 2 << 64, (bits, a))
+
     def test_a_row_of_too_many_points_ends_there(self):
         """A file may ask for more than anyone has time for: what is refused is refused before it is done."""
         bits, terms = 64, 64
         one = 1 << bits
-        edges = [one // 512 * k for k in range(1, 1537)]
+        edges = [one // 64 * k for k in range(1, 193)]
         places = [(a * a + b * b >> bits + 1, (b * b - a * a >> bits + 1) + 2) for a, b in zip(edges, edges[1:])]
         mesh = full_contact.Mesh(transfer.Interval.of(3), Fraction(0), 2, bits, edges, places, [100] * len(places), [[[one << 50] * terms]] * len(places), bits, 100, 0)
-        with self.assertRaisesRegex(full_contact.Refused, "too many points"):
-            mesh.exact_row(2 * one)
-        self.assertLessEqual(mesh.nodes, full_contact.MOST_NODES + 32)
+        with unittest.mock.patch.object(full_contact, "MOST_NODES", full_contact.MOST_NODES // 8):
+            with self.assertRaisesRegex(full_contact.Refused, "too many points"):
+                mesh.exact_row(2 * one)
+            self.assertLessEqual(mesh.nodes, full_contact.MOST_NODES + 32)
 
     def mutant(self, chosen):
         """a digit, sign, bound, index or line of one line changed, and what"""

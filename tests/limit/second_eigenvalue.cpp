@@ -101,13 +101,13 @@ void check_what_is_proven(double G, double spoilt)
 
 } // namespace
 
-TEST_CASE("the proven eigenvalue is the forward law's, and that of the differences of areas: G = 2.3")
+TEST_CASE("the proven eigenvalue is the forward law's, and that of the differences of areas: G = 3")
 {
-    check_against_the_forward_law(2.3);
+    check_against_the_forward_law(3);
 }
-TEST_CASE("slow: the proven eigenvalue is the forward law's, and that of the differences of areas: G = 10" * doctest::skip())
+TEST_CASE("slow: the proven eigenvalue is the forward law's, and that of the differences of areas: G = 2.3, G = 10" * doctest::skip())
 {
-    check_against_the_forward_law(10);
+    for (const double G : {2.3, 10.}) check_against_the_forward_law(G);
 }
 
 TEST_CASE("slow: what is proven of w bounds what it is, at 2.2, where the remainder is nearly too large" * doctest::skip())
@@ -190,11 +190,11 @@ TEST_CASE("a w that does not reach the smallest s proves nothing")
 TEST_CASE("a worse w encloses the same eigenvalue, more widely")
 {
     const WorkingPrecision precision(160);
-    const Ball G(Rational(5, 2)), sharp = second_eigenvalue([&] { return G; }, {15});
-    Eigenfunction w = approximate_eigenfunction(G, {12});
+    const Ball G(Rational(5, 2)), sharp = second_eigenvalue([&] { return G; }, {11});
+    Eigenfunction w = approximate_eigenfunction(G, {10});
     w.value[5] = Ball::exactly(number(w.value[5]) + 1e-5 * value(w, lowest(2.5) + 0.7));
     w.slope = chebyshev_derivative(w.value);
-    const EigenvalueProof p = prove_eigenvalue(G, w, {12});
+    const EigenvalueProof p = prove_eigenvalue(G, w, {10});
     const double off = std::fabs(number(p.lambda - sharp)), error = number(3 * p.coupling * p.defect / (p.lambda - p.remainder));
     CHECK(off > 1e-8);
     CHECK(off <= error);
@@ -217,8 +217,8 @@ TEST_CASE("edges: large G, where the first order is what is left")
 TEST_CASE("edges: where the second eigenvalue meets the third")
 {
     const WorkingPrecision precision(160);
-    CHECK_THROWS_AS(second_eigenvalue([] { return Ball(2); }, {10}), BeyondReach);
-    CHECK_THROWS_AS(second_eigenvalue([] { return Ball(Rational(21, 10)); }, {10}), BeyondReach);
+    CHECK_THROWS_AS(second_eigenvalue([] { return Ball(2); }, {3}), BeyondReach);
+    CHECK_THROWS_AS(second_eigenvalue([] { return Ball(Rational(21, 10)); }, {3}), BeyondReach);
 }
 
 TEST_CASE("slow: few digits and the most digits where the second eigenvalue meets the third" * doctest::skip())

@@ -238,7 +238,7 @@ TEST_CASE("where both apply, partial contact's own proof gives the same areas")
     for (const auto& [D, gamma] : {std::pair{"3/2", "5"}, {"3/2", "10"}}) {
         const WorkingPrecision precision(120);
         const Ball G = G_of(D, gamma);
-        const ProvenLevels levels(G, 1, 1e-9);
+        const ProvenLevels levels(G, 1, 1e-8);
         for (const char* text : {"1/1000", "1/10", "1"})
             for (const long n : {1L, 2L, 7L, 20L}) {
                 const Ball load(*parse_rational(text)), proven = levels.share(n, load);
@@ -246,7 +246,7 @@ TEST_CASE("where both apply, partial contact's own proof gives the same areas")
                     transfer::area(transfer::Scheme::area, n, {[&] { return load; }, [&] { return G_of(D, gamma); }}, wanted());
                 INFO(gamma, " load ", text, " n ", n, ": ", proven.to_string(), " ", known.to_string());
                 CHECK(proven.contains(known));
-                CHECK(proven.radius_bound() < 1e-7);
+                CHECK(proven.radius_bound() < 1e-6);
             }
     }
 }
@@ -289,7 +289,7 @@ TEST_CASE("a hundred scales: errors are as small as the share itself")
 {
     // at G = 5/2 and load 1/2 contact stays partial: A_n has another proof, without levels
     const Ball G = Ball(5) / 2, load = Ball(1) / 2;
-    const ProvenLevels levels(G, 1, 1e-9, ProvenLevels::most_levels);
+    const ProvenLevels levels(G, 1, 1e-8, ProvenLevels::most_levels);
     const transfer::Arguments a{[] { return Ball(1) / 2; }, [] { return Ball(5) / 2; }};
     for (const long n : {21L, 60L, 100L}) {
         const WorkingPrecision precision(256);
@@ -362,9 +362,9 @@ TEST_CASE("V may be anything: levels made worse still hold the truth, and say ho
     };
     for (const bool area : {true, false}) {
         const Ball G = Ball(area ? 5 : 3) / 2;
+        constexpr int most = 7; // scales that are looked at
         const auto levels = [&](const ProvenLevels::Spoiled& spoiled) {
-            return area ? ProvenLevels(G, 3, 1e-5, ProvenLevels::usual_levels, spoiled)
-                        : ProvenLevels(G, Ball(1) / 2, 3, 1e-5, ProvenLevels::usual_levels, spoiled);
+            return area ? ProvenLevels(G, 3, 1e-5, most, spoiled) : ProvenLevels(G, Ball(1) / 2, 3, 1e-5, most, spoiled);
         };
         const ProvenLevels good = levels({});
         for (const int level : {0, 2}) { // everywhere
@@ -471,18 +471,32 @@ double apart(const ProvenLevels& good, const ProvenLevels& bad, long n, const ch
 
 } // namespace
 
-TEST_CASE("densities: V may be anything next to the logarithm at x = 1 + G P^2/4, under loads whose waves end there")
+namespace {
+
+/// V off by much next to the logarithm at x = 1 + G P^2/4 = 1.375
+void check_next_to_the_logarithm(std::initializer_list<const char*> loads)
 {
     const WorkingPrecision precision(160);
     const ProvenLevels::Spoiled beside_it = [](int m, double y0, double y1) { return m == 0 && y0 < 1.375 && y1 > 1.375 ? 1e2 : 0.; };
     const ProvenLevels bad = spoiled_densities(1, beside_it); // at scale 1, where it counts
-    for (const char* load : {"1.0625", "1.062499", "1.0625001", "3.0625"}) {
+    for (const char* load : loads) {
         const Ball x(*parse_rational(load)), G(Rational(3, 2)), share = bad.share(1, x);
         const Ball truth = G * G * transfer::estimated_density(transfer::Grid::blind, 2, G * G, x, G, {10}).value;
         INFO("load ", load, ": ", share.to_string(), " ", truth.to_string());
         CHECK(share.overlaps(truth));
         CHECK(share.radius_bound() < 0.2);
     }
+}
+
+} // namespace
+
+TEST_CASE("densities: V may be anything next to the logarithm at x = 1 + G P^2/4, under loads whose waves end there")
+{
+    check_next_to_the_logarithm({"1.0625", "3.0625"});
+}
+TEST_CASE("slow: densities: V may be anything next to the logarithm, under loads whose waves end beside it" * doctest::skip())
+{
+    check_next_to_the_logarithm({"1.062499", "1.0625001"});
 }
 
 TEST_CASE("slow: densities: V may be anything everywhere" * doctest::skip())
