@@ -267,6 +267,54 @@ TEST_CASE("K and E of a wide ball, and both parts of K(1 - u) and E(1 - u) there
     }
 }
 
+TEST_CASE("what a wide ball's size says of K(u), S(u) and (K(u) - E(u))/u is reached at u = q, and no more")
+{
+    for (const Rational& q : {Rational(1, 16), Rational(1, 3), Rational(3, 4), Rational(31, 32)}) {
+        CAPTURE(q.get_str());
+        const WorkingPrecision precise(true_bits);
+        const auto said = about_one_by_size(Ball(q), false);
+        const ComplexBall u(q), own = elliptic_k(u), over = own / ComplexBall(-pi<Ball>());
+        const ComplexBall rest = over * (log(u) - log(ComplexBall(16))) - elliptic_k(ComplexBall(1) - u);
+        const ComplexBall regular = (own - elliptic_e(u)) / u;
+        for (const auto& [disc, at_0, at_q] : {std::tuple(said.k, pi<Ball>() / Ball(2), own),
+                                               {said.rest, Ball(0), rest},
+                                               {said.regular, pi<Ball>() / Ball(4), regular}}) {
+            const Ball reached = abs(at_q - ComplexBall(at_0)), radius = radius_of(disc.real());
+            CHECK(arb_gt((radius * Ball(Rational(1'000'001, 1'000'000))).get(), reached.get()) != 0);
+            CHECK(arb_lt(radius.get(), (reached * Ball(Rational(1001, 1000))).get()) != 0);
+            CHECK(disc.real().contains(at_0));
+        }
+        CHECK_FALSE(about_one_by_size(Ball(q), true).regular.is_finite());
+    }
+    // a disc of K and E themselves is no wider than at its edge, where the means of a real number know them
+    const WorkingPrecision few(53);
+    ComplexBall v(1);
+    widen(v, Ball(Rational(1, 2)));
+    const auto on = elliptic_of_complement(v);
+    const Ball q = upper_ball(ComplexBall(1) - v);
+    const auto at_q = elliptic_of_complement(Ball(1) - q);
+    CHECK(arb_lt(radius_of(on.k.real()).get(), ((at_q.k - pi<Ball>() / Ball(2)) * Ball(Rational(1001, 1000))).get()) != 0);
+    CHECK(arb_lt(radius_of(on.e.real()).get(), ((pi<Ball>() / Ball(2) - at_q.e) * Ball(Rational(1001, 1000))).get()) != 0);
+}
+
+TEST_CASE("K(1 - u) and E(1 - u) of a power of the distance have as many logarithms")
+{
+    const WorkingPrecision precise(true_bits);
+    const Rational distance(1, 5);
+    const Place<Ball> place{Ball(distance)};
+    const ComplexBall d(distance), u = d * d, own = elliptic_k(u), over = own / ComplexBall(-pi<Ball>());
+    const WorkingPrecision working(128);
+    const auto k = elliptic_of_complement(Op::elliptic_k_of_complement, place.left(2));
+    const auto e = elliptic_of_complement(Op::elliptic_e_of_complement, place.left(2));
+    const WorkingPrecision again(true_bits);
+    REQUIRE(k.logarithms().size() == 1);
+    CHECK(holds(k.logarithms().front().c, ComplexBall(2) * over));
+    CHECK(holds(k.factor_without_logarithm(), elliptic_k(ComplexBall(1) - u) - ComplexBall(2) * over * log(d)));
+    const ComplexBall beside = (own - elliptic_e(u)) / ComplexBall(-pi<Ball>());
+    CHECK(holds(e.logarithms().front().c, ComplexBall(2) * beside));
+    CHECK(holds(e.factor_without_logarithm(), elliptic_e(ComplexBall(1) - u) - ComplexBall(2) * beside * log(d)));
+}
+
 TEST_CASE("K at real points by the nearest mean is Arb's, to all bits but a few; of wide balls, of huge and tiny numbers and of none")
 {
     std::mt19937_64 random(20261128);

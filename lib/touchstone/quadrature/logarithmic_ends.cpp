@@ -107,22 +107,14 @@ Ball log_of_16()
     return r;
 }
 
-/// K(1 - u) = -(1/pi) K(u) (log u - log 16) - S(u) and what E(1 - u) takes besides.
-template <class V>
-struct AboutOne {
-    V k;       ///< K(u)
-    V rest;    ///< S(u)
-    V regular; ///< (K(u) - E(u))/u, or nothing where E is not asked for
-};
-
 /// |u| < 1: K(u) = (pi/2) sum of a_n u^n, S(u) = sum of 2 a_n s_n u^n and (pi/4) sum of b_n u^n.
-AboutOne<ComplexBall> by_series(const ComplexBall& u, bool of_k)
+EllipticAboutOne by_series(const ComplexBall& u, bool of_k)
 {
     const Ball q = upper_ball(u), quarter = pi<Ball>() / Ball(4);
     const long terms = std::max(2L, terms_for(q, radius_of(u)));
     const EllipticCoefficients& c = elliptic_coefficients(terms);
     const std::vector<ComplexBall> powers = powers_of(u, terms);
-    AboutOne<ComplexBall> sums{sum_of(c.own, powers, terms), sum_of(c.logarithmic, powers, terms), ComplexBall::indeterminate()};
+    EllipticAboutOne sums{sum_of(c.own, powers, terms), sum_of(c.logarithmic, powers, terms), ComplexBall::indeterminate()};
     widen(sums.k, lemma::remainder(Ball(1), q, terms)); // a_n <= 1
     sums.k = sums.k * ComplexBall(quarter + quarter);
     widen(sums.rest, lemma::elliptic_remainder(q, terms));
@@ -141,19 +133,8 @@ ComplexBall disc_about(const Ball& middle, const Ball& radius)
     return z;
 }
 
-/// |u| <= q < 1: the coefficients of these series are not negative, so that each is off its value at 0 by what it is off there at q.
-AboutOne<ComplexBall> by_size(const Ball& q, bool of_k)
-{
-    const Ball one_less = Ball(1) - q, quarter = pi<Ball>() / Ball(4), half = quarter + quarter;
-    const auto own = of_k ? Elliptic<Ball>{first_kind_of_complement(one_less), Ball::indeterminate()} : elliptic_of_complement(one_less);
-    const Ball rest = own.k / pi<Ball>() * (log_of_16() - touchstone::log(q)) - first_kind_of_complement(q);
-    AboutOne<ComplexBall> sums{disc_about(half, own.k - half), disc_about(Ball(0), rest), ComplexBall::indeterminate()};
-    if (!of_k) sums.regular = disc_about(quarter, (own.k - own.e) / q - quarter);
-    return sums;
-}
-
 /// Off the cuts, by principal functions.
-AboutOne<ComplexBall> by_values(const ComplexBall& u, bool of_k)
+EllipticAboutOne by_values(const ComplexBall& u, bool of_k)
 {
     const ComplexBall v = ComplexBall(1) - u;
     const auto own = of_k ? Elliptic<ComplexBall>{first_kind_of_complement(v), ComplexBall::indeterminate()} : elliptic_of_complement(v);
@@ -162,7 +143,7 @@ AboutOne<ComplexBall> by_values(const ComplexBall& u, bool of_k)
 }
 
 /// For Re u < 0, across the cuts of log u and K(1 - u): S(u) = -(K(u)/pi) (log(-u) - log 16) - (1 - u)^(-1/2) K(1/(1 - u)).
-AboutOne<ComplexBall> by_reciprocal(const ComplexBall& u, bool of_k)
+EllipticAboutOne by_reciprocal(const ComplexBall& u, bool of_k)
 {
     const ComplexBall v = ComplexBall(1) - u;
     const auto own = of_k ? Elliptic<ComplexBall>{first_kind_of_complement(v), ComplexBall::indeterminate()} : elliptic_of_complement(v);
@@ -171,17 +152,17 @@ AboutOne<ComplexBall> by_reciprocal(const ComplexBall& u, bool of_k)
     return {own.k, own.k / ComplexBall(-pi<Ball>()) * logarithm - other, of_k ? own.e : (own.k - own.e) / u};
 }
 
-AboutOne<ComplexBall> about_one(const ComplexBall& u, bool of_k)
+EllipticAboutOne about_one(const ComplexBall& u, bool of_k)
 {
     constexpr double wide = 0.0625; // where what the size says is as good as the series
-    if (arb_gt(radius_of(u).get(), Ball::exactly(wide).get()) != 0 && is_below(u, Rational(31, 32))) return by_size(upper_ball(u), of_k);
+    if (arb_gt(radius_of(u).get(), Ball::exactly(wide).get()) != 0 && is_below(u, Rational(31, 32))) return about_one_by_size(upper_ball(u), of_k);
     if (is_below(u, Rational(3, 4))) return by_series(u, of_k); // a ball that may hold 0
     return arb_is_negative(u.real().get()) != 0 ? by_reciprocal(u, of_k) : by_values(u, of_k);
 }
 
 N<ComplexBall> with_logarithm_of_complement(bool is_k, const N<ComplexBall>& u)
 {
-    const AboutOne<ComplexBall> parts = about_one(u.value(), is_k);
+    const EllipticAboutOne parts = about_one(u.value(), is_k);
     // DLMF 19.12.1
     const N<ComplexBall> K =
         N<ComplexBall>(parts.k / ComplexBall(-pi<Ball>())) * (log(u) - N<ComplexBall>(log_of_16())) - N<ComplexBall>(parts.rest);
@@ -326,6 +307,16 @@ std::optional<N<V>> bessel(Op op, const Ball& order, const N<V>& x)
 }
 
 } // namespace
+
+EllipticAboutOne about_one_by_size(const Ball& q, bool of_k)
+{
+    const Ball one_less = Ball(1) - q, quarter = pi<Ball>() / Ball(4), half = quarter + quarter;
+    const auto own = of_k ? Elliptic<Ball>{first_kind_of_complement(one_less), Ball::indeterminate()} : elliptic_of_complement(one_less);
+    const Ball rest = own.k / pi<Ball>() * (log_of_16() - touchstone::log(q)) - first_kind_of_complement(q);
+    EllipticAboutOne sums{disc_about(half, own.k - half), disc_about(Ball(0), rest), ComplexBall::indeterminate()};
+    if (!of_k) sums.regular = disc_about(quarter, (own.k - own.e) / q - quarter);
+    return sums;
+}
 
 N<Ball> elliptic_of_complement(Op op, const N<Ball>& u) { return elliptic(op, u); }
 N<ComplexBall> elliptic_of_complement(Op op, const N<ComplexBall>& u) { return elliptic(op, u); }

@@ -12,6 +12,16 @@
 
 namespace touchstone::quadrature {
 
+/// K(1 - u) = -(1/pi) K(u) (log u - log 16) - S(u), and what E(1 - u) takes besides (tanh_sinh.md, section 18).
+struct EllipticAboutOne {
+    ComplexBall k;       ///< K(u)
+    ComplexBall rest;    ///< S(u)
+    ComplexBall regular; ///< (K(u) - E(u))/u, or nothing where E is not asked for
+};
+
+/// On abs(u) <= q < 1, q > 0: discs about what they are at 0, as large as at q. The coefficients of these series are not negative.
+EllipticAboutOne about_one_by_size(const Ball& q, bool of_k);
+
 /// ellipk(1 - u), ellipe(1 - u).
 EndpointNumber<Ball> elliptic_of_complement(Op, const EndpointNumber<Ball>& u);
 EndpointNumber<ComplexBall> elliptic_of_complement(Op, const EndpointNumber<ComplexBall>& u);
