@@ -6,6 +6,7 @@
 #include "proofs/own/own_names.hpp"
 #include "proofs/own/own_sides.hpp"
 #include "proofs/own/own_symbols.hpp"
+#include "proofs/own/own_values.hpp"
 #include "proofs/reading/whole.hpp"
 #include "proofs/symbols.hpp"
 #include "proofs/symbolic/symbolic.hpp"
@@ -110,6 +111,8 @@ Check printed(const OwnTable& t, std::size_t row, const std::string& digits, boo
     Ball value;
     try {
         value = evaluate(read(t.formula), at);
+        if (surely_has_no_value(t.formula, at))
+            return {Verdict::undecided, "at " + where + " the formula has no real value as it is written"};
     } catch (const std::exception& wrong) {
         return {Verdict::undecided, "at " + where + " the formula cannot be read: " + wrong.what()};
     }
@@ -274,6 +277,7 @@ Finding judge_own(const OwnLedger& whole, const OwnEntry& e, const Print& p)
     Argument a(e.follows ? "normal form" : !e.over.empty() ? "balls over the range" : "balls at the samples");
     try {
         a.add("dimensions", units(p));
+        if (const auto no = value_forbids(ledger, e, p)) return a.add("a value as it is written", *no).conclude();
         if (e.follows) {
             const std::string what = "the right side follows from (" + e.follows->equation + ")";
             if (const auto no = hidden_dependence(whole, e)) return a.add(what, *no).conclude(); // of the rest nothing is known
