@@ -4,6 +4,7 @@
 
 usage: test_program.py TOUCHSTONE
 """
+import functools
 import json
 import os
 import shutil
@@ -77,7 +78,8 @@ class Program(unittest.TestCase):
         words = ["contact.density", "n=2", "p=0.9", "load=1", "G=3/2"]
         r = run("eval", *words, "--digits", "25", "--json")
         j = json.loads(r.stdout)
-        self.assertEqual((r.returncode, j["status"], j["digits"], j["value"][:15]), (2, "undecided", 22, self.value(*words, "--digits", "15")["value"][:15]))
+        few = self.value(*words, "--digits", "6")["value"]
+        self.assertEqual((r.returncode, j["status"], j["digits"], j["value"][:len(few) - 1]), (2, "undecided", 22, few[:-1]))
         self.assertIn("22 digits are certified here, 25 were asked for", j["note"])
         self.assertIn("error", j)
 
@@ -157,20 +159,20 @@ class Program(unittest.TestCase):
 
     def test_tables_are_listed_with_what_the_checker_confirmed(self):
         with tempfile.TemporaryDirectory() as out:
-            self.assertEqual(run("table", "archard_K", "archard_delta", "archard_alpha", "--out", out).returncode, 0)
+            self.assertEqual(run("table", "archard_K", "archard_delta", "hertz_pressure", "--out", out).returncode, 0)
             listed = lambda: {line.split()[0]: " ".join(line.split()[4:]) for line in run("table", "--out", out).stdout.splitlines()}  # noqa: E731
-            self.assertEqual({listed()[name] for name in ("archard_K", "archard_alpha")}, {"not checked"})
+            self.assertEqual({listed()[name] for name in ("archard_K", "hertz_pressure")}, {"not checked"})
             hashes = {}
-            for name in ("archard_K", "archard_delta", "archard_alpha"):
+            for name in ("archard_K", "archard_delta", "hertz_pressure"):
                 with open(os.path.join(out, name + ".txt")) as f:
                     hashes[name] = json.loads(next(line for line in f if line.startswith("# {"))[2:])["sha256"]
             path = os.path.join(out, "coverage.json")
             entry = {"rows": 70, "confirmed": 69, "all_digits": 60, "wrong": 0, "digits": 12}
             with open(path, "w") as f:
                 json.dump([{"table": "archard_K", "sha256": hashes["archard_K"], **entry}, {"table": "archard_delta", "sha256": "0" * 64, **entry},
-                           {"table": "archard_alpha", "sha256": hashes["archard_alpha"], **entry}], f)
+                           {"table": "hertz_pressure", "sha256": hashes["hertz_pressure"], **entry}], f)
             said = listed()
-            self.assertEqual([said[name] for name in ("archard_K", "archard_delta", "archard_alpha", "hertz_gap")],
+            self.assertEqual([said[name] for name in ("archard_K", "archard_delta", "hertz_pressure", "hertz_gap")],
                              ["69 of 70 rows, 12 digits", "not checked since it changed", "not checked as a whole", "not stored"])
             for bad in ("{", "5", '[{"table": "archard_K"}]', '[{"table": 5}]', "[" * 100000):
                 with open(path, "w") as f:
@@ -222,8 +224,13 @@ class Program(unittest.TestCase):
         for load, value, error, forced in rows:
             self.assertTrue(0 < float(load) <= 1 and 0 < float(value) <= 0.5 and float(error) >= 0 and float(forced) >= 0)
 
+    @staticmethod
+    @functools.cache
+    def ledger():
+        return json.loads(run("paper", "--json").stdout)  # as a whole it takes seconds: judged once
+
     def test_paper(self):
-        j = json.loads(run("paper", "--json").stdout)
+        j = self.ledger()
         ids = {e["id"]: e for e in j}
         for n in range(20):
             self.assertEqual(ids[f"table1.n{n:02d}"]["verdict"], "verified")
@@ -243,7 +250,7 @@ class Program(unittest.TestCase):
         self.assertEqual((unknown.returncode, unknown.stdout, unknown.stderr.count("\n")), (65, "", 1))
 
     def test_paper_has_every_numbered_equation(self):
-        ids = {e["id"]: e for e in json.loads(run("paper", "--json").stdout)}
+        ids = {e["id"]: e for e in self.ledger()}
         for section, last in ((2, 20), (3, 10), (5, 14), (6, 8), (7, 21), (8, 7), (9, 4)):
             for k in range(1, last + 1):
                 self.assertIn(f"{section}.{k}", ids)

@@ -19,7 +19,7 @@ PROGRAM = os.path.abspath(sys.argv.pop(1))
 SUBJECTS = os.path.join(os.path.dirname(PROGRAM), "verify", "subjects")
 # What takes seconds on one machine is over on another before the first picture is due: work is given with sizes, and grows until it lasts.
 VALUE = [["eval", "contact.exceedance", "n=5", "p=1/100", "load=1/100", "G=3", "--digits", d] for d in ("8", "10", "11", "12")]
-AREA = [["eval", "contact.area", "n=2", "load=7/20", "G=3/2", "--digits", d] for d in ("60", "90", "120", "150")]
+AREA = [["eval", "contact.area", "n=2", "load=7/20", "G=3/2", "--digits", d] for d in ("20", "60", "90", "120", "150")]
 SUBJECT = ["--", os.path.join(SUBJECTS, "subject_library_forms"), "westergaard.gap"]
 LEDGER = ["paper"]
 

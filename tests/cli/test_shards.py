@@ -67,30 +67,30 @@ class Shards(unittest.TestCase):
         self.assertGreater(len(set.union(*homes.values())), 1)
 
     def test_what_is_missing_is_an_array(self):
-        self.make("archard_alpha", 9, (1, 2, 4, 5, 6))
+        self.make("archard_delta", 9, (1, 2, 4, 5, 6))
         r = self.merged(1)
         self.assertEqual(r.stdout, "--array=3,7-9\n")
         self.assertIn("--array=3,7-9", r.stderr)
-        self.assertFalse((self.shares / "archard_alpha.txt").exists())
-        self.make("archard_alpha", 9, (3, 7, 8, 9))
+        self.assertFalse((self.shares / "archard_delta.txt").exists())
+        self.make("archard_delta", 9, (3, 7, 8, 9))
         self.merged()
 
     def test_what_is_there_is_kept(self):
-        self.make("archard_alpha", 3, (2,))
-        file = self.file("archard_alpha", 2, 3)
+        self.make("archard_delta", 3, (2,))
+        file = self.file("archard_delta", 2, 3)
         before = file.stat()
-        r = run("table", "archard_alpha", "--shard", "2/3", "--out", self.shares)
+        r = run("table", "archard_delta", "--shard", "2/3", "--out", self.shares)
         self.assertIn("is there already", r.stdout)
         self.assertEqual((file.stat().st_ino, file.stat().st_mtime_ns), (before.st_ino, before.st_mtime_ns))
         good = file.read_text()
         for bad in (good[:-30], good.replace("0.", "1.", 1), "", good.replace('"version":"', '"version":"9')):
             file.write_text(bad)
-            self.assertEqual(run("table", "archard_alpha", "--shard", "2/3", "--out", self.shares).returncode, 0)
+            self.assertEqual(run("table", "archard_delta", "--shard", "2/3", "--out", self.shares).returncode, 0)
             self.assertEqual(file.read_text(), good)
 
     def test_cut_off_changed_doubled_strange(self):
-        self.make("archard_alpha", 4)
-        third = self.file("archard_alpha", 3, 4)
+        self.make("archard_delta", 4)
+        third = self.file("archard_delta", 3, 4)
         good = third.read_text()
         rows = good.splitlines(keepends=True)
         for bad, reason in ((good[: len(good) // 2], "cut off"), ("", "no shard"), (good[:-1] + " \n", "cut off or changed"), ("".join(rows[:-1]), "cut off or changed"),
@@ -104,19 +104,19 @@ class Shards(unittest.TestCase):
         shutil.copy(third, self.shares / "again.txt")
         self.assertIn("and so is", self.merged(65).stderr)
         (self.shares / "again.txt").unlink()
-        run("table", "archard_alpha", "--shard", "1/5", "--out", self.shares)
+        run("table", "archard_delta", "--shard", "1/5", "--out", self.shares)
         self.assertIn("another number of shares (5)", self.merged(65).stderr)
-        self.file("archard_alpha", 1, 5).unlink()
-        run("table", "archard_alpha", "--digits", "30", "--shard", "3/4", "--out", self.shares)
+        self.file("archard_delta", 1, 5).unlink()
+        run("table", "archard_delta", "--digits", "30", "--shard", "3/4", "--out", self.shares)
         self.assertIn("another table", self.merged(65).stderr)
-        self.assertEqual(run("table", "archard_alpha", "--shard", "3/4", "--out", self.shares).returncode, 0)
+        self.assertEqual(run("table", "archard_delta", "--shard", "3/4", "--out", self.shares).returncode, 0)
         (self.shares / "slurm-17.out").write_text("not a shard\n")
         self.merged()
 
     def test_another_version(self):
         """A sealed shard whose head names another version: as an older program would have left it."""
-        self.make("archard_alpha", 2)
-        file = self.file("archard_alpha", 1, 2)
+        self.make("archard_delta", 2)
+        file = self.file("archard_delta", 1, 2)
         first, head, rows = file.read_text().split("\n", 2)
         sealed = re.sub(r',"sha256":"[0-9a-f]+"}$', "}", head[2:])
         self.assertEqual(hashlib.sha256(f"{sealed}\n{rows}".encode()).hexdigest(), head[-66:-2])
@@ -205,11 +205,11 @@ class Shards(unittest.TestCase):
         self.assertEqual((self.shares / "contact_area-ranges.txt").read_bytes(), (self.folder / "whole.txt").read_bytes())
 
     def test_bad_input(self):
-        for words, code, reason in ((("table", "archard_alpha", "--shard", "0/3"), 65, "1 <= I <= N"), (("table", "archard_alpha", "--shard", "4/3"), 65, "1 <= I <= N"),
-                                    (("table", "archard_alpha", "--shard", "1/3/5"), 65, "such as 3/16"), (("table", "archard_alpha", "--shard", ""), 64, "empty"),
-                                    (("table", "archard_alpha", "--shard", "1/3", "--format", "csv", "--out", "x"), 64, "txt"), (("table", "all", "--shard", "1/3"), 64, "--out"),
+        for words, code, reason in ((("table", "archard_delta", "--shard", "0/3"), 65, "1 <= I <= N"), (("table", "archard_delta", "--shard", "4/3"), 65, "1 <= I <= N"),
+                                    (("table", "archard_delta", "--shard", "1/3/5"), 65, "such as 3/16"), (("table", "archard_delta", "--shard", ""), 64, "empty"),
+                                    (("table", "archard_delta", "--shard", "1/3", "--format", "csv", "--out", "x"), 64, "txt"), (("table", "all", "--shard", "1/3"), 64, "--out"),
                                     (("eval", "peaks.f", "--rows", "-", "--shard", "1/3"), 64, "not standard input"), (("merge", self.folder / "none"), 66, "no folder"),
-                                    (("merge", self.folder), 66, "no shards"), (("table", "archard_alpha", "--shard", "1/3", "--out", "/proc/x"), 73, "cannot write")):
+                                    (("merge", self.folder), 66, "no shards"), (("table", "archard_delta", "--shard", "1/3", "--out", "/proc/x"), 73, "cannot write")):
             r = run(*words, cwd=self.folder)
             self.assertEqual(r.returncode, code, (words, r.stderr))
             self.assertIn(reason, r.stderr)
@@ -223,14 +223,14 @@ class Shards(unittest.TestCase):
         (bin / "touchstone").write_text(f"#!/bin/sh\ncase \"$*\" in *\"--shard 3/5\"*) if [ ! -e '{dies_once}' ]; then : > '{dies_once}'; kill -9 $$; fi;; esac\nexec '{PROGRAM}' \"$@\"\n")
         (bin / "touchstone").chmod(0o755)
         env = dict(os.environ, PATH=f"{bin}:{os.environ['PATH']}", HOME=str(self.folder))
-        command = ["bash", SOURCE / "examples/hpc/parallel.sh", "archard_alpha", "5", self.shares, "-j2"]
+        command = ["bash", SOURCE / "examples/hpc/parallel.sh", "archard_delta", "5", self.shares, "-j2"]
         first = subprocess.run(command, env=env, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
         self.assertNotEqual(first.returncode, 0)
         self.assertEqual(run("merge", self.shares).stdout, "--array=3\n")
         second = subprocess.run(command, env=env, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
         self.assertEqual(second.returncode, 0, second.stderr)
         self.assertNotIn("there already", second.stdout)  # --resume-failed did not even start the others
-        self.assertEqual((self.shares / "archard_alpha.txt").read_bytes(), (STORED / "archard_alpha.txt").read_bytes())
+        self.assertEqual((self.shares / "archard_delta.txt").read_bytes(), (STORED / "archard_delta.txt").read_bytes())
 
     @unittest.skipUnless(shutil.which("snakemake"), "no snakemake")
     def test_snakemake(self):
@@ -243,7 +243,7 @@ class Shards(unittest.TestCase):
         (bin / "touchstone").chmod(0o755)
         env = dict(os.environ, PATH=f"{bin}:{os.environ['PATH']}", HOME=str(self.folder), XDG_CACHE_HOME=str(self.folder / "cache"))
         command = ["snakemake", "--snakefile", SOURCE / "examples/hpc/Snakefile", "--directory", self.folder, "--cores", "2", "--keep-going", "--nocolor",
-                   "--config", "table=archard_alpha", "shares=5", f"folder={self.shares}"]
+                   "--config", "table=archard_delta", "shares=5", f"folder={self.shares}"]
         make = lambda: subprocess.run(command, env=env, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=900)
         first = make()
         self.assertNotEqual(first.returncode, 0, first.stderr)
@@ -253,7 +253,7 @@ class Shards(unittest.TestCase):
         second = make()
         self.assertEqual(second.returncode, 0, second.stderr)
         self.assertEqual(len(called.read_text().splitlines()) - already, 2, called.read_text())  # the share that died, and merge
-        self.assertEqual((self.shares / "archard_alpha.txt").read_bytes(), (STORED / "archard_alpha.txt").read_bytes())
+        self.assertEqual((self.shares / "archard_delta.txt").read_bytes(), (STORED / "archard_delta.txt").read_bytes())
         make()
         self.assertEqual(len(called.read_text().splitlines()) - already, 2)
 

@@ -61,7 +61,7 @@ TEST_CASE("two grids, two schemes, one area, and tight balls")
     }
 }
 
-TEST_CASE("nested by hand, n = 1 and 2")
+TEST_CASE("slow: nested by hand, n = 1 and 2, to 19 digits" * doctest::skip()) // to fewer digits below
 {
     const WorkingPrecision precision(bits);
     // x_1 in (0.31, 0.94) of 16: load 10, all of scale 1 below 1, nothing singular on the way
@@ -124,16 +124,23 @@ TEST_CASE("full contact everywhere is exact, to the last load that keeps it; the
     CHECK(e.value < "1");
 }
 
-TEST_CASE("(1.5, 16) and (1.25, 256) give the same area, digit for digit")
+namespace {
+
+void check_same_G(long n, long digits)
 {
-    const auto eval = [](const char* D, long gamma) {
-        return evaluate(*find_quantity("contact.area"), Inputs({{"n", 3}, {"load", 10}, {"D", exactly(D)}, {"gamma", gamma}}),
-                        {.digits = 17});
+    const auto eval = [n, digits](const char* D, long gamma) {
+        return evaluate(*find_quantity("contact.area"), Inputs({{"n", n}, {"load", 10}, {"D", exactly(D)}, {"gamma", gamma}}),
+                        {.digits = digits});
     };
     const auto a = eval("1.5", 16), b = eval("1.25", 256);
     CHECK(a.status == Status::certified);
     CHECK(a.value == b.value);
 }
+
+} // namespace
+
+TEST_CASE("(1.5, 16) and (1.25, 256) give the same area, digit for digit") { check_same_G(2, 6); }
+TEST_CASE("slow: (1.5, 16) and (1.25, 256) give the same area, digit for digit, to 17 digits" * doctest::skip()) { check_same_G(3, 17); }
 
 TEST_CASE("panels too narrow for binary64 numbers are refused")
 {
@@ -613,6 +620,12 @@ TEST_CASE("few digits: load 10, G = 16, nothing singular on the way")
     CHECK(arb_is_one(none.area.get()));
     CHECK(none.errors.rbegin()->first == 2); // scale 1 is below 1, in part above 2/G; scale 2 below 2/G
     CHECK(none.moved.rbegin()->first == 2);
+}
+
+TEST_CASE("few digits: two scales, load 10, G = 4, nested by hand")
+{
+    const WorkingPrecision precision(bits);
+    is_area_of_few_digits(Scheme::force_weighted, 2, at("10", "4"), 8, nested(2, Ball(10), Ball(4), 80));
 }
 
 TEST_CASE("few digits: load 1.5, G = 2.2, across ratio 1")
