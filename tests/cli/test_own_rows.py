@@ -150,7 +150,7 @@ class OwnRows(Scratch):
         self.assertEqual(os.listdir(self.folder), ["many.txt"])
 
     def test_an_interrupt_leaves_a_table_and_resume_finishes_it(self):
-        words = ["eval", "contact.exceedance", "n=1", "load=1/2", "G=5/2", "p=1/100:3/2:1/100", "--digits", "30"]
+        words = ["eval", "contact.exceedance", "n=1", "load=1/2", "G=5/2", "p=1/200:3/2:1/200", "--digits", "30"]
         whole = run(*words)
         self.assertEqual(whole.returncode, 0)
         out = self.folder / "t.txt"
