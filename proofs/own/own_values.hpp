@@ -13,8 +13,8 @@
 
 namespace touchstone::proofs {
 
-/// Whether at the point asin, acos, log or sqrt of the text have an argument for which they surely have no real value (powers are not looked
-/// at); `text` is one that read takes.
+/// Whether at the point asin, acos, log or sqrt of the text have an argument for which they surely have no real value (powers are not
+/// looked at); `text` is one that read takes.
 bool surely_has_no_value(const OwnLedger&, const std::string& text, const Point& at);
 /// The same of symbols that stand for nothing but their numbers.
 bool surely_has_no_value(const std::string& text, const Point& at);
