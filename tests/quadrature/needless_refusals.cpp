@@ -170,3 +170,18 @@ TEST_CASE("the elliptic integrals have their expansions at 0")
     check("(ellipk(-x)-pi/2)/x", "0", "1", "-0.315328353041659662324909920010");
     check("(ellipk(sin(x)^2)-pi/2)/x", "0", "pi/4", "0.130752230387832485971431825641");
 }
+
+TEST_CASE("branches beyond the range are no cuts of it, and a cut is found beside an end that no exact number is")
+{
+    for (const char* formula : {"abs(x+1/2)", "abs(x-3/2)"}) {
+        const Integral i = integrate(parse_expression(formula), parse_limit("0"), parse_limit("1"));
+        CHECK(i.status == Status::certified);
+        CHECK(i.parts.size() == 1);
+        CHECK(i.value.contains(Ball(1)));
+    }
+    const Integral i = integrate(parse_expression("((x-1/3)^2)^(1/4)"), parse_limit("0"), parse_limit("log(2)"));
+    CHECK(i.status == Status::certified);
+    CHECK(i.parts.size() == 2);
+    const Ball third = Ball(1) / Ball(3), beyond = log(Ball(2)) - third;
+    CHECK(i.value.overlaps((third * sqrt(third) + beyond * sqrt(beyond)) * Ball(2) / Ball(3)));
+}
