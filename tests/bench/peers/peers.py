@@ -140,6 +140,12 @@ class Bench:
         self.gp = shutil.which("gp")
         self.sizes, self.known = [15, 50] if quick else list(SIZES), {}
 
+    def must_be_of_now(self):
+        """Its programs are no part of what a build makes by itself: one of yesterday would measure yesterday's library."""
+        for program in map(Path, (self.values, self.integrals)):
+            if program.exists() and any(library.stat().st_mtime > program.stat().st_mtime for library in (self.build / "lib").glob("*.a")):
+                sys.exit(f"peers: {program.name} is older than the library: cmake --build {self.build} --target touchstone_program bench_peers")
+
     def mpmath(self, text, limit):
         return repeated([sys.executable, "-c", text], limit=limit)
 
@@ -388,6 +394,7 @@ def main():
     parser.add_argument("--out", default=str(SOURCE / "docs"), help="folder of peers.json and peers.md")
     options = parser.parse_args()
     bench = Bench(options.build, options.quick, 3 if options.quick else options.limit)
+    bench.must_be_of_now()
     measure.BUDGET = options.budget
     store = Path(options.out) / "peers.json"
     results = json.loads(store.read_text()) if store.exists() and options.only else {"items": {}}
