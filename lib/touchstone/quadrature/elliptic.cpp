@@ -119,10 +119,9 @@ Ball mean_with_one(const Ball& b)
 /// K and E on a wide ball in abs(m) < 1, where the means would be no better known: E where it is asked for.
 std::optional<Elliptic<ComplexBall>> by_size(const ComplexBall& v, bool with_e)
 {
-    constexpr double wide = 0.0625, largest = 0.96875;
     const ComplexBall m = ComplexBall(1) - v;
+    if (!is_known_by_size(m)) return std::nullopt;
     const Ball q = upper_ball(m);
-    if (!arb_gt(radius_of(m).get(), Ball::exactly(wide).get()) || !arb_lt(q.get(), Ball::exactly(largest).get())) return std::nullopt;
     const Elliptic<Ball> there = with_e ? by_means(Ball(1) - q, true) : Elliptic<Ball>{first_kind_of_complement(Ball(1) - q), Ball(0)};
     const Ball at_zero = pi<Ball>() / Ball(2);
     Elliptic<ComplexBall> on{ComplexBall(at_zero), with_e ? ComplexBall(at_zero) : ComplexBall::indeterminate()};
@@ -132,6 +131,12 @@ std::optional<Elliptic<ComplexBall>> by_size(const ComplexBall& v, bool with_e)
 }
 
 } // namespace
+
+bool is_known_by_size(const ComplexBall& u)
+{
+    constexpr double wide = 0.0625, largest = 0.96875;
+    return arb_gt(radius_of(u).get(), Ball::exactly(wide).get()) && arb_lt(upper_ball(u).get(), Ball::exactly(largest).get());
+}
 
 Elliptic<Ball> elliptic_of_complement(const Ball& v) { return by_means(v, true); }
 Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v)

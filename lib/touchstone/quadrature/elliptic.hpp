@@ -15,8 +15,11 @@ struct Elliptic {
 /// K and E of m = 1 - v, principal: v off the cut (-oo, 0], else indeterminate. (tanh_sinh.md, section 18)
 Elliptic<Ball> elliptic_of_complement(const Ball& v);
 Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v);
-/// K alone, of a number by Arb's mean at half the cost.
+/// K alone, of a number by MPFR's mean at less than half of the cost.
 Ball first_kind_of_complement(const Ball& v);
 ComplexBall first_kind_of_complement(const ComplexBall& v);
+
+/// Whether a ball in abs(u) < 31/32 is so wide that what its size says of K(u), E(u) and their like is as good as means and series.
+bool is_known_by_size(const ComplexBall& u);
 
 } // namespace touchstone::quadrature

@@ -154,9 +154,7 @@ EllipticAboutOne by_reciprocal(const ComplexBall& u, bool of_k)
 
 EllipticAboutOne about_one(const ComplexBall& u, bool of_k)
 {
-    constexpr double wide = 0.0625; // where what the size says is as good as the series
-    const bool is_wide = arb_gt(radius_of(u).get(), Ball::exactly(wide).get()) != 0;
-    if (is_wide && is_below(u, Rational(31, 32))) return about_one_by_size(upper_ball(u), of_k);
+    if (is_known_by_size(u)) return about_one_by_size(upper_ball(u), of_k);
     if (is_below(u, Rational(3, 4))) return by_series(u, of_k); // a ball that may hold 0
     return arb_is_negative(u.real().get()) != 0 ? by_reciprocal(u, of_k) : by_values(u, of_k);
 }
