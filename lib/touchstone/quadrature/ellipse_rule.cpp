@@ -113,6 +113,7 @@ private:
 
 constexpr long closer_nodes = 48; // that show how far F is analytic where the first, fewer ones don't
 constexpr int boxes_of_a_bound = 4; // that the boundary takes, of an even F half of them
+constexpr int parts_after_a_failure = 4; // of the turn, to begin with: wider boxes have failed
 constexpr double shrunk = 0.7;    // times the sigma of an ellipse that failed: the next to be tried
 
 void take_larger(Ball& a, const Ball& b)
@@ -188,7 +189,11 @@ void EllipseProof::try_up_to(double sigma, double below, double most_boxes)
     const long budget = pieces + static_cast<long>(most_boxes);
     // where the one before failed this one will fail first
     const bool likely = failed_to_ <= failed_from_ || is_covered(below, sigma, failed_from_, failed_to_, smallest, budget, bounds);
-    if (likely && is_covered(below, sigma, 0, turn(), smallest, budget, bounds))
+    const int parts = failed_ ? parts_after_a_failure : 1;
+    bool covered = likely;
+    for (int k = 0; k < parts && covered; ++k)
+        covered = is_covered(below, sigma, turn() * k / parts, turn() * (k + 1) / parts, smallest, budget, bounds);
+    if (covered)
         proved_ = Ellipse{sigma, bounds};
     else
         failed_ = sigma;
@@ -462,7 +467,7 @@ std::string EllipseIntegral::proof(const Ball& scale) const
 
 std::optional<EllipseIntegral> by_ellipse(const EllipseFunction& f, double bits, bool of_absolute, long most_nodes)
 {
-    constexpr long rough = 16; // nodes that show the size, and how far F is analytic
+    const long rough = f.weights.size() > 1 ? 10 : 16; // nodes that show the size, and how far F is analytic; fewer of the dear ones
     constexpr double believed = 10; // bits that may cancel, where the rough values show that some do
     constexpr int most_attempts = 3;
     constexpr slong guard = 12;

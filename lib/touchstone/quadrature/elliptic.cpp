@@ -2,11 +2,10 @@
 #include "touchstone/quadrature/elliptic.hpp"
 
 #include "touchstone/quadrature/endpoint_number.hpp"
+#include "touchstone/quadrature/fixed_means.hpp"
 #include "touchstone/quadrature/lemmas.hpp"
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
-
-#include <mpfr.h>
 
 #include <algorithm>
 #include <limits>
@@ -88,34 +87,6 @@ Elliptic<V> by_means(const V& v, bool with_e)
     return {k, k * (V(1) - sum)};
 }
 
-/// The mean of 1 and b > 0. MPFR rounds that of 1 and the middle of b to the nearest number, at two thirds of the cost of Arb's mean; it
-/// grows with b, and no faster than b (tanh_sinh.md, section 20).
-Ball mean_with_one(const Ball& b)
-{
-    constexpr slong largest_exponent = 1L << 28; // inside MPFR's range
-    const slong bits = WorkingPrecision::bits();
-    Ball mean;
-    arf_srcptr middle = arb_midref(b.get());
-    const bool is_ordinary = b.is_finite() && arb_is_positive(b.get()) != 0 && arf_cmpabs_2exp_si(middle, largest_exponent) < 0 &&
-                             arf_cmpabs_2exp_si(middle, -largest_exponent) > 0;
-    if (!is_ordinary) {
-        arb_agm(mean.get(), Ball(1).get(), b.get(), bits);
-        return mean;
-    }
-    mpfr_t one, x, rounded;
-    mpfr_init2(one, MPFR_PREC_MIN), mpfr_init2(x, std::max(bits, arf_bits(middle))), mpfr_init2(rounded, bits);
-    mpfr_set_ui(one, 1, MPFR_RNDN);
-    arf_get_mpfr(x, middle, MPFR_RNDN);
-    mpfr_agm(rounded, one, x, MPFR_RNDN);
-    arf_set_mpfr(arb_midref(mean.get()), rounded);
-    mag_set_ui_2exp_si(arb_radref(mean.get()), 1, mpfr_get_exp(rounded) - bits); // a unit in the last place
-    mpfr_clear(one), mpfr_clear(x), mpfr_clear(rounded);
-    if (b.is_exact()) return mean;
-    const WorkingPrecision coarse(53);
-    widen(mean, upper_ball(mean) * radius_of(b) / lower_ball(b));
-    return mean;
-}
-
 /// K and E on a wide ball in abs(m) < 1, where the means would be no better known: E where it is asked for.
 std::optional<Elliptic<ComplexBall>> by_size(const ComplexBall& v, bool with_e)
 {
@@ -132,13 +103,20 @@ std::optional<Elliptic<ComplexBall>> by_size(const ComplexBall& v, bool with_e)
 
 } // namespace
 
+constexpr slong lost_bits = 64; // to the means of huge and of tiny numbers, of which there are many
+
 bool is_known_by_size(const ComplexBall& u)
 {
     constexpr double wide = 0.0625, largest = 0.96875;
     return arb_gt(radius_of(u).get(), Ball::exactly(wide).get()) && arb_lt(upper_ball(u).get(), Ball::exactly(largest).get());
 }
 
-Elliptic<Ball> elliptic_of_complement(const Ball& v) { return by_means(v, true); }
+Elliptic<Ball> elliptic_of_complement(const Ball& v)
+{
+    if (auto fixed = by_fixed_means(v, true)) return std::move(*fixed);
+    const WorkingPrecision more(WorkingPrecision::bits() + lost_bits);
+    return by_means(v, true);
+}
 Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v)
 {
     if (auto on = by_size(v, true)) return std::move(*on);
@@ -147,9 +125,9 @@ Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v)
 
 Ball first_kind_of_complement(const Ball& v)
 {
-    if (!arb_is_positive(v.get())) return Ball::indeterminate();
-    const Ball mean = mean_with_one(sqrt(v));
-    return pi<Ball>() / (mean + mean);
+    if (auto fixed = by_fixed_means(v, false)) return std::move(fixed->k);
+    const WorkingPrecision more(WorkingPrecision::bits() + lost_bits);
+    return by_means(v, false).k;
 }
 ComplexBall first_kind_of_complement(const ComplexBall& v)
 {

@@ -15,7 +15,7 @@ struct Elliptic {
 /// K and E of m = 1 - v, principal: v off the cut (-oo, 0], else indeterminate. (tanh_sinh.md, section 18)
 Elliptic<Ball> elliptic_of_complement(const Ball& v);
 Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v);
-/// K alone, of a number by MPFR's mean at less than half of the cost.
+/// K alone.
 Ball first_kind_of_complement(const Ball& v);
 ComplexBall first_kind_of_complement(const ComplexBall& v);
 

@@ -62,7 +62,7 @@ public:
     constexpr bool is_integer() const { return d_ == 1; }
     double to_double() const { return static_cast<double>(n_) / static_cast<double>(d_); }
     Rational rational() const { Rational r(n_, d_); return r; }
-    Ball ball() const { return Ball(n_) / Ball(d_); }
+    Ball ball() const { return d_ == 1 ? Ball(n_) : Ball(n_) / Ball(d_); }
     std::string to_string() const { return d_ == 1 ? std::to_string(n_) : std::to_string(n_) + "/" + std::to_string(d_); }
 
     friend Exponent operator+(const Exponent& a, const Exponent& b)
@@ -336,7 +336,7 @@ public:
     friend EndpointNumber operator*(const EndpointNumber& a, const EndpointNumber& b)
     {
         if (a.logarithms_ || b.logarithms_) return product_of_terms(a, b);
-        return {common(a, b), a.p_ + b.p_, a.q_ + b.q_, analytic::is_one(b.c_) ? a.c_ : a.c_ * b.c_};
+        return {common(a, b), a.p_ + b.p_, a.q_ + b.q_, analytic::is_one(b.c_) ? a.c_ : analytic::is_one(a.c_) ? b.c_ : a.c_ * b.c_};
     }
     friend EndpointNumber operator/(const EndpointNumber& a, const EndpointNumber& b)
     {
@@ -397,8 +397,13 @@ private:
         V free(0);
         Terms terms;
         for (const EndpointNumber* x : {&a, &b}) {
+            if (x->p_ == p && x->q_ == q) {
+                free += x->c_;
+                for (const auto& t : x->logarithms()) add_term(free, terms, t.left, t.right, t.c);
+                continue;
+            }
             const V power = EndpointNumber(x->frame_, x->p_, x->q_, V(1)).over(frame, p, q);
-            add_term(free, terms, 0, 0, power * x->c_);
+            free += power * x->c_;
             for (const auto& t : x->logarithms()) add_term(free, terms, t.left, t.right, power * t.c);
         }
         return {frame, p, q, std::move(free), std::move(terms)};

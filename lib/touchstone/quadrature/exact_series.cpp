@@ -82,8 +82,9 @@ Series inverse(const Series& a)
     r.c[0] = *lead;
     for (std::size_t k = 1; k < r.c.size(); ++k) {
         ExactSum s;
-        for (std::size_t j = 1; j <= k; ++j) s = s + a->c[j] * r.c[k - j];
-        r.c[k] = -(s * *lead);
+        for (std::size_t j = 1; j <= k; ++j)
+            if (!a->c[j].is_zero() && !r.c[k - j].is_zero()) s = s + a->c[j] * r.c[k - j];
+        if (!s.is_zero()) r.c[k] = -(s * *lead);
     }
     return r;
 }
@@ -110,10 +111,11 @@ Series power(const Series& a, const Rational& e)
     for (std::size_t k = 1; k < r.c.size(); ++k) {
         ExactSum s;
         for (std::size_t j = 1; j <= k; ++j) {
+            if (a->c[j].is_zero() || r.c[k - j].is_zero()) continue;
             const Rational w = e * static_cast<long>(j) - static_cast<long>(k - j);
             s = s + ExactSum(w) * a->c[j] * r.c[k - j];
         }
-        r.c[k] = s * *first * ExactSum(Rational(1, static_cast<long>(k)));
+        if (!s.is_zero()) r.c[k] = s * *first * ExactSum(Rational(1, static_cast<long>(k)));
     }
     return r;
 }

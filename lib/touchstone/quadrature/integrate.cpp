@@ -152,7 +152,7 @@ Attempt Integration::attempt(const Limit& from, const Limit& to, long digits) co
             }
             if (a && a->value.is_finite()) return *a;
             if (!regular)
-                a = by_product_rule(f, even, is_even_and_analytic_about_zero(e_, f->range()), digits, options_.of_absolute);
+                a = by_product_rule(f, even, even_and_analytic_about_zero(e_, f->range()), digits, options_.of_absolute);
             if (a && a->value.is_finite()) return *a;
         }
         const auto gauss_legendre = [&] { return by_gauss_legendre(*f, complex_, digits, kinks, options_.quick); };

@@ -86,10 +86,11 @@ bool is_principal(const N<ComplexBall>& u)
     return arb_lt(angle.get(), pi<Ball>().get()) != 0;
 }
 
+/// Whether abs(v) is below that.
 template <class V>
-bool is_below(const V& v, const Rational& bound)
+bool is_below(const V& v, double bound)
 {
-    return arb_lt(upper_ball(v).get(), Ball(bound).get()) != 0;
+    return upper(v) < bound;
 }
 
 /// Whether log u is a symbol here: then what stands beside it must be one function on the whole of the plane.
@@ -152,16 +153,19 @@ EllipticAboutOne by_reciprocal(const ComplexBall& u, bool of_k)
     return {own.k, own.k / ComplexBall(-pi<Ball>()) * logarithm - other, of_k ? own.e : (own.k - own.e) / u};
 }
 
+constexpr double near_one = 0.75; // abs(u) up to which the series about u = 0 are taken
+
 EllipticAboutOne about_one(const ComplexBall& u, bool of_k)
 {
     if (is_known_by_size(u)) return about_one_by_size(upper_ball(u), of_k);
-    if (is_below(u, Rational(3, 4))) return by_series(u, of_k); // a ball that may hold 0
+    if (is_below(u, near_one)) return by_series(u, of_k); // a ball that may hold 0
     return arb_is_negative(u.real().get()) != 0 ? by_reciprocal(u, of_k) : by_values(u, of_k);
 }
 
-N<ComplexBall> with_logarithm_of_complement(bool is_k, const N<ComplexBall>& u)
+/// K(1 - u) or E(1 - u), v the value of u.
+N<ComplexBall> with_logarithm_of_complement(bool is_k, const N<ComplexBall>& u, const ComplexBall& v)
 {
-    const EllipticAboutOne parts = about_one(u.value(), is_k);
+    const EllipticAboutOne parts = about_one(v, is_k);
     // DLMF 19.12.1
     const N<ComplexBall> K =
         N<ComplexBall>(parts.k / ComplexBall(-pi<Ball>())) * (log(u) - N<ComplexBall>(log_of_16())) - N<ComplexBall>(parts.rest);
@@ -172,9 +176,9 @@ N<ComplexBall> with_logarithm_of_complement(bool is_k, const N<ComplexBall>& u)
 
 /// At a real point the value itself is known: what no logarithm stands beside is that less the logarithms' shares, those of -K(u)/pi log u
 /// in K(1 - u) and of -(K(u) - E(u))/pi log u in E(1 - u).
-N<Ball> with_logarithm_of_complement(bool is_k, const N<Ball>& u)
+N<Ball> with_logarithm_of_complement(bool is_k, const N<Ball>& u, const Ball& v)
 {
-    const Ball v = u.value(), one_less = Ball(1) - v;
+    const Ball one_less = Ball(1) - v;
     const auto own = is_k ? Elliptic<Ball>{first_kind_of_complement(one_less), Ball(0)} : elliptic_of_complement(one_less);
     const Ball beside = (own.k - own.e) / -pi<Ball>();
     Ball free = is_k ? first_kind_of_complement(v) : elliptic_of_complement(v).e;
@@ -196,13 +200,13 @@ N<V> elliptic(Op op, const N<V>& u)
     const bool is_k = op == Op::elliptic_k_of_complement, keeps = keeps_its_logarithm(u);
     const V v = u.value();
     if (!v.is_finite()) return N<V>(V::indeterminate());
-    const bool near = vanishes_at_an_end(u) && is_below(v, Rational(3, 4));
+    const bool near = vanishes_at_an_end(u) && is_below(v, near_one);
     if (keeps && !vanishes_at_an_end(u)) return N<V>(V::indeterminate());
     if (!keeps && (std::same_as<V, Ball> || !near)) {
         if (!u.is_plain() && !is_principal(u)) return N<V>(V::indeterminate());
         return N<V>(is_k ? first_kind_of_complement(v) : elliptic_of_complement(v).e);
     }
-    return with_logarithm_of_complement(is_k, u);
+    return with_logarithm_of_complement(is_k, u, v);
 }
 
 /// sum over k of (psi(k + 1) + psi(n + k + 1)) w^k/(k! (n + k)!)
@@ -291,9 +295,9 @@ std::optional<N<V>> bessel(Op op, const Ball& order, const N<V>& x)
     if (!(integer && logarithmic && nu >= 0) && !(half_odd && (op == Op::bessel_j || op == Op::bessel_i))) return std::nullopt;
     const Exponent exponent(std::lround(2 * nu), 2);
     // farther away terms cancel: bits at a node, less than what a box loses otherwise on a piece
-    const Rational near(std::same_as<V, Ball> ? 2 : 8);
-    constexpr long farthest = 64; // the series takes as many terms as x is large
-    if (keeps_its_logarithm(x) && !is_below(x.value(), Rational(farthest))) return N<V>(V::indeterminate());
+    constexpr double near = std::same_as<V, Ball> ? 2 : 8;
+    constexpr double farthest = 64; // the series takes as many terms as x is large
+    if (keeps_its_logarithm(x) && !is_below(x.value(), farthest)) return N<V>(V::indeterminate());
     if (!keeps_its_logarithm(x) && !is_below(x.value(), near)) {
         if (!is_principal(x)) return N<V>(V::indeterminate());
         const V value = special_function(op, order, x.value());

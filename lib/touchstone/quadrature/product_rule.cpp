@@ -227,18 +227,11 @@ EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& 
 /// [-1, 1] is its mirror image.
 EllipseFunction function_of_half(const PanelIntegrand& f, const Decomposition& d)
 {
-    const bool at_left = *f.even_about == Side::left;
-    const auto segment = [at_left](const auto& z) {
-        using V = std::decay_t<decltype(z)>;
-        return at_left ? Segment<V>(z, V(1) - z) : Segment<V>(V(1) - z, z);
-    };
+    const bool at_left = f.even->about == Side::left;
     EllipseFunction g;
     g.is_even = true;
-    g.in_plane = [&, segment](const EllipseBox& box, std::vector<ComplexBall>& c) {
-        const auto there = segment(box.z);
-        d.take(f.on_strip(there), there, c);
-    };
-    g.at_node = [&, segment, at_left, values = std::vector<EndpointNumber<Ball>>(), prepared = slong(0)](
+    g.in_plane = [&](const EllipseBox& box, std::vector<ComplexBall>& c) { c.assign(1, f.even->in_plane(box.z)); };
+    g.at_node = [&, at_left, values = std::vector<EndpointNumber<Ball>>(), prepared = slong(0)](
                     const GaussNodes::Entry& e, bool, std::vector<Ball>& c) mutable {
         if (f.straight_in_fraction)
             if (auto y = f.straight_in_fraction(e.z + e.z - Ball(1), !at_left)) {
@@ -247,7 +240,8 @@ EllipseFunction function_of_half(const PanelIntegrand& f, const Decomposition& d
             }
         if (prepared != WorkingPrecision::bits()) f.prepare();
         prepared = WorkingPrecision::bits();
-        const auto there = segment(e.z);
+        const Ball other = Ball(1) - e.z;
+        const Segment<Ball> there = at_left ? Segment<Ball>(e.z, other) : Segment<Ball>(other, e.z);
         f.at_node(there, values);
         d.take(values.front(), there, c);
     };
@@ -286,7 +280,7 @@ bool ProductRule::cut_until_of_the_kind(const Rational& from, const Rational& to
 bool ProductRule::add(const WholePanel& panel, int cuts, Panels& all) const
 {
     constexpr long most_nodes = 250; // a table of more costs more than tanh-sinh
-    const bool is_half = panel.f.even_about && panel.d.is_without_weight();
+    const bool is_half = panel.f.even && panel.d.is_without_weight();
     const EllipseFunction function = is_half ? function_of_half(panel.f, panel.d) : function_of_panel(panel.f, panel.d);
     if (const auto found = by_ellipse(function, bits_, options_.of_absolute, most_nodes)) {
         const WorkingPrecision precision(static_cast<slong>(bits_) + 64);

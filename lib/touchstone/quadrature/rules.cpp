@@ -210,17 +210,18 @@ std::optional<Attempt> by_half_powers_on_both_sides(const ExpressionPtr& e, cons
     return a;
 }
 
-bool is_even_and_analytic_about_zero(const ExpressionPtr& e, const Range& r)
+std::optional<PlainFormula> even_and_analytic_about_zero(const ExpressionPtr& e, const Range& r)
 {
-    if (!begins_or_ends_at_zero(r) || parity(*e) != Parity::even) return false;
+    if (!begins_or_ends_at_zero(r) || parity(*e) != Parity::even) return std::nullopt;
     constexpr double beside = 1e-3; // of the range
     const WorkingPrecision precision(strip_bits);
     const Ball nearby = upper_ball(r.to.ball() - r.from.ball()) * Ball::exactly(beside);
-    return PlainFormula(e).at(disc(nearby)).is_finite();
+    PlainFormula plain(e);
+    return plain.at(disc(nearby)).is_finite() ? std::optional(std::move(plain)) : std::nullopt;
 }
 
-std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f, bool even, bool even_about_zero, long digits,
-                                       bool of_absolute)
+std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f, bool even,
+                                       const std::optional<PlainFormula>& even_about_zero, long digits, bool of_absolute)
 {
     Options options;
     options.digits = digits;
@@ -234,7 +235,10 @@ std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>& f
         detail::PanelIntegrand panel = detail::panel_integrand(at, interval, from, to);
         const bool is_whole = from == 0 && to == 1;
         panel.is_even = even && is_whole;
-        if (even_about_zero && (zero == Side::left ? from == 0 : to == 1)) panel.even_about = zero;
+        if (even_about_zero && (zero == Side::left ? from == 0 : to == 1)) {
+            const ComplexBall width((f->range().to.ball() - f->range().from.ball()) * Ball(Rational(to - from)));
+            panel.even = {zero, [&even_about_zero, width](const ComplexBall& z) { return even_about_zero->at(z * width) * width; }};
+        }
         if (straight && is_whole)
             panel.straight_in_fraction = [&straight](const Ball& z, bool mirrored) { return straight->in_fraction(z, mirrored); };
         else if (straight)

@@ -42,12 +42,12 @@ bool is_even_about_the_middle(const Expression&, const Range&);
 /// Whether the range is finite and 0 is one of its ends.
 bool begins_or_ends_at_zero(const Range&);
 
-/// Whether the range has 0 for an end and the formula is even about it and analytic there, as it stands.
-bool is_even_and_analytic_about_zero(const ExpressionPtr&, const Range&);
+/// The formula as it stands, if it is even about 0 and analytic there, and 0 is an end of the range.
+std::optional<PlainFormula> even_and_analytic_about_zero(const ExpressionPtr&, const Range&);
 
 /// product_rule.hpp, of a real formula without kinks. `even_about_zero`: what the function above says of it.
-std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, bool even, bool even_about_zero, long digits,
-                                       bool of_absolute);
+std::optional<Attempt> by_product_rule(const std::shared_ptr<const Integrand>&, bool even,
+                                       const std::optional<PlainFormula>& even_about_zero, long digits, bool of_absolute);
 
 /// tanh_sinh.hpp; of a complex formula both parts, by one proof.
 Attempt by_tanh_sinh(const std::shared_ptr<const Integrand>&, bool complex, long digits, const IntegralOptions&,

@@ -121,7 +121,13 @@ struct PanelIntegrand {
     /// f dx/du at the fraction u next to the left end, or r next to the right one, in the same way.
     std::function<std::optional<Ball>(Side end, const Ball& fraction)> straight_beside;
     bool is_even = false; ///< the same where u and r change places
-    std::optional<Side> even_about; ///< the end of the panel about which it is analytic and even, if that is known of one
+    /// Of an f that is even about an end of the panel, and analytic there: f dx/dz at the share z of the panel from that end, as the
+    /// text has it; non-finite where that is not analytic.
+    struct Even {
+        Side about;
+        std::function<ComplexBall(const ComplexBall& z)> in_plane;
+    };
+    std::optional<Even> even;
 };
 
 using MakePanel = std::function<PanelIntegrand(const Rational& from, const Rational& to)>;
@@ -132,16 +138,22 @@ std::vector<Enclosure> integrate(const MakePanel&, std::size_t count, const Inte
 /// u^p r^q c with |g| <= |u^p r^q| c for each g of them: the orders of the largest at either end.
 EndpointNumber<ComplexBall> majorant(const std::vector<EndpointNumber<ComplexBall>>&, const Frame<ComplexBall>&);
 
+/// A panel's share of the whole interval, and what lies before and after it.
+struct Share {
+    Share(const Rational& from, const Rational& to) : before(from), width(to - from), after(1 - to) {}
+    Rational before, width, after;
+};
+
 /// f dx/du and its factors on the panel; f returns a number or a range of them.
 template <class V, class F, class Take>
-void panel_values(const F& f, const Interval& interval, const Frame<V>& frame, const Rational& from, const Rational& to, const Take& take)
+void panel_values(const F& f, const Interval& interval, const Frame<V>& frame, const Share& share, const Take& take)
 {
     using N = EndpointNumber<V>;
     const N v(&frame, {1, 0}, {}, V(1)), s(&frame, {}, {1, 0}, V(1));
-    const bool whole = from == 0 && to == 1;
-    const N width = whole ? N() : N(Rational(to - from));
-    const N u = whole ? v : from == 0 ? width * v : N(from) + width * v;
-    const N r = whole ? s : to == 1 ? width * s : N(Rational(1 - to)) + width * s;
+    const bool whole = share.before == 0 && share.after == 0;
+    const N width = whole ? N() : N(share.width);
+    const N u = whole ? v : share.before == 0 ? width * v : N(share.before) + width * v;
+    const N r = whole ? s : share.after == 0 ? width * s : N(share.after) + width * s;
     const auto p = interval.at(u, r);
     const N slope = whole ? N() : p.slope * width;
     const auto scaled = [&](const N& g) { return g * (whole ? p.slope : slope); };
@@ -157,14 +169,15 @@ template <class F>
 PanelIntegrand panel_integrand(const F& f, const std::shared_ptr<Interval>& interval, const Rational& from, const Rational& to)
 {
     PanelIntegrand g;
-    g.on_strip = [f, interval, from, to](const Frame<ComplexBall>& frame) {
+    const auto share = std::make_shared<const Share>(from, to);
+    g.on_strip = [f, interval, share](const Frame<ComplexBall>& frame) {
         std::vector<EndpointNumber<ComplexBall>> all;
-        panel_values<ComplexBall>(f, *interval, frame, from, to, [&](auto&& v) { all.push_back(v); });
+        panel_values<ComplexBall>(f, *interval, frame, *share, [&](auto&& v) { all.push_back(v); });
         return all.size() == 1 ? all.front() : majorant(all, frame);
     };
-    g.at_node = [f, interval, from, to](const Frame<Ball>& frame, std::vector<EndpointNumber<Ball>>& out) {
+    g.at_node = [f, interval, share](const Frame<Ball>& frame, std::vector<EndpointNumber<Ball>>& out) {
         out.clear();
-        panel_values<Ball>(f, *interval, frame, from, to, [&](auto&& v) { out.push_back(v); });
+        panel_values<Ball>(f, *interval, frame, *share, [&](auto&& v) { out.push_back(v); });
     };
     g.prepare = [interval] { interval->prepare(); };
     return g;

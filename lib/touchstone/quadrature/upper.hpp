@@ -36,11 +36,21 @@ inline Ball upper_ball(const ComplexBall& z)
     return detail::magnitude<acb_struct>([](mag_t m, const acb_struct* b) { acb_get_mag(m, b); }, z.get());
 }
 
+/// The same as a number, infinite where it is none.
 inline double upper(const Ball& x)
 {
     mag_t m;
     mag_init(m);
     arb_get_mag(m, x.get());
+    const double d = mag_get_d(m);
+    mag_clear(m);
+    return d;
+}
+inline double upper(const ComplexBall& z)
+{
+    mag_t m;
+    mag_init(m);
+    acb_get_mag(m, z.get());
     const double d = mag_get_d(m);
     mag_clear(m);
     return d;

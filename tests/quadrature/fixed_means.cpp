@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// K and E in fixed point against Arb's series, which share nothing with them.
+#include "touchstone/quadrature/fixed_means.hpp"
+#include "touchstone/scalar/flint_headers.hpp"
+
+#include <doctest/doctest.h>
+
+#if __has_include(<flint/acb_elliptic.h>)
+#include <flint/acb_elliptic.h>
+#else
+#include <acb_elliptic.h>
+#endif
+
+#include <cmath>
+#include <random>
+#include <string>
+
+using namespace touchstone;
+using namespace touchstone::quadrature;
+
+namespace {
+
+/// K and E of 1 - v by Arb, with bits to spare.
+Elliptic<Ball> by_arb(const Ball& v, slong bits)
+{
+    const WorkingPrecision precise(2 * bits + 200);
+    const ComplexBall m = ComplexBall(1) - ComplexBall(v);
+    ComplexBall k, e;
+    acb_elliptic_k(k.get(), m.get(), WorkingPrecision::bits());
+    acb_elliptic_e(e.get(), m.get(), WorkingPrecision::bits());
+    return {k.real(), e.real()};
+}
+
+/// Inside the ball, which has not lost more than some bits.
+void holds(const Ball& found, const Ball& truth, slong bits)
+{
+    CHECK(found.contains(truth));
+    CHECK(found.relative_bits() > bits - 6);
+}
+
+void holds_at(const Ball& v, slong bits)
+{
+    const WorkingPrecision precision(bits);
+    CAPTURE(v.to_string());
+    CAPTURE(bits);
+    const auto both = by_fixed_means(v, true), first = by_fixed_means(v, false);
+    REQUIRE(both);
+    REQUIRE(first);
+    const Elliptic<Ball> truth = by_arb(v, bits);
+    holds(first->k, truth.k, bits);
+    holds(both->k, truth.k, bits);
+    holds(both->e, truth.e, bits);
+}
+
+} // namespace
+
+TEST_CASE("K and E in fixed point hold their values, at every size and precision")
+{
+    std::mt19937 random(20261128);
+    std::uniform_real_distribution<double> share(0, 1), exponent(-32, 0);
+    for (const slong bits : {20, 53, 64, 128, 200, 333, 1000, 5000})
+        for (int k = 0; k < (bits < 1000 ? 200 : 20); ++k) {
+            holds_at(Ball::exactly(std::exp2(exponent(random))), bits);
+            holds_at(Ball::exactly(share(random)), bits);
+            holds_at(Ball::exactly(std::exp2(-exponent(random))), bits);
+            holds_at(Ball::exactly(1 - std::exp2(exponent(random))), bits);
+        }
+    // the ends of its domain, and numbers with more bits than are kept
+    for (const slong bits : {53, 200, 1000}) {
+        holds_at(ScalarTraits<Ball>::power_of_two(-32), bits);
+        holds_at(ScalarTraits<Ball>::power_of_two(32), bits);
+        holds_at(ScalarTraits<Ball>::power_of_two(-1), bits);
+        for (const long near : {-10, -60, -200, -3000}) {
+            const WorkingPrecision precise(4000);
+            holds_at(Ball(1) - ScalarTraits<Ball>::power_of_two(near), bits);
+            holds_at(Ball(1) / Ball(2) + ScalarTraits<Ball>::power_of_two(near - 2), bits);
+        }
+    }
+}
+
+TEST_CASE("a ball of K and E in fixed point holds what is said at its ends; none is said of other numbers")
+{
+    std::mt19937 random(20261129);
+    std::uniform_real_distribution<double> share(0.01, 0.99), place(0.01, 3);
+    for (int k = 0; k < 300; ++k) {
+        const double middle = place(random), radius = middle * share(random);
+        const WorkingPrecision precision(100);
+        const Ball low = Ball::exactly(middle) - Ball::exactly(radius), high = Ball::exactly(middle) + Ball::exactly(radius);
+        Ball v = Ball::exactly(middle);
+        arb_add_error(v.get(), Ball::exactly(radius).get());
+        const auto found = by_fixed_means(v, true);
+        REQUIRE(found);
+        for (const Ball& end : {low, high}) {
+            const Elliptic<Ball> truth = by_arb(end, 100);
+            CHECK(found->k.overlaps(truth.k));
+            CHECK(found->e.overlaps(truth.e));
+        }
+    }
+    Ball beyond(1);
+    mag_set_ui(arb_radref(beyond.get()), 2);
+    const Ball tiny = ScalarTraits<Ball>::power_of_two(-33), huge = ScalarTraits<Ball>::power_of_two(33);
+    for (const Ball& v : {Ball(0), Ball(-1), Ball(1), tiny, huge, Ball::indeterminate(), beyond})
+        CHECK_FALSE(by_fixed_means(v, true));
+}
