@@ -49,6 +49,29 @@ class Formulas(unittest.TestCase):
 
 
 @unittest.skipIf(mpmath is None, "no mpmath")
+class Turns(unittest.TestCase):
+    def test_tools_that_are_close_take_turns_and_one_slow_process_decides_nothing(self):
+        import integrals
+        calls = []
+
+        def process(tool, times):
+            def runs():
+                calls.append(tool)
+                median = times[min(calls.count(tool), len(times)) - 1]
+                return {"value": "1", "first": median, "median": median, "least": median, "most": median, "runs": 5}
+            return runs
+
+        how = {"a": process("a", [9.0, 2.0, 2.0, 2.0, 2.0]), "b": process("b", [4.0]), "far": process("far", [99.0]),
+               "none": lambda: {"refused": "no value"}}
+        found = {tool: runs() for tool, runs in how.items()}
+        integrals.by_turns(how, found)
+        self.assertEqual(found["a"]["median"], 2.0)  # and not 9
+        self.assertEqual((found["a"]["least"], found["a"]["most"], found["a"]["runs"]), (2.0, 9.0, 25))
+        self.assertEqual(found["b"]["median"], 4.0)
+        self.assertEqual(calls, ["a", "b", "far"] + ["a", "b"] * 4)
+
+
+@unittest.skipIf(mpmath is None, "no mpmath")
 class Driver(unittest.TestCase):
     def run_quickly(self, path):
         """Item (a) with the programs that were not built left out."""
