@@ -58,7 +58,7 @@ public:
     /// None if the series would be too long all the same.
     std::optional<Means> found()
     {
-        constexpr int most = 16; // of a number of a million bits a dozen are enough
+        constexpr int most = 32; // each doubles the bits of 1/h at least, once a and b are near each other
         for (;; ++found_.count) {
             on_.add(found_.sum, a_, b_);
             on_.subtract(difference_, a_, b_);
