@@ -96,6 +96,14 @@ TEST_CASE("a ball of K and E in fixed point holds what is said at its ends; none
             CHECK(found->e.overlaps(truth.e));
         }
     }
+    { // next to 1, where 1/v is rounded
+        const WorkingPrecision precise(400);
+        const Ball v = Ball(1) + ScalarTraits<Ball>::power_of_two(-300);
+        const WorkingPrecision precision(64);
+        const Elliptic<Ball> found = elliptic_of_complement(v), truth = by_arb(v, 64);
+        holds(found.k, truth.k, 64);
+        holds(found.e, truth.e, 64);
+    }
     Ball beyond(1);
     mag_set_ui(arb_radref(beyond.get()), 2);
     const Ball tiny = ScalarTraits<Ball>::power_of_two(-33), huge = ScalarTraits<Ball>::power_of_two(33);

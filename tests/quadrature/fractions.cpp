@@ -124,6 +124,8 @@ TEST_CASE("fractions: of exact arguments the one rounding is counted; zeros are 
     CHECK(arb_contains(on.ball(r).get(), (exact(third) / exact(on.half())).get()) != 0);
 
     Fraction tiny = on.zero();
+    CHECK(on.ball(tiny).contains(Rational(0)));
+    CHECK(on.ball(tiny).is_exact());
     CHECK(on.zeros(tiny) == 192);
     tiny.off = Units(1);
     CHECK(on.zeros(tiny) == 191);

@@ -10,6 +10,7 @@
 #include <gmp.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -79,19 +80,19 @@ public:
     {
         if (!x.off.is_known()) return Ball::indeterminate();
         Ball r;
-        mp_size_t used = limbs_;
-        while (used > 0 && x.n[static_cast<std::size_t>(used - 1)] == 0) --used;
+        const mp_size_t used = used_of(x);
         if (used > 0) arf_set_mpn(arb_midref(r.get()), x.n.data(), used, 0);
         mag_set_ui(arb_radref(r.get()), x.off.count());
-        arb_mul_2exp_si(r.get(), r.get(), limb_bits * (used - limbs_ - used));
+        arb_mul_2exp_si(r.get(), r.get(), -bits());
         return r;
     }
     /// About, and -oo of 0.
     double log2(const Fraction& x) const
     {
-        const auto last = std::find_if(x.n.rbegin(), x.n.rend(), [](mp_limb_t limb) { return limb != 0; });
-        if (last == x.n.rend()) return -std::numeric_limits<double>::infinity();
-        return std::log2(static_cast<double>(*last)) - static_cast<double>(limb_bits * (last - x.n.rbegin() + 1));
+        const mp_size_t used = used_of(x);
+        if (used == 0) return -std::numeric_limits<double>::infinity();
+        const mp_limb_t highest = x.n[static_cast<std::size_t>(used - 1)];
+        return std::log2(static_cast<double>(highest)) - static_cast<double>(limb_bits * (limbs_ - used + 1));
     }
     /// x' is below 2^-that.
     int zeros(const Fraction& x)
@@ -150,11 +151,16 @@ public:
     void add_integer(Fraction& x, mp_limb_t c, long power) const
     {
         const long place = bits() - power, limb = place / limb_bits, up = place % limb_bits;
-        mpn_add_1(x.n.data() + limb, x.n.data() + limb, limbs_ - limb, c << up);
-        if (up > 0 && limb + 1 < limbs_) mpn_add_1(x.n.data() + limb + 1, x.n.data() + limb + 1, limbs_ - limb - 1, c >> (limb_bits - up));
+        const std::array<mp_limb_t, 2> shifted{c << up, up == 0 ? 0 : c >> (limb_bits - up)};
+        mpn_add(x.n.data() + limb, x.n.data() + limb, limbs_ - limb, shifted.data(), std::min(limbs_ - limb, 2L));
     }
 
 private:
+    /// Limbs up to the highest that is not 0.
+    static mp_size_t used_of(const Fraction& x)
+    {
+        return x.n.rend() - std::find_if(x.n.rbegin(), x.n.rend(), [](mp_limb_t limb) { return limb != 0; });
+    }
     /// x is at least that over 2^32, and below one more.
     static std::uint64_t top(const Fraction& x) { return x.n.back() >> 32; }
 
