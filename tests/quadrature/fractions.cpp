@@ -81,8 +81,17 @@ TEST_CASE("fractions: what an operation counts holds what it is off by, and is n
             difference.add(on, r, large.number - small.number);
             on.multiply(r, a.x, b.x);
             product.add(on, r, a.number * b.number);
+            // in place, as a sum by Horner's rule is
+            Known left = a, right = b;
+            on.multiply(left.x, left.x, b.x);
+            product.add(on, left.x, a.number * b.number);
+            on.multiply(right.x, a.x, right.x);
+            product.add(on, right.x, a.number * b.number);
             on.root(r, a.x);
             root.add(on, r, sqrt(a.number));
+            Known in_place = a;
+            on.root(in_place.x, in_place.x);
+            root.add(on, in_place.x, sqrt(a.number));
             if (mpn_cmp(small.x.n.data(), large.x.n.data(), static_cast<mp_size_t>(limbs)) < 0) {
                 on.divide(r, small.x, large.x);
                 quotient.add(on, r, small.number / large.number);

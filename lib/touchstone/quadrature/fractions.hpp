@@ -126,9 +126,10 @@ public:
     /// |a b - a' b'| <= a |b - b'| + b' |a - a'|, and b' is above b by 2^-32 at most, as there are two limbs.
     void multiply(Fraction& r, const Fraction& a, const Fraction& b)
     {
+        const Units off = b.off.times(top(a) + 1) + a.off.times(top(b) + 2) + Units(1); // before r, which may be one of them, changes
         mpn_mul_n(scratch_.data(), a.n.data(), b.n.data(), limbs_);
         std::copy(scratch_.begin() + limbs_, scratch_.end(), r.n.begin());
-        r.off = b.off.times(top(a) + 1) + a.off.times(top(b) + 2) + Units(1);
+        r.off = off;
     }
     /// |sqrt x - sqrt x'| = |x - x'|/(sqrt x + sqrt x') <= |x - x'|/((2 - 2^-8) sqrt x), for x' >= (1 - 2^-8) x as x is off by less than
     /// 2^31 2^-128. \pre x >= 2^-64
@@ -143,9 +144,10 @@ public:
     void divide(Fraction& r, const Fraction& d, const Fraction& s)
     {
         std::copy(d.n.begin(), d.n.end(), std::fill_n(scratch_.begin(), limbs_, 0));
-        r.off = (d.off + s.off).over(top(s)) + Units(1);
+        const Units off = (d.off + s.off).over(top(s)) + Units(1);
         mpn_tdiv_qr(quotient_.data(), remainder_.data(), 0, scratch_.data(), 2 * limbs_, s.n.data(), limbs_);
         std::copy_n(quotient_.begin(), limbs_, r.n.begin());
+        r.off = off;
     }
     /// c 2^-power more. \pre that is below 1, and so is the sum; power <= bits()
     void add_integer(Fraction& x, mp_limb_t c, long power) const
