@@ -3,13 +3,9 @@
 #include "touchstone/quadrature/fixed_means.hpp"
 #include "touchstone/scalar/flint_headers.hpp"
 
-#include <doctest/doctest.h>
+#include "arb_elliptic.hpp"
 
-#if __has_include(<flint/acb_elliptic.h>)
-#include <flint/acb_elliptic.h>
-#else
-#include <acb_elliptic.h>
-#endif
+#include <doctest/doctest.h>
 
 #include <cmath>
 #include <random>
@@ -25,10 +21,7 @@ Elliptic<Ball> by_arb(const Ball& v, slong bits)
 {
     const WorkingPrecision precise(2 * bits + 200);
     const ComplexBall m = ComplexBall(1) - ComplexBall(v);
-    ComplexBall k, e;
-    acb_elliptic_k(k.get(), m.get(), WorkingPrecision::bits());
-    acb_elliptic_e(e.get(), m.get(), WorkingPrecision::bits());
-    return {k.real(), e.real()};
+    return {elliptic_k(m, WorkingPrecision::bits()).real(), elliptic_e(m, WorkingPrecision::bits()).real()};
 }
 
 /// Inside the ball, which has not lost more than some bits.

@@ -3,7 +3,9 @@
 #include "touchstone/quadrature/logarithmic_ends.hpp"
 #include "touchstone/quadrature/upper.hpp"
 #include "touchstone/quadrature/widen.hpp"
+#include "touchstone/scalar/flint_headers.hpp"
 
+#include "arb_elliptic.hpp"
 #include "place.hpp"
 
 #include <doctest/doctest.h>
@@ -13,14 +15,6 @@
 #include <string>
 #include <tuple>
 
-#if __has_include(<flint/acb_elliptic.h>)
-#include <flint/acb_elliptic.h>
-#include <flint/acb_hypgeom.h>
-#else
-#include <acb_elliptic.h>
-#include <acb_hypgeom.h>
-#endif
-
 using namespace touchstone;
 using namespace touchstone::quadrature;
 
@@ -28,18 +22,8 @@ namespace {
 
 constexpr slong true_bits = 320;
 
-ComplexBall elliptic_k(const ComplexBall& m)
-{
-    ComplexBall w;
-    acb_elliptic_k(w.get(), m.get(), true_bits);
-    return w;
-}
-ComplexBall elliptic_e(const ComplexBall& m)
-{
-    ComplexBall w;
-    acb_elliptic_e(w.get(), m.get(), true_bits);
-    return w;
-}
+ComplexBall elliptic_k(const ComplexBall& m) { return ::elliptic_k(m, true_bits); }
+ComplexBall elliptic_e(const ComplexBall& m) { return ::elliptic_e(m, true_bits); }
 
 ComplexBall bessel(Op op, const Rational& order, const ComplexBall& z)
 {
@@ -326,9 +310,7 @@ TEST_CASE("K at real points is Arb's, to all bits but a few; of wide balls, of h
             CAPTURE(bits);
             const auto true_k = [&](double at) {
                 const WorkingPrecision precise(bits + 100);
-                ComplexBall k;
-                acb_elliptic_k(k.get(), ComplexBall(Ball(1) - Ball::exactly(at)).get(), bits + 100);
-                return k.real();
+                return ::elliptic_k(ComplexBall(Ball(1) - Ball::exactly(at)), bits + 100).real();
             };
             const WorkingPrecision working(bits);
             const Ball k = first_kind_of_complement(Ball::exactly(v));

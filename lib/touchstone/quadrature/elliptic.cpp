@@ -87,13 +87,22 @@ Elliptic<V> by_means(const V& v, bool with_e)
     return {k, k * (V(1) - sum)};
 }
 
+/// Of a real v, E where it is asked for.
+Elliptic<Ball> of_real(const Ball& v, bool with_e)
+{
+    constexpr slong lost_bits = 64; // to the means of huge and of tiny numbers, of which there are many
+    if (auto fixed = by_fixed_means(v, with_e)) return std::move(*fixed);
+    const WorkingPrecision more(WorkingPrecision::bits() + lost_bits);
+    return by_means(v, with_e);
+}
+
 /// K and E on a wide ball in abs(m) < 1, where the means would be no better known: E where it is asked for.
 std::optional<Elliptic<ComplexBall>> by_size(const ComplexBall& v, bool with_e)
 {
     const ComplexBall m = ComplexBall(1) - v;
     if (!is_known_by_size(m)) return std::nullopt;
     const Ball q = upper_ball(m);
-    const Elliptic<Ball> there = with_e ? by_means(Ball(1) - q, true) : Elliptic<Ball>{first_kind_of_complement(Ball(1) - q), Ball(0)};
+    const Elliptic<Ball> there = of_real(Ball(1) - q, with_e);
     const Ball at_zero = pi<Ball>() / Ball(2);
     Elliptic<ComplexBall> on{ComplexBall(at_zero), with_e ? ComplexBall(at_zero) : ComplexBall::indeterminate()};
     widen(on.k, there.k - at_zero);
@@ -103,32 +112,20 @@ std::optional<Elliptic<ComplexBall>> by_size(const ComplexBall& v, bool with_e)
 
 } // namespace
 
-constexpr slong lost_bits = 64; // to the means of huge and of tiny numbers, of which there are many
-
 bool is_known_by_size(const ComplexBall& u)
 {
     constexpr double wide = 0.0625, largest = 0.96875;
     return arb_gt(radius_of(u).get(), Ball::exactly(wide).get()) && arb_lt(upper_ball(u).get(), Ball::exactly(largest).get());
 }
 
-Elliptic<Ball> elliptic_of_complement(const Ball& v)
-{
-    if (auto fixed = by_fixed_means(v, true)) return std::move(*fixed);
-    const WorkingPrecision more(WorkingPrecision::bits() + lost_bits);
-    return by_means(v, true);
-}
+Elliptic<Ball> elliptic_of_complement(const Ball& v) { return of_real(v, true); }
 Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v)
 {
     if (auto on = by_size(v, true)) return std::move(*on);
     return by_means(v, true);
 }
 
-Ball first_kind_of_complement(const Ball& v)
-{
-    if (auto fixed = by_fixed_means(v, false)) return std::move(fixed->k);
-    const WorkingPrecision more(WorkingPrecision::bits() + lost_bits);
-    return by_means(v, false).k;
-}
+Ball first_kind_of_complement(const Ball& v) { return of_real(v, false).k; }
 ComplexBall first_kind_of_complement(const ComplexBall& v)
 {
     if (auto on = by_size(v, false)) return std::move(on->k);

@@ -79,12 +79,10 @@ inline Ball slope_of_logarithm(const Ball& size) { return Ball(1) / Ball(2) + si
 inline Ball slope_of_sinc(const Ball& size, const Ball& height)
 {
     const Ball half = Ball(1) / Ball(2), third = size / Ball(3);
-    const Ball cosh = detail::magnitude<arb_struct>(
-        [](mag_t m, const arb_struct* b) {
-            arb_get_mag(m, b);
-            mag_cosh(m, m);
-        },
-        height.get());
+    const Ball cosh = detail::of_magnitude(height, [](mag_ptr m) {
+        mag_cosh(m, m);
+        return detail::as_ball(m);
+    });
     return (arb_lt(third.get(), half.get()) != 0 ? third : half) * cosh;
 }
 

@@ -12,60 +12,42 @@
 namespace touchstone::quadrature {
 
 namespace detail {
-/// What `get` sets a magnitude to, of x, as an exact number.
-template <class X>
-Ball magnitude(void (*get)(mag_t, const X*), const X* x)
+inline void get_magnitude(mag_t m, const Ball& x) { arb_get_mag(m, x.get()); }
+inline void get_magnitude(mag_t m, const ComplexBall& z) { acb_get_mag(m, z.get()); }
+
+/// What `use` makes of the upper bound of |x|.
+template <class X, class Use>
+auto of_magnitude(const X& x, const Use& use)
 {
     mag_t m;
     mag_init(m);
-    get(m, x);
-    Ball r;
-    arf_set_mag(arb_midref(r.get()), m);
+    get_magnitude(m, x);
+    auto r = use(m);
     mag_clear(m);
     return r;
+}
+inline Ball as_ball(const mag_t m)
+{
+    Ball r;
+    arf_set_mag(arb_midref(r.get()), m);
+    return r;
+}
+inline double log2_of(const mag_t m)
+{
+    return mag_is_inf(m) ? std::numeric_limits<double>::infinity() : mag_is_zero(m) ? -1e18 : mag_get_d_log2_approx(m);
 }
 } // namespace detail
 
 /// An upper bound of |x|, exact.
-inline Ball upper_ball(const Ball& x)
-{
-    return detail::magnitude<arb_struct>([](mag_t m, const arb_struct* b) { arb_get_mag(m, b); }, x.get());
-}
-inline Ball upper_ball(const ComplexBall& z)
-{
-    return detail::magnitude<acb_struct>([](mag_t m, const acb_struct* b) { acb_get_mag(m, b); }, z.get());
-}
+inline Ball upper_ball(const Ball& x) { return detail::of_magnitude(x, detail::as_ball); }
+inline Ball upper_ball(const ComplexBall& z) { return detail::of_magnitude(z, detail::as_ball); }
 
 /// The same as a number, infinite where it is none.
-inline double upper(const Ball& x)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, x.get());
-    const double d = mag_get_d(m);
-    mag_clear(m);
-    return d;
-}
-inline double upper(const ComplexBall& z)
-{
-    mag_t m;
-    mag_init(m);
-    acb_get_mag(m, z.get());
-    const double d = mag_get_d(m);
-    mag_clear(m);
-    return d;
-}
+inline double upper(const Ball& x) { return detail::of_magnitude(x, mag_get_d); }
+inline double upper(const ComplexBall& z) { return detail::of_magnitude(z, mag_get_d); }
 
 /// log2 of an upper bound of |x|, which may be far outside the range of double.
-inline double log2_upper(const Ball& x)
-{
-    mag_t m;
-    mag_init(m);
-    arb_get_mag(m, x.get());
-    const double d = mag_is_inf(m) ? std::numeric_limits<double>::infinity() : mag_is_zero(m) ? -1e18 : mag_get_d_log2_approx(m);
-    mag_clear(m);
-    return d;
-}
+inline double log2_upper(const Ball& x) { return detail::of_magnitude(x, detail::log2_of); }
 
 inline Ball radius_of(const Ball& x)
 {
