@@ -130,7 +130,8 @@ std::optional<Elliptic<Ball>> below_one(const Ball& v, bool with_e)
     const auto means = MeansOf(fractions, fractions.of(v), with_e).found();
     if (!means) return std::nullopt;
     const Ball sum = fractions.ball(means->sum);
-    Elliptic<Ball> r{pi<Ball>() * fractions.ball(sum_of_binomials(fractions, means->h, means->zeros, 0)) / sum, Ball(0)};
+    Elliptic<Ball> r{pi<Ball>() * fractions.ball(sum_of_binomials(fractions, means->h, means->zeros, 0)) / sum,
+                    Ball::indeterminate()};
     if (with_e) {
         Ball rest = pi<Ball>() * sum * fractions.ball(means->h) * fractions.ball(sum_of_binomials(fractions, means->h, means->zeros, 1));
         arb_mul_2exp_si(rest.get(), rest.get(), means->count);

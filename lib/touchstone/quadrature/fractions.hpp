@@ -27,8 +27,9 @@ public:
     std::uint64_t count() const { return count_; }
 
     friend Units operator+(Units a, Units b) { return a.is_known() && b.is_known() ? Units(a.count_ + b.count_) : Units(unknown); }
-    /// At least times w/2^32 and half more, and at least over w/2^32, w <= 2^32 + 1.
+    /// At least times w/2^32, w <= 2^32 + 1; for w = 2^31 half a unit more.
     Units times(std::uint64_t w) const { return is_known() ? Units(((count_ * w) >> 32) + 1) : *this; }
+    /// At least over w/2^32.
     Units over(std::uint64_t w) const { return is_known() && w > 0 ? Units((count_ << 32) / w + 1) : Units(unknown); }
 
 private:
