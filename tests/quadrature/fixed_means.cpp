@@ -16,12 +16,13 @@ using namespace touchstone::quadrature;
 
 namespace {
 
-/// K and E of 1 - v by Arb, with bits to spare.
+/// K/pi and E/pi of 1 - v by Arb, with bits to spare.
 Elliptic<Ball> by_arb(const Ball& v, slong bits)
 {
     const WorkingPrecision precise(2 * bits + 200);
     const ComplexBall m = ComplexBall(1) - ComplexBall(v);
-    return {elliptic_k(m, WorkingPrecision::bits()).real(), elliptic_e(m, WorkingPrecision::bits()).real()};
+    const slong more = WorkingPrecision::bits();
+    return {elliptic_k(m, more).real() / pi<Ball>(), elliptic_e(m, more).real() / pi<Ball>()};
 }
 
 /// Inside the ball, which has not lost more than some bits.
@@ -94,9 +95,12 @@ TEST_CASE("a ball of K and E in fixed point holds what is said at its ends; none
         const WorkingPrecision precise(400);
         const Ball v = Ball(1) + ScalarTraits<Ball>::power_of_two(-300);
         const WorkingPrecision precision(64);
-        const Elliptic<Ball> found = elliptic_of_complement(v), truth = by_arb(v, 64);
-        holds(found.k, truth.k, 64);
-        holds(found.e, truth.e, 64);
+        const Elliptic<Ball> found = elliptic_of_complement(v), over_pi = elliptic_over_pi(v, true), truth = by_arb(v, 64);
+        holds(over_pi.k, truth.k, 64);
+        holds(over_pi.e, truth.e, 64);
+        const WorkingPrecision more(400);
+        holds(found.k, truth.k * pi<Ball>(), 64);
+        holds(found.e, truth.e * pi<Ball>(), 64);
     }
     Ball beyond(1);
     mag_set_ui(arb_radref(beyond.get()), 2);

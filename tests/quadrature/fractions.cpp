@@ -95,6 +95,9 @@ TEST_CASE("fractions: what an operation counts holds what it is off by, and is n
             if (mpn_cmp(small.x.n.data(), large.x.n.data(), static_cast<mp_size_t>(limbs)) < 0) {
                 on.divide(r, small.x, large.x);
                 quotient.add(on, r, small.number / large.number);
+                Known d = small;
+                on.divide(d.x, d.x, large.x);
+                quotient.add(on, d.x, small.number / large.number);
             }
             Known h = a;
             on.halve(h.x);
@@ -147,6 +150,14 @@ TEST_CASE("fractions: of exact arguments the one rounding is counted; zeros are 
     Fraction high = on.zero();
     on.add_integer(high, 0xFFFFFFFFFFFFFFFF, 70); // across two limbs
     CHECK(arb_contains(on.ball(high).get(), ((two_to(64) - Ball(1)) * two_to(-70)).get()) != 0);
+
+    // below in all that they may be
+    Fraction half = on.half(), below = on.half();
+    below.n.back() -= 2ULL << 32;
+    CHECK_FALSE(Fractions::is_clearly_below(below, half));
+    CHECK_FALSE(Fractions::is_clearly_below(half, below));
+    below.n.back() -= 1ULL << 32;
+    CHECK(Fractions::is_clearly_below(below, half));
 
     CHECK_FALSE(Units(1ULL << 31).is_known());
     CHECK_FALSE((Units((1ULL << 31) - 1) + Units(1)).is_known());

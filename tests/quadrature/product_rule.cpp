@@ -299,6 +299,22 @@ TEST_CASE("the boxes of an ellipse cover it, and hold the sine and the cosine of
     }
 }
 
+TEST_CASE("the logarithms of the shares that are kept at a node are those of its z, to all its bits")
+{
+    for (const slong bits : {60, 200, 500}) {
+        const auto nodes = GaussNodes::get(17, bits);
+        {
+            const WorkingPrecision few(30); // of whoever asks first
+            (void)nodes->entries().front().log_of_share(Side::left);
+        }
+        const WorkingPrecision precision(bits + 100);
+        for (const GaussNodes::Entry& e : nodes->entries()) {
+            agree(e.log_of_share(Side::left), log((Ball(1) + e.z) / Ball(2)), bits - 12);
+            agree(e.log_of_share(Side::right), log((Ball(1) - e.z) / Ball(2)), bits - 12);
+        }
+    }
+}
+
 TEST_CASE("the reciprocal of a weight at the nodes is that of the product of its powers and logarithms")
 {
     const WorkingPrecision precision(200);

@@ -45,8 +45,8 @@ Ball least_real_part(const V& a, const V& b)
     return arb_lt(of_a.get(), of_b.get()) != 0 ? of_a : of_b;
 }
 
-/// a_0 = 1, b_0 = sqrt v, c_n = (a_(n-1) - b_(n-1))/2: K = pi/(2 a), E = K (1 - m/2 - sum over n >= 1 of 2^(n-1) c_n^2), a the limit; all
-/// means have a real part of delta = min(Re a_n, Re b_n) at least from n on (lemmas.hpp). E where it is asked for.
+/// Over pi: a_0 = 1, b_0 = sqrt v, c_n = (a_(n-1) - b_(n-1))/2: K = pi/(2 a), E = K (1 - m/2 - sum over n >= 1 of 2^(n-1) c_n^2), a the
+/// limit; all means have a real part of delta = min(Re a_n, Re b_n) at least from n on (lemmas.hpp). E where it is asked for.
 template <class V>
 Elliptic<V> by_means(const V& v, bool with_e)
 {
@@ -81,13 +81,13 @@ Elliptic<V> by_means(const V& v, bool with_e)
     if (!arb_is_positive(delta.get())) return {V::indeterminate(), V::indeterminate()};
     widen(a, lemma::limit_of_means(square, delta));
     shift(a, 1);
-    const V k = V(pi<Ball>()) / a;
+    const V k = V(1) / a;
     if (!with_e) return {k, V::indeterminate()};
     widen(sum, lemma::rest_of_means(square, delta, n));
     return {k, k * (V(1) - sum)};
 }
 
-/// Of a real v, E where it is asked for.
+/// Over pi, of a real v.
 Elliptic<Ball> of_real(const Ball& v, bool with_e)
 {
     constexpr slong lost_bits = 64; // to the means of huge and of tiny numbers, of which there are many
@@ -96,14 +96,14 @@ Elliptic<Ball> of_real(const Ball& v, bool with_e)
     return by_means(v, with_e);
 }
 
-/// K and E on a wide ball in abs(m) < 1, where the means would be no better known: E where it is asked for.
+/// The same on a wide ball in abs(m) < 1, where the means would be no better known.
 std::optional<Elliptic<ComplexBall>> by_size(const ComplexBall& v, bool with_e)
 {
     const ComplexBall m = ComplexBall(1) - v;
     if (!is_known_by_size(m)) return std::nullopt;
     const Ball q = upper_ball(m);
     const Elliptic<Ball> there = of_real(Ball(1) - q, with_e);
-    const Ball at_zero = pi<Ball>() / Ball(2);
+    const Ball at_zero = Ball(1) / Ball(2);
     Elliptic<ComplexBall> on{ComplexBall(at_zero), with_e ? ComplexBall(at_zero) : ComplexBall::indeterminate()};
     widen(on.k, there.k - at_zero);
     if (with_e) widen(on.e, at_zero - there.e);
@@ -118,18 +118,25 @@ bool is_known_by_size(const ComplexBall& u)
     return arb_gt(radius_of(u).get(), Ball::exactly(wide).get()) && arb_lt(upper_ball(u).get(), Ball::exactly(largest).get());
 }
 
-Elliptic<Ball> elliptic_of_complement(const Ball& v) { return of_real(v, true); }
-Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v)
+Elliptic<Ball> elliptic_over_pi(const Ball& v, bool with_e) { return of_real(v, with_e); }
+Elliptic<ComplexBall> elliptic_over_pi(const ComplexBall& v, bool with_e)
 {
-    if (auto on = by_size(v, true)) return std::move(*on);
-    return by_means(v, true);
+    if (auto on = by_size(v, with_e)) return std::move(*on);
+    return by_means(v, with_e);
 }
 
-Ball first_kind_of_complement(const Ball& v) { return of_real(v, false).k; }
-ComplexBall first_kind_of_complement(const ComplexBall& v)
+namespace {
+template <class V>
+Elliptic<V> times_pi(Elliptic<V> x)
 {
-    if (auto on = by_size(v, false)) return std::move(on->k);
-    return by_means(v, false).k;
+    const V factor(pi<Ball>());
+    return {x.k * factor, x.e * factor};
 }
+}
+
+Elliptic<Ball> elliptic_of_complement(const Ball& v) { return times_pi(elliptic_over_pi(v, true)); }
+Elliptic<ComplexBall> elliptic_of_complement(const ComplexBall& v) { return times_pi(elliptic_over_pi(v, true)); }
+Ball first_kind_of_complement(const Ball& v) { return elliptic_over_pi(v, false).k * pi<Ball>(); }
+ComplexBall first_kind_of_complement(const ComplexBall& v) { return elliptic_over_pi(v, false).k * ComplexBall(pi<Ball>()); }
 
 } // namespace touchstone::quadrature

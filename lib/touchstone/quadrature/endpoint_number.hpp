@@ -218,6 +218,8 @@ public:
     virtual V distance(Side) const = 0;
     /// Encloses the continued logarithm of u or r; indeterminate where the piece reaches that end.
     virtual V logarithm(Side) const = 0;
+    /// The principal logarithm of the distance: of a real one, at a node.
+    virtual V log_of_distance(Side s) const { return analytic::log(distance(s)); }
     /// Whether the piece reaches the end, so that the distance takes values arbitrarily near 0.
     virtual bool reaches(Side) const { return false; }
     /// If it does: encloses u^e rho^k there (r^e rho^k), rho = -log|e^w| > 0 being the size of the

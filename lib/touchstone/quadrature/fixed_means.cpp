@@ -96,6 +96,17 @@ private:
     Means found_;
 };
 
+/// d/s, d halved until that is a fraction.
+Ball quotient(Fractions& fractions, Fraction d, const Fraction& s)
+{
+    int halvings = 0;
+    for (; !Fractions::is_clearly_below(d, s); ++halvings) fractions.halve(d);
+    fractions.divide(d, d, s);
+    Ball r = fractions.ball(d);
+    arb_mul_2exp_si(r.get(), r.get(), halvings);
+    return r;
+}
+
 void widen_by_part(Ball& x, const mag_t part)
 {
     mag_t size;
@@ -115,25 +126,24 @@ void widen_to(const Ball& v, Elliptic<Ball>& at_middle)
     arb_get_mag_lower(part, v.get());
     mag_div(part, arb_radref(v.get()), part);
     widen_by_part(at_middle.k, part);
-    widen_by_part(at_middle.e, part);
+    if (at_middle.e.is_finite()) widen_by_part(at_middle.e, part);
     mag_clear(part);
 }
 
 /// Of v in [2^-32, 1).
 std::optional<Elliptic<Ball>> below_one(const Ball& v, bool with_e)
 {
-    constexpr long spare = 12; // bits, for what the operations are off by
+    constexpr long spare = 4; // bits, for what the operations are off by
     const slong bits = WorkingPrecision::bits();
     const long lost = 1 - arf_abs_bound_lt_2exp_si(arb_midref(v.get())); // by the roots
     const long limbs = std::max(2L, (bits + lost + spare + Fractions::limb_bits - 1) / Fractions::limb_bits);
     Fractions fractions(static_cast<std::size_t>(limbs));
     const auto means = MeansOf(fractions, fractions.of(v), with_e).found();
     if (!means) return std::nullopt;
-    const Ball sum = fractions.ball(means->sum);
-    Elliptic<Ball> r{pi<Ball>() * fractions.ball(sum_of_binomials(fractions, means->h, means->zeros, 0)) / sum,
-                    Ball::indeterminate()};
+    Elliptic<Ball> r{quotient(fractions, sum_of_binomials(fractions, means->h, means->zeros, 0), means->sum), Ball::indeterminate()};
     if (with_e) {
-        Ball rest = pi<Ball>() * sum * fractions.ball(means->h) * fractions.ball(sum_of_binomials(fractions, means->h, means->zeros, 1));
+        const Ball series = fractions.ball(sum_of_binomials(fractions, means->h, means->zeros, 1));
+        Ball rest = fractions.ball(means->sum) * fractions.ball(means->h) * series;
         arb_mul_2exp_si(rest.get(), rest.get(), means->count);
         r.e = r.k * fractions.ball(means->part) - rest;
     }

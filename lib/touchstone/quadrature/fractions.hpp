@@ -150,6 +150,8 @@ public:
         std::copy_n(quotient_.begin(), limbs_, r.n.begin());
         r.off = off;
     }
+    /// d < s and d' < s', of numbers that are off by less than 2^31 2^-128.
+    static bool is_clearly_below(const Fraction& d, const Fraction& s) { return top(d) + 2 < top(s); }
     /// c 2^-power more. \pre that is below 1, and so is the sum; power <= bits()
     void add_integer(Fraction& x, mp_limb_t c, long power) const
     {

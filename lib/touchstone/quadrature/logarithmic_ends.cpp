@@ -134,23 +134,27 @@ ComplexBall disc_about(const Ball& middle, const Ball& radius)
     return z;
 }
 
+/// S(u) = -(K(u)/pi) (l - log 16) - other.
+EllipticAboutOne from_parts(const ComplexBall& u, bool of_k, const ComplexBall& l, const ComplexBall& other)
+{
+    if (!l.is_finite() || !other.is_finite()) return {other, other, other};
+    const auto own = elliptic_over_pi(ComplexBall(1) - u, !of_k);
+    const ComplexBall to_k(pi<Ball>());
+    return {own.k * to_k, own.k * (ComplexBall(log_of_16()) - l) - other, of_k ? own.e : (own.k - own.e) * to_k / u};
+}
+
 /// Off the cuts, by principal functions.
 EllipticAboutOne by_values(const ComplexBall& u, bool of_k)
 {
-    const ComplexBall v = ComplexBall(1) - u;
-    const auto own = of_k ? Elliptic<ComplexBall>{first_kind_of_complement(v), ComplexBall::indeterminate()} : elliptic_of_complement(v);
-    const ComplexBall logarithm = analytic::log(u) - ComplexBall(log_of_16());
-    return {own.k, own.k / ComplexBall(-pi<Ball>()) * logarithm - first_kind_of_complement(u), of_k ? own.e : (own.k - own.e) / u};
+    return from_parts(u, of_k, analytic::log(u), first_kind_of_complement(u));
 }
 
 /// For Re u < 0, across the cuts of log u and K(1 - u): S(u) = -(K(u)/pi) (log(-u) - log 16) - (1 - u)^(-1/2) K(1/(1 - u)).
 EllipticAboutOne by_reciprocal(const ComplexBall& u, bool of_k)
 {
     const ComplexBall v = ComplexBall(1) - u;
-    const auto own = of_k ? Elliptic<ComplexBall>{first_kind_of_complement(v), ComplexBall::indeterminate()} : elliptic_of_complement(v);
-    const ComplexBall logarithm = analytic::log(-u) - ComplexBall(log_of_16());
     const ComplexBall other = first_kind_of_complement(-u / v) / analytic::sqrt(v);
-    return {own.k, own.k / ComplexBall(-pi<Ball>()) * logarithm - other, of_k ? own.e : (own.k - own.e) / u};
+    return from_parts(u, of_k, analytic::log(-u), other);
 }
 
 constexpr double near_one = 0.75; // abs(u) up to which the series about u = 0 are taken
@@ -178,9 +182,8 @@ N<ComplexBall> with_logarithm_of_complement(bool is_k, const N<ComplexBall>& u, 
 /// in K(1 - u) and of -(K(u) - E(u))/pi log u in E(1 - u).
 N<Ball> with_logarithm_of_complement(bool is_k, const N<Ball>& u, const Ball& v)
 {
-    const Ball one_less = Ball(1) - v;
-    const auto own = is_k ? Elliptic<Ball>{first_kind_of_complement(one_less), Ball(0)} : elliptic_of_complement(one_less);
-    const Ball beside = (own.k - own.e) / -pi<Ball>();
+    const auto own = elliptic_over_pi(Ball(1) - v, !is_k);
+    const Ball beside = is_k ? -own.k : own.e - own.k;
     Ball free = is_k ? first_kind_of_complement(v) : elliptic_of_complement(v).e;
     N<Ball>::Terms terms;
     for (const Side s : {Side::left, Side::right}) {
@@ -188,7 +191,7 @@ N<Ball> with_logarithm_of_complement(bool is_k, const N<Ball>& u, const Ball& v)
         if (power.is_zero()) continue;
         const bool left = s == Side::left;
         const Ball share = beside * power.ball();
-        free -= share * touchstone::log(u.frame()->distance(s));
+        free -= share * u.frame()->log_of_distance(s);
         terms.push_back({left ? 1 : 0, left ? 0 : 1, share});
     }
     return {u.frame(), {}, {}, std::move(free), std::move(terms)};
@@ -314,10 +317,10 @@ std::optional<N<V>> bessel(Op op, const Ball& order, const N<V>& x)
 EllipticAboutOne about_one_by_size(const Ball& q, bool of_k)
 {
     const Ball one_less = Ball(1) - q, quarter = pi<Ball>() / Ball(4), half = quarter + quarter;
-    const auto own = of_k ? Elliptic<Ball>{first_kind_of_complement(one_less), Ball::indeterminate()} : elliptic_of_complement(one_less);
-    const Ball rest = own.k / pi<Ball>() * (log_of_16() - touchstone::log(q)) - first_kind_of_complement(q);
-    EllipticAboutOne sums{disc_about(half, own.k - half), disc_about(Ball(0), rest), ComplexBall::indeterminate()};
-    if (!of_k) sums.regular = disc_about(quarter, (own.k - own.e) / q - quarter);
+    const auto own = elliptic_over_pi(one_less, !of_k);
+    const Ball rest = own.k * (log_of_16() - touchstone::log(q)) - first_kind_of_complement(q);
+    EllipticAboutOne sums{disc_about(half, own.k * pi<Ball>() - half), disc_about(Ball(0), rest), ComplexBall::indeterminate()};
+    if (!of_k) sums.regular = disc_about(quarter, (own.k - own.e) * pi<Ball>() / q - quarter);
     return sums;
 }
 

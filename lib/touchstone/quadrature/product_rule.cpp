@@ -54,6 +54,17 @@ Exponent singular_part(const Exponent& e)
     return e - Exponent(e.num() / e.den());
 }
 
+/// The same at a node of the rule, or at its mirror image, whose logarithms are kept.
+class NodeOfSegment : public Segment<Ball> {
+public:
+    NodeOfSegment(const GaussNodes::Entry& e, bool mirrored) : Segment(mirrored ? -e.z : e.z), entry_(e), mirrored_(mirrored) {}
+    Ball log_of_distance(Side s) const override { return entry_.log_of_share((s == Side::left) != mirrored_ ? Side::left : Side::right); }
+
+private:
+    const GaussNodes::Entry& entry_;
+    bool mirrored_;
+};
+
 /// What stands beside which weight.
 class Decomposition {
 public:
@@ -207,7 +218,7 @@ EllipseFunction function_of_panel(const PanelIntegrand& f, const Decomposition& 
                                                                                        std::vector<Ball>& c) mutable {
         if (prepared != WorkingPrecision::bits()) f.prepare();
         prepared = WorkingPrecision::bits();
-        const Segment<Ball> there(mirrored ? -e.z : e.z);
+        const NodeOfSegment there(e, mirrored);
         f.at_node(there, values);
         d.take(values.front(), there, c);
     };

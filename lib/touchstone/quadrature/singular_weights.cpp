@@ -26,6 +26,16 @@ GaussNodes::GaussNodes(long n, slong bits, GaussRule rule)
     rule == GaussRule::legendre ? fill_legendre() : fill_chebyshev();
 }
 
+const Ball& GaussNodes::Entry::log_of_share(Side from) const
+{
+    std::optional<Ball>& kept = from == Side::left ? log_of_left_ : log_of_right_;
+    if (!kept) {
+        const WorkingPrecision precision(std::max(WorkingPrecision::bits(), arb_rel_accuracy_bits(weight.get())));
+        kept = log((from == Side::left ? Ball(1) + z : Ball(1) - z) / Ball(2));
+    }
+    return *kept;
+}
+
 void GaussNodes::fill_legendre()
 {
     const WorkingPrecision precision(bits_);

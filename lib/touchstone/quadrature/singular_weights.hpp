@@ -16,6 +16,7 @@
 #include "touchstone/quadrature/endpoint_number.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace touchstone::quadrature {
@@ -33,6 +34,12 @@ public:
         Ball weight; ///< of z and of -z
         /// Of Legendre's the angle is (pi/4)(1 + z), of Chebyshev's sine^2 = (1 + z)/2 as well. Those of -z are exchanged.
         Ball sine, cosine;
+
+        /// log((1 + z)/2), or log((1 - z)/2), to the bits of z: kept from the first call on.
+        const Ball& log_of_share(Side from) const;
+
+    private:
+        mutable std::optional<Ball> log_of_left_, log_of_right_;
     };
     const std::vector<Entry>& entries() const { return entries_; }
     long count() const { return n_; }
