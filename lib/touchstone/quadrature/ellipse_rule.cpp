@@ -217,6 +217,7 @@ void EllipseProof::search_from(double sigma, int attempts, double log2_tolerance
 std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_tolerance)
 {
     constexpr double highest = 3, trusted = 0.8, beyond = 1.25, unguided = 2.0 / 3, step = 2.25;
+    constexpr double likely = 0.65; // of a guess so high that nothing was made of it
     constexpr double few_boxes = 70, very_few_boxes = 24, a_glance = 16, least_saved = 16; // boxes, and nodes
     constexpr int attempts = 3;
     constexpr long easily = 4; // boxes: then the guess was far too cautious, as for waves that few nodes do not resolve
@@ -238,10 +239,11 @@ std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_to
     const auto worth = [&](double sigma) { return std::min(nodes_at(sigma, log2_tolerance), 2 * most_nodes_); };
     while (proved_ && (!is_guided || failed_ || pieces <= easily)) {
         const bool is_blind = !is_guided && !failed_;
-        const double middle = failed_ ? (proved_->sigma + *failed_) / 2 : std::min(highest, step * proved_->sigma);
-        const double saved = worth(proved_->sigma) - worth(middle);
+        const double hoped = likely * guess_ > proved_->sigma ? std::min(highest, likely * guess_) : highest;
+        const double next = failed_ ? (proved_->sigma + *failed_) / 2 : std::min(hoped, step * proved_->sigma);
+        const double saved = worth(proved_->sigma) - worth(next);
         if (saved < least_saved) break;
-        try_up_to(middle, proved_->sigma, is_blind ? std::min(a_glance, saved / f_.nodes_a_box) : saved / f_.nodes_a_box);
+        try_up_to(next, proved_->sigma, is_blind ? std::min(a_glance, saved / f_.nodes_a_box) : saved / f_.nodes_a_box);
         if (is_blind && failed_ && worth(proved_->sigma) - worth(*failed_) > closer_nodes) look_closer();
     }
     return proved_;

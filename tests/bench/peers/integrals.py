@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Item (c): the integrals of the public sets by every tool. Inside the process: a first call, then five batches. Tools that are close to the fastest
-take turns then, five processes each, so that what else the machine does meets them alike."""
+take turns then, 21 processes each, so that what else the machine does meets them alike."""
 import os
 import re
 import statistics
@@ -15,7 +15,7 @@ from measure import right_digits, run
 AT_300 = "area bailey-05 bailey-07 bailey-12 quadpack-1a quadpack-8a boost-06 boost-10 boost-29 arb-22 pari-03 pari-06".split()
 AT_3000 = "area bailey-05 boost-08 boost-10".split()
 SIZES = {15: 5, 50: 10, 300: 15, 3000: 20}  # digits, and seconds of CPU that a tool has for one
-CLOSE, ROUNDS = 2.5, 5  # times the median of the fastest; processes of each that is no slower
+CLOSE, ROUNDS = 2.5, 21  # times the median of the fastest; processes of each that is no slower
 QUICK = "boost-08 pari-03 bailey-03".split()
 
 MPMATH = """
