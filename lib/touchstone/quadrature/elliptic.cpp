@@ -127,7 +127,7 @@ Elliptic<ComplexBall> elliptic_over_pi(const ComplexBall& v, bool with_e)
 
 namespace {
 template <class V>
-Elliptic<V> times_pi(Elliptic<V> x)
+Elliptic<V> times_pi(const Elliptic<V>& x)
 {
     const V factor(pi<Ball>());
     return {x.k * factor, x.e * factor};

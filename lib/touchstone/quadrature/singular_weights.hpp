@@ -35,7 +35,7 @@ public:
         /// Of Legendre's the angle is (pi/4)(1 + z), of Chebyshev's sine^2 = (1 + z)/2 as well. Those of -z are exchanged.
         Ball sine, cosine;
 
-        /// log((1 + z)/2), or log((1 - z)/2), to the bits of z: kept from the first call on.
+        /// log((1 + z)/2), or log((1 - z)/2), to the bits of the rule: kept from the first call on.
         const Ball& log_of_share(Side from) const;
 
     private:
