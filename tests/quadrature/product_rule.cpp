@@ -315,6 +315,14 @@ TEST_CASE("the logarithms of the shares that are kept at a node are those of its
     }
 }
 
+TEST_CASE("the one node of the smallest rule, which is exact, keeps its logarithm as well")
+{
+    const GaussNodes::Entry& middle = GaussNodes::get(1, 60)->entries().front();
+    const WorkingPrecision precision(60);
+    CHECK(middle.weight.is_exact());
+    agree(middle.log_of_share(Side::left), -log(Ball(2)), 50);
+}
+
 TEST_CASE("the reciprocal of a weight at the nodes is that of the product of its powers and logarithms")
 {
     const WorkingPrecision precision(200);

@@ -239,9 +239,9 @@ std::optional<EllipseProof::Ellipse> EllipseProof::largest_proved(double log2_to
     const auto worth = [&](double sigma) { return std::min(nodes_at(sigma, log2_tolerance), 2 * most_nodes_); };
     while (proved_ && (!is_guided || failed_ || pieces <= easily)) {
         const bool is_blind = !is_guided && !failed_;
-        const double hoped = likely * guess_ > proved_->sigma ? std::min(highest, likely * guess_) : highest;
-        const double next = failed_ ? (proved_->sigma + *failed_) / 2 : std::min(hoped, step * proved_->sigma);
-        const double saved = worth(proved_->sigma) - worth(next);
+        const double farthest = failed_ ? (proved_->sigma + *failed_) / 2 : std::min(highest, step * proved_->sigma);
+        const double next = likely * guess_ > proved_->sigma ? std::min(farthest, likely * guess_) : farthest;
+        const double saved = worth(proved_->sigma) - worth(farthest);
         if (saved < least_saved) break;
         try_up_to(next, proved_->sigma, is_blind ? std::min(a_glance, saved / f_.nodes_a_box) : saved / f_.nodes_a_box);
         if (is_blind && failed_ && worth(proved_->sigma) - worth(*failed_) > closer_nodes) look_closer();

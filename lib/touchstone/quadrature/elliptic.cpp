@@ -45,8 +45,8 @@ Ball least_real_part(const V& a, const V& b)
     return arb_lt(of_a.get(), of_b.get()) != 0 ? of_a : of_b;
 }
 
-/// Over pi: a_0 = 1, b_0 = sqrt v, c_n = (a_(n-1) - b_(n-1))/2: K = pi/(2 a), E = K (1 - m/2 - sum over n >= 1 of 2^(n-1) c_n^2), a the
-/// limit; all means have a real part of delta = min(Re a_n, Re b_n) at least from n on (lemmas.hpp). E where it is asked for.
+/// K/pi and E/pi: a_0 = 1, b_0 = sqrt v, c_n = (a_(n-1) - b_(n-1))/2, K = pi/(2 a), E = K (1 - m/2 - sum over n >= 1 of 2^(n-1) c_n^2), a
+/// the limit; all means have a real part of delta = min(Re a_n, Re b_n) at least from n on (lemmas.hpp). E where it is asked for.
 template <class V>
 Elliptic<V> by_means(const V& v, bool with_e)
 {

@@ -96,7 +96,7 @@ private:
     Means found_;
 };
 
-/// d/s, d halved until that is a fraction.
+/// d/s, d halved until that is a fraction. \pre s is no smaller than a hundredth
 Ball quotient(Fractions& fractions, Fraction d, const Fraction& s)
 {
     int halvings = 0;

@@ -54,7 +54,7 @@ Exponent singular_part(const Exponent& e)
     return e - Exponent(e.num() / e.den());
 }
 
-/// The same at a node of the rule, or at its mirror image, whose logarithms are kept.
+/// The segment at a node of the rule, or at its mirror image, whose logarithms are kept.
 class NodeOfSegment : public Segment<Ball> {
 public:
     NodeOfSegment(const GaussNodes::Entry& e, bool mirrored) : Segment(mirrored ? -e.z : e.z), entry_(e), mirrored_(mirrored) {}

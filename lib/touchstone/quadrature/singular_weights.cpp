@@ -23,6 +23,7 @@ GaussNodes::GaussNodes(long n, slong bits, GaussRule rule)
     , rule_(rule)
 {
     entries_.resize(static_cast<std::size_t>((n + 1) / 2));
+    for (Entry& e : entries_) e.bits = bits;
     rule == GaussRule::legendre ? fill_legendre() : fill_chebyshev();
 }
 
@@ -30,7 +31,7 @@ const Ball& GaussNodes::Entry::log_of_share(Side from) const
 {
     std::optional<Ball>& kept = from == Side::left ? log_of_left_ : log_of_right_;
     if (!kept) {
-        const WorkingPrecision precision(std::max(WorkingPrecision::bits(), arb_rel_accuracy_bits(weight.get())));
+        const WorkingPrecision precision(std::max(WorkingPrecision::bits(), bits));
         kept = log((from == Side::left ? Ball(1) + z : Ball(1) - z) / Ball(2));
     }
     return *kept;

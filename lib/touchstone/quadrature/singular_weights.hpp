@@ -34,8 +34,9 @@ public:
         Ball weight; ///< of z and of -z
         /// Of Legendre's the angle is (pi/4)(1 + z), of Chebyshev's sine^2 = (1 + z)/2 as well. Those of -z are exchanged.
         Ball sine, cosine;
+        slong bits; ///< of the rule
 
-        /// log((1 + z)/2), or log((1 - z)/2), to the bits of the rule: kept from the first call on.
+        /// log((1 + z)/2), or log((1 - z)/2), to as many bits: kept from the first call on.
         const Ball& log_of_share(Side from) const;
 
     private:
