@@ -107,7 +107,7 @@ def integrals(item):
              "and (6.7) at n = 1. Touchstone gets each formula as typed, every other tool what a competent user would make of it (`tests/bench/peers/integrals.txt`): the distance to a singular end as the "
              "variable, cuts at kinks, PARI's codes for ends, `quadosc` for waves. Touchstone is asked through `integrate`, (6.7) through the header.", "",
              "Right: all but at most the last three digits agree with the closed form (where there is none: with a certified value of 20 digits more). Wrong: fewer do, and the tool does not say so. "
-             "Refused: no value, or its own estimate of the error is too large. Over time: stopped after " + ", ".join(f"{s} s ({d} digits)" for d, s in item["limits"].items()) + " of CPU. Milliseconds in the process, medians of five batches after a first call; of tools within 2.5 times the fastest the medians of five such processes that took turns, "
+             "Refused: no value, or its own estimate of the error is too large. Over time: stopped after " + ", ".join(f"{s} s ({d} digits)" for d, s in item["limits"].items()) + " of CPU. Milliseconds in the process, medians of five batches after a first call; of tools within 2.5 times the fastest the medians of 21 such processes that took turns (of five where no end is singular), "
              "of fewer where they would take over 2 s; Boost at 15 digits and GSL are in doubles. All integrals at 50 digits; at other digits some of them.", ""]
     sizes = sorted({r["digits"] for r in item["rows"]})
     for digits in sizes:
