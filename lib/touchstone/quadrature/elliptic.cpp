@@ -110,6 +110,13 @@ std::optional<Elliptic<ComplexBall>> by_size(const ComplexBall& v, bool with_e)
     return on;
 }
 
+template <class V>
+Elliptic<V> times_pi(const Elliptic<V>& x)
+{
+    const V factor(pi<Ball>());
+    return {x.k * factor, x.e * factor};
+}
+
 } // namespace
 
 bool is_known_by_size(const ComplexBall& u)
@@ -123,15 +130,6 @@ Elliptic<ComplexBall> elliptic_over_pi(const ComplexBall& v, bool with_e)
 {
     if (auto on = by_size(v, with_e)) return std::move(*on);
     return by_means(v, with_e);
-}
-
-namespace {
-template <class V>
-Elliptic<V> times_pi(const Elliptic<V>& x)
-{
-    const V factor(pi<Ball>());
-    return {x.k * factor, x.e * factor};
-}
 }
 
 Elliptic<Ball> elliptic_of_complement(const Ball& v) { return times_pi(elliptic_over_pi(v, true)); }

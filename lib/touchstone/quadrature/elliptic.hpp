@@ -7,6 +7,7 @@
 
 namespace touchstone::quadrature {
 
+/// K and E, or both over pi, as whoever gives them says.
 template <class V>
 struct Elliptic {
     V k, e;

@@ -137,7 +137,7 @@ ComplexBall disc_about(const Ball& middle, const Ball& radius)
 /// S(u) = -(K(u)/pi) (l - log 16) - other.
 EllipticAboutOne from_parts(const ComplexBall& u, bool of_k, const ComplexBall& l, const ComplexBall& other)
 {
-    if (!l.is_finite() || !other.is_finite()) // before the dear ones
+    if (!l.is_finite() || !other.is_finite()) // then K, which takes longer than both, is of no use
         return {ComplexBall::indeterminate(), ComplexBall::indeterminate(), ComplexBall::indeterminate()};
     const auto own = elliptic_over_pi(ComplexBall(1) - u, !of_k);
     const ComplexBall to_k(pi<Ball>());

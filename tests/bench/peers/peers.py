@@ -3,7 +3,7 @@
 """Touchstone and its peers on the same work, in one run: seconds of user CPU, and how many digits are right.
 
     cmake --build build/test --target touchstone_program bench_peers
-    python3 tests/bench/peers/peers.py build/test                 all of it: docs/peers.json and docs/peers.md, half an hour
+    python3 tests/bench/peers/peers.py build/test                 all of it: docs/peers.json and docs/peers.md, up to an hour
     python3 tests/bench/peers/peers.py build/test --only a,g      these items; the others stay as docs/peers.json has them
     python3 tests/bench/peers/peers.py build/test --quick --out DIR    a few seconds, that it runs; nothing worth reading
 
