@@ -28,7 +28,7 @@ RIGHT = (os.path.join(options.subjects, "subject_library_forms"), "westergaard.h
 
 
 def run(*words, **more):
-    more = {"capture_output": True, "text": True, "stdin": subprocess.DEVNULL, "timeout": 100, **more}
+    more = {"capture_output": True, "text": True, "stdin": subprocess.DEVNULL, "timeout": 400, **more}  # ten seconds of work, in a sanitizer's build too
     return subprocess.run([options.touchstone, *map(str, words)], **more)
 
 

@@ -134,7 +134,7 @@ class OwnRows(Scratch):
         self.assertEqual(run("eval", "hertz.half_width", "load=1", "--binary64").returncode, 64)
         self.assertEqual(run("eval", "hertz.half_width", "load=1:2:1", "--out", "/none/x").returncode, 73)
 
-    @unittest.skipIf(b"__asan_init" in pathlib.Path(PROGRAM).read_bytes(), "AddressSanitizer reserves more address space than this leaves")
+    @unittest.skipIf(any(mark in pathlib.Path(PROGRAM).read_bytes() for mark in (b"__asan_init", b"__tsan_init")), "sanitizers reserve more address space than this leaves")
     def test_an_endless_line_and_many_rows_take_no_memory(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
         endless = subprocess.Popen(["head", "-c", "1000000000", "/dev/zero"], stdout=subprocess.PIPE)
