@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -90,12 +91,29 @@ fs::path target_of(fs::path path)
     return path;
 }
 
+/// A device or a pipe.
 void write_through(const fs::path& path, const fs::path& named, const std::string& bytes)
 {
     const NoBrokenPipe quiet;
     File file(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
     if (!file.open()) throw not_written(named, errno);
     if (const int error = file.write(bytes)) throw not_written(named, error);
+    if (const int error = file.close()) throw not_written(named, error);
+}
+
+/// A plain file that no other can replace.
+void write_in_place(const fs::path& path, const fs::path& named, const std::string& bytes, const struct stat& before)
+{
+    File file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!file.open()) throw not_written(named, errno);
+    const auto size = static_cast<off_t>(bytes.size());
+    const int no_room = size > before.st_size ? ::posix_fallocate(file.get(), 0, size) : 0;
+    if (no_room == ENOSPC || no_room == EDQUOT || no_room == EFBIG) {
+        (void)!::ftruncate(file.get(), before.st_size); // of what was asked for, a part may be there
+        throw not_written(named, no_room);
+    }
+    if (const int error = file.write(bytes)) throw not_written(named, error);
+    if (::ftruncate(file.get(), size) != 0) throw not_written(named, errno);
     if (const int error = file.close()) throw not_written(named, error);
 }
 
@@ -172,8 +190,39 @@ void write_file(const fs::path& named, const std::string& bytes)
     if (!exists && errno != ENOENT) throw not_written(named, errno);
     if (exists && S_ISDIR(before.st_mode)) throw not_written(named, EISDIR);
     if (exists && ::access(path.c_str(), W_OK) != 0) throw not_written(named, errno);
-    const bool alone = !exists || (S_ISREG(before.st_mode) && before.st_nlink == 1);
-    if (!alone || !replace(path, named, bytes, exists ? &before : nullptr)) write_through(path, named, bytes);
+    if (exists && !S_ISREG(before.st_mode)) return write_through(path, named, bytes);
+    if (!replace(path, named, bytes, exists ? &before : nullptr)) write_in_place(path, named, bytes, before);
+}
+
+void require_plain_inside(const fs::path& folder, const std::string& name)
+{
+    std::error_code error;
+    const fs::path path = folder / name;
+    if (fs::is_symlink(path, error)) {
+        const fs::path here = fs::canonical(folder.empty() ? "." : folder, error);
+        const fs::path there = fs::canonical(path, error); // an error: there is nothing yet where it leads
+        if (error || there.parent_path() != here)
+            throw Failure(cannot_write, fmt::format("cannot write {}: it is a link that leads out of the folder", path.string()));
+    }
+    const fs::file_status status = fs::status(path, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw Failure(cannot_write, fmt::format("cannot write {}: it is no plain file", path.string()));
+}
+
+void write_into_folder(const fs::path& folder, const std::string& name, const std::string& bytes)
+{
+    require_plain_inside(folder, name);
+    write_file(folder / name, bytes);
+}
+
+FolderLock::FolderLock(const fs::path& folder) : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+{
+    while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {}
+}
+
+FolderLock::~FolderLock()
+{
+    if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 std::string read_file(const fs::path& path)

@@ -6,9 +6,12 @@
 #include "verify/files.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace touchstone::program {
+namespace {
 
+/// The entries of a stored manifest, those of the tables just written replaced or added.
 nlohmann::ordered_json with_entries(const std::filesystem::path& manifest, const nlohmann::ordered_json& fresh)
 {
     const std::string text = read_file(manifest);
@@ -28,11 +31,23 @@ nlohmann::ordered_json with_entries(const std::filesystem::path& manifest, const
     return entries;
 }
 
+} // namespace
+
+std::string manifest_name(const std::string& format) { return "manifest." + format + ".json"; }
+
+std::string manifest_text(const nlohmann::ordered_json& entries)
+{
+    return nlohmann::ordered_json{{"version", std::string(version())}, {"tables", entries}}.dump(1) + "\n";
+}
+
 void renew_manifest(const std::filesystem::path& folder, const std::string& format, const nlohmann::ordered_json& fresh)
 {
-    const auto path = folder / ("manifest." + format + ".json");
-    const auto entries = std::filesystem::exists(path) ? with_entries(path, fresh) : fresh;
-    write_file(path, nlohmann::ordered_json{{"version", std::string(version())}, {"tables", entries}}.dump(1) + "\n");
+    const FolderLock alone(folder);
+    auto ours = nlohmann::ordered_json::array();
+    std::copy_if(fresh.begin(), fresh.end(), std::back_inserter(ours),
+                 [&](const auto& e) { return sha256(read_file(folder / e.at("file").template get<std::string>())) == e.at("sha256"); });
+    const auto path = folder / manifest_name(format);
+    write_into_folder(folder, manifest_name(format), manifest_text(std::filesystem::exists(path) ? with_entries(path, ours) : ours));
 }
 
 } // namespace touchstone::program

@@ -10,10 +10,14 @@
 
 namespace touchstone::program {
 
-/// The entries of a stored manifest, those of the tables just written replaced or added. \throws CorruptTable
-nlohmann::ordered_json with_entries(const std::filesystem::path& manifest, const nlohmann::ordered_json& fresh);
+/// "manifest.txt.json" for format "txt"
+std::string manifest_name(const std::string& format);
 
-/// The manifest of a folder with these entries; made if there is none. \throws CorruptTable, Failure
+/// A manifest of these entries alone.
+std::string manifest_text(const nlohmann::ordered_json& entries);
+
+/// The manifest of a folder with these entries; made if there is none. Writers wait for one another, and an entry whose file another writer
+/// has replaced since is left to that one. \throws CorruptTable, Failure
 void renew_manifest(const std::filesystem::path& folder, const std::string& format, const nlohmann::ordered_json& fresh);
 
 } // namespace touchstone::program

@@ -48,19 +48,19 @@ std::vector<std::string> recompute(const ReportOptions& o)
         Progress progress(spec.name, spec.grid().size());
         const std::string text =
             figures::stored_form(compute(spec, spec.digits, o.jobs, [&progress](std::size_t done, std::size_t) { progress.done(done); }));
-        write_file(folder / (spec.name + ".txt"), text);
+        write_into_folder(folder, spec.name + ".txt", text);
         if (text != figures::compiled_in(spec.name)) changed.push_back(spec.name);
     }
     return changed;
 }
 
-report::Drawn draw(const figures::Recipe& recipe, const fs::path& base)
+report::Drawn draw(const figures::Recipe& recipe, const fs::path& folder)
 {
     const figures::Figure f = recipe.make();
     report::Drawn d{f, recipe.of_paper, figures::svg(f, figures::Layout::wide), figures::svg(f, figures::Layout::narrow), figures::pdf(f)};
-    write_file(base.string() + ".svg", d.wide);
-    write_file(base.string() + ".pdf", d.pdf);
-    write_file(base.string() + ".csv", figures::csv(f));
+    write_into_folder(folder, recipe.id + ".svg", d.wide);
+    write_into_folder(folder, recipe.id + ".pdf", d.pdf);
+    write_into_folder(folder, recipe.id + ".csv", figures::csv(f));
     return d;
 }
 
@@ -83,7 +83,7 @@ int make_report(const ReportOptions& o)
     Progress progress("report", of_figure * figures::recipes().size() + (codes ? of_judgement * report::judgements() : 0) + of_ledger);
     for (const auto& recipe : figures::recipes()) {
         progress.next(of_figure, "drawing " + recipe.id);
-        contents.drawn.push_back(draw(recipe, fs::path(o.out) / "figures" / recipe.id));
+        contents.drawn.push_back(draw(recipe, fs::path(o.out) / "figures"));
         progress.done(of_figure * contents.drawn.size());
     }
     if (codes) {
@@ -95,7 +95,7 @@ int make_report(const ReportOptions& o)
     progress.next(of_ledger);
     if (o.ledger.empty()) contents.ledger = ledger_json();
     const fs::path page = fs::path(o.out) / "index.html";
-    write_file(page, report::page(contents));
+    write_into_folder(o.out, "index.html", report::page(contents));
     Progress::clear();
     fmt::print("{}: {} figures (SVG, PDF and CSV in {}/figures), {} entries of the ledger\n", page.string(), contents.drawn.size(), o.out,
                contents.ledger.size());

@@ -65,6 +65,8 @@ void put_shard(const std::string& path, const Shard& s)
     const std::string text = format_shard(s);
     if (path.empty())
         fmt::print("{}", text);
+    else if (fs::path(path).filename() == s.file_name()) // our name in a folder
+        write_into_folder(fs::path(path).parent_path(), s.file_name(), text);
     else
         write_file(path, text);
 }

@@ -112,7 +112,7 @@ int renew_forced(const TableOptions& o)
         const std::string text = read_file(path);
         const StoredTable stored = parse_table(text, path.string());
         const std::string renewed = with_forced(stored, text);
-        if (renewed != text) write_file(path, renewed);
+        if (renewed != text) write_into_folder(o.out, path.filename(), renewed);
         fresh.push_back({{"name", spec->name},
                          {"file", spec->name + ".txt"},
                          {"quantity", spec->quantity},
@@ -207,19 +207,19 @@ int make_tables(const TableOptions& o)
                 changed.push_back(fmt::format("{} differs: {}", path.string(), first_difference(text, stored)));
             }
         }
-        else write_file(path, text);
+        else write_into_folder(o.out, file, text);
         fmt::print("{:<28} {:>5} rows, {:>4} digits, {}, {} ({:.1f} s)\n", file, t.rows.size(), t.digits, to_string(t.status()), verdict,
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         flush_output(); // minutes may pass until the next
     }
-    const fs::path manifest_path = fs::path(o.out) / ("manifest." + o.format + ".json");
-    if (!o.out.empty() && (whole_set || (!o.check && (!own.empty() || fs::exists(manifest_path))))) {
-        if (!whole_set && fs::exists(manifest_path)) manifest = with_entries(manifest_path, manifest);
-        const std::string text = nlohmann::ordered_json{{"version", std::string(version())}, {"tables", manifest}}.dump(1) + "\n";
-        if (!o.check) write_file(manifest_path, text);
+    const fs::path manifest_path = fs::path(o.out) / manifest_name(o.format);
+    if (!o.out.empty() && whole_set) {
+        const std::string text = manifest_text(manifest);
+        if (!o.check) write_into_folder(o.out, manifest_name(o.format), text);
         else if (const std::string stored = read_file(manifest_path); stored != text)
             changed.push_back(fmt::format("{} differs: {}", manifest_path.string(), first_difference(text, stored)));
     }
+    else if (!o.out.empty() && !o.check && (!own.empty() || fs::exists(manifest_path))) renew_manifest(o.out, o.format, manifest);
     if (!changed.empty()) throw Failure(fails, fmt::format("{}", fmt::join(changed, "; ")));
     return any_undecided ? undecided : holds;
 }

@@ -28,7 +28,7 @@ RIGHT = (os.path.join(options.subjects, "subject_library_forms"), "westergaard.h
 
 
 def run(*words, **more):
-    more = {"capture_output": True, "text": True, "stdin": subprocess.DEVNULL, "timeout": 400, **more}  # ten seconds of work, in a sanitizer's build too
+    more = {"capture_output": True, "text": True, "stdin": subprocess.DEVNULL, "timeout": 1200, **more}  # ten seconds of work, under the thread sanitizer thirty times as many
     return subprocess.run([options.touchstone, *map(str, words)], **more)
 
 
@@ -137,7 +137,7 @@ class Outputs(InFolder):
         self.assertEqual(self.writes(link).returncode, 0)
         self.assertTrue(link.is_symlink())
         self.assertTrue(real.read_text().startswith("<svg"))
-        self.assertEqual(real.stat().st_ino, second.stat().st_ino)
+        self.assertEqual(second.read_text(), "old")  # a name that nobody gave us keeps what it had
         nowhere = self.folder / "nowhere.svg"
         nowhere.symlink_to(self.folder / "new.svg")
         self.assertEqual(self.writes(nowhere).returncode, 0)

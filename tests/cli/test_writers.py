@@ -10,6 +10,8 @@ put on each call that writes, and each has to be named. The seed is printed.
 import argparse
 import contextlib
 import errno
+import hashlib
+import json
 import os
 import pathlib
 import random
@@ -214,6 +216,62 @@ class Writers(unittest.TestCase):
                 self.assertEqual([c.wait(LONGEST) for c in children], [0] * 8)
                 self.assertIn((together / "archard_delta.txt").read_bytes(), whole)
                 self.assertEqual([p.name for p in together.iterdir()], ["archard_delta.txt"])
+
+    def test_the_manifest_of_several_at_once(self):
+        """Four own tables made at the same time in one folder, two of them under one name: the manifest is of what is there."""
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            for i, (name, digits) in enumerate((("a", 5), ("b", 5), ("c", 5), ("c", 9))):
+                (here / f"{i}.json").write_text(json.dumps({"name": name, "quantity": "westergaard.half_width", "digits": digits, "inputs": {"load": "1/10:1/2:1/10"}}))
+            for k in range(20):
+                out = here / f"out{k}"
+                children = [subprocess.Popen([PROGRAM, "table", here / f"{i}.json", "--out", out], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL) for i in range(4)]
+                self.assertEqual([c.wait(LONGEST) for c in children], [0] * 4)
+                entries = json.loads((out / "manifest.txt.json").read_text())["tables"]
+                self.assertEqual({e["file"]: e["sha256"] for e in entries},
+                                 {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in out.glob("*.txt")}, k)
+                self.assertEqual(len(entries), 3)
+
+    def test_what_cannot_be_replaced_outlives_a_full_disk(self):
+        """A file that may be written in a folder that may not: the disk is full before anything of the old one is lost."""
+        with tempfile.TemporaryDirectory() as folder:
+            file, old, short = f"{folder}/view/c.txt", f"{folder}/old", f"{folder}/short"
+            certificate = f"{PROGRAM} certificate contact.area load=1/10 G=16 n="
+            script = f"""set -e; cd {folder}; mkdir disk view; mount -t tmpfs -o size=4k none disk
+                {certificate}2 --digits 2 --out disk/c.txt; cp disk/c.txt {old}; {certificate}1 --digits 2 --out {short}
+                mount --bind disk view; mount -o remount,bind,ro view; mount --bind disk/c.txt {file}; set +e
+                {certificate}1 --digits 20 --out {file}; echo $?; cmp {file} {old} && echo same
+                {certificate}1 --digits 2 --out {file}; echo $?; cmp {file} {short} && echo shorter"""
+            r = run("unshare", "--mount", "--map-root-user", "sh", "-c", script)
+            if "unshare: " in r.stderr or "mount: " in r.stderr:
+                self.skipTest("no mounts of one's own here: " + r.stderr.strip())
+            self.assertEqual(r.stdout.split(), ["73", "same", "0", "shorter"], r.stderr)
+            self.assertIn("No space left on device", r.stderr)
+
+    def test_links_and_pipes_in_a_folder(self):
+        """Who names a folder has not named what a link in it leads to; another name of a file keeps what it had; no pipe is waited for."""
+        with tempfile.TemporaryDirectory() as folder:
+            here, victim = pathlib.Path(folder) / "out", pathlib.Path(folder) / "victim"
+            here.mkdir()
+            share = run(PROGRAM, "table", "archard_delta", "--shard", "1/2", "--out", pathlib.Path(folder) / "shares")
+            self.assertEqual(share.returncode, 0)
+            name = next((pathlib.Path(folder) / "shares").iterdir()).name
+            for words, file in ((["table", "archard_delta"], "archard_delta.txt"), (["table", "archard_delta", "--shard", "1/2"], name)):
+                victim.write_text("theirs")
+                (here / file).symlink_to(victim)
+                r = run(PROGRAM, *words, "--out", here)
+                self.assertEqual((r.returncode, victim.read_text()), (73, "theirs"))
+                self.assertIn("leads out of the folder", r.stderr)
+                (here / file).unlink()
+                os.mkfifo(here / file)
+                r = run(PROGRAM, *words, "--out", here)
+                self.assertEqual(r.returncode, 73)
+                self.assertIn("no plain file", r.stderr)
+                (here / file).unlink()
+                os.link(victim, here / file)
+                self.assertEqual(run(PROGRAM, *words, "--out", here).returncode, 0)
+                self.assertEqual(victim.read_text(), "theirs")
+                self.assertNotEqual((here / file).read_text(), "theirs")
 
     def test_links_and_pipes_beside_a_table_of_rows(self):
         """Somebody else may write in the folder too: what grows beside FILE goes through no link of theirs, and into no pipe."""
