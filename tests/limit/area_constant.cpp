@@ -152,6 +152,20 @@ TEST_CASE("fewer digits are the rounding of more, and every value of the limit h
     CHECK(more.binary64.has_value());
 }
 
+TEST_CASE("limiting distributions at large G, where the residual counts G^4 times: few digits and more")
+{
+    const Quantity& force = *find_quantity("limit.force");
+    for (const long G : {300, 1000}) {
+        const Inputs in({{"p", Rational(1, 300)}, {"G", Rational(G)}});
+        const Evaluation few = evaluate(force, in, {.digits = 3}), more = evaluate(force, in, {.digits = 8});
+        CHECK(few.status == Status::certified);
+        REQUIRE(more.status == Status::certified);
+        CHECK(few.value == round_to_digits(*parse_rational(more.value), 3).text(3));
+        REQUIRE(more.second_look);
+        CHECK(more.second_look->agrees);
+    }
+}
+
 TEST_CASE("edges of the limiting distributions: the highest pressure is not exceeded, what is out of the domain is one line")
 {
     const auto at = [](const char* name, std::map<std::string, Rational> in) {

@@ -146,8 +146,8 @@ Quantity of_limit(Quantity q, Question::Of of, const Pressure& pressure)
         return limit::mean_by_poisson_certificate(asked, G_of(in), {digits});
     };
     q.costly = true;
-    q.certified = {{"1.02 <= G <= 1000", fmt::format("{}, fewer next to pressure 0", limit::most_digits_by_poisson), "poisson",
-                    "witness limit-law", "the wave and its singular points"}};
+    q.certified = {{"1.02 <= G <= 1000", fmt::format("{}, fewer next to pressure 0 and at large G", limit::most_digits_by_poisson),
+                    "poisson", "witness limit-law", "the wave and its singular points"}};
     return q;
 }
 

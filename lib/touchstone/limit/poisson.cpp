@@ -416,7 +416,20 @@ namespace {
 double spare_digits(const Question& q, const Ball& G)
 {
     const double lost = 4 * std::log10(double(to_real(G)));
-    return std::clamp(lost + 0.7, 2.3, 4.0) + (q.of == Question::Of::density ? 0.5 : 0);
+    return std::max(lost + 0.7, 2.3) + (q.of == Question::Of::density ? 0.5 : 0);
+}
+
+constexpr long least_digits_of_mesh = 6; ///< fewer cost as much
+constexpr long digits_next_to_ties = 8;  ///< more than are ever proven are asked for where a value is next to a tie
+
+/// No mesh is asked for a smaller tolerance: with 106 bits, a residual that G^4 enlarges is not sure to reach it, and the search would
+/// go on.
+constexpr double least_tolerance = 1e-24;
+
+double tolerance_for(const Question& q, const Ball& G, Accuracy wanted)
+{
+    const double digits = static_cast<double>(std::clamp(wanted.digits, least_digits_of_mesh, most_digits_by_poisson + 2));
+    return std::max(std::pow(10.0, -digits - spare_digits(q, G)), least_tolerance);
 }
 
 /// The last ones found: both what is asked for and its explanation want them, and quotients of two.
@@ -431,7 +444,7 @@ Poisson kept(const Question& q, const Ball& G, Accuracy wanted)
     static std::mutex mutex;
     static std::vector<Kept> all; // the latest last
     const std::lock_guard lock(mutex);
-    const double tolerance = std::pow(10.0, -static_cast<double>(std::max(6L, wanted.digits)) - spare_digits(q, G));
+    const double tolerance = tolerance_for(q, G, wanted);
     const std::string which =
         fmt::format("{} {} {}", static_cast<int>(q.of), q.of == Question::Of::contact ? "" : q.pressure.dump(), G.dump());
     for (const Kept& k : all)
@@ -446,12 +459,13 @@ Poisson kept(const Question& q, const Ball& G, Accuracy wanted)
 
 Ball mean_by_poisson(const Question& q, const std::function<Ball()>& G, Accuracy wanted)
 {
-    // a search for digits that are not decided ends here, and not in ever finer meshes
-    if (wanted.digits > most_digits_by_poisson + 2) throw BeyondReach("the residual of Poisson's equation is proven in 106 bits");
+    // a search for digits that are not decided ends here, and not in the same finest mesh again and again
+    if (wanted.digits > most_digits_by_poisson + digits_next_to_ties)
+        throw BeyondReach("the residual of Poisson's equation is proven in 106 bits");
     const WorkingPrecision precision(256);
     const Poisson p = kept(q, G(), wanted);
     Ball mean = p.c;
-    if (!(p.error < 1)) throw BeyondReach("the residual of Poisson's equation is too large");
+    if (!(p.error < infinite)) throw BeyondReach("the residual of Poisson's equation is too large");
     arb_add_error(mean.get(), Ball::exactly(p.error).get());
     return mean;
 }
