@@ -224,7 +224,7 @@ int merge(const std::string& folder)
         throw Failure(faulty ? bad_input : fails, fmt::format("{}", fmt::join(complaints, " | ")));
     }
     bool any_undecided = false;
-    require_plain_inside(folder, "manifest.txt.json");
+    require_plain_inside(folder, manifest_name("txt"));
     for (const auto& [name, f] : all) {
         require_plain_inside(folder, name + ".txt");
         const std::string status =

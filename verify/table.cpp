@@ -123,7 +123,7 @@ int renew_forced(const TableOptions& o)
         fmt::print("{:<28} {:>5} rows, {}\n", spec->name + ".txt", stored.rows.size(), renewed == text ? "unchanged" : "written");
         flush_output();
     }
-    if (fs::exists(fs::path(o.out) / "manifest.txt.json")) renew_manifest(o.out, "txt", fresh);
+    if (fs::exists(fs::path(o.out) / manifest_name("txt"))) renew_manifest(o.out, "txt", fresh);
     return holds;
 }
 
