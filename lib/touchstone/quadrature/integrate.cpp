@@ -72,6 +72,23 @@ bool is_narrow(const Limit& from, const Limit& to)
     return arb_lt(width.get(), size.get()) != 0;
 }
 
+/// How far from the start the path is first tried to turn: a power of two. The part before it holds some waves of the highest frequency, which
+/// take few points more, and the amplitude's singularities are that far from the turned path, which takes fewer. A Hankel function
+/// costs the same anywhere and gains nothing.
+long nearest_turn(const std::vector<Wave>& waves)
+{
+    constexpr double radians = 16; // of the fastest wave: two to three waves
+    double most = 1; // slower ones are not waited for
+    for (const Wave& w : waves) {
+        if (w.kernel == Op::number) continue;
+        if (w.kernel == Op::bessel_j || w.kernel == Op::bessel_y) return 1;
+        most = std::max(most, std::fabs(to_double(w.frequency.ball())));
+    }
+    long distance = 1;
+    while (2 * static_cast<double>(distance) * most <= radians) distance *= 2;
+    return distance;
+}
+
 class Integration {
 public:
     Integration(const ExpressionPtr& e, const IntegralOptions& o, bool substituted = false)
@@ -278,7 +295,7 @@ bool Integration::add_oscillating_tail(const Limit& from, const Limit& to, long 
     if (!(std::fabs(start) < farthest_start)) return false;
     const long base = static_cast<long>(std::ceil(start));
     constexpr long farthest = 4096;
-    for (long distance = 1; distance <= farthest; distance *= 2) {
+    for (long distance = nearest_turn(*all); distance <= farthest; distance *= 2) {
         std::vector<std::pair<const Wave*, Ball>> turned;
         ExpressionPtr steady;
         bool proved = true;
