@@ -5,10 +5,13 @@
 usage: test_judge.py --touchstone PROGRAM --subjects FOLDER --library LIB [--fortran PROGRAM --read-table PROGRAM]
 """
 import argparse
+import contextlib
+import itertools
 import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -238,6 +241,104 @@ class Protocol(unittest.TestCase):
         self.assertEqual(ends["kind"], "too_few")
         code, j, _ = judge("westergaard_half_width", "--library", options.library, "--symbol", "prints")
         self.assertEqual(code, 0, j)
+
+
+class LeftBehind(unittest.TestCase):
+    """A code that leaves its session and its parents is ended with all the others, and nobody else is."""
+    LIMITS = ("--start-limit", "20", "--row-limit", "1.5", "--time-limit", "20", "--held-out", "4")
+    marks = itertools.count()
+
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.renew_mark()
+
+    def tearDown(self):
+        self.end_those_left()
+        self.scratch.cleanup()
+
+    def renew_mark(self):
+        self.mark = f"{self.scratch.name}/left-{next(self.marks)}"
+
+    def end_those_left(self):
+        for process in self.living():
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(process, signal.SIGKILL)
+
+    def words(self, name):
+        return ("judge", "westergaard_half_width", "--json", "--seed", "7", *self.LIMITS, "--memory-limit", "0.5", "--", subject("broken"), "fault", name, self.mark)
+
+    def living(self):
+        found = []
+        for p in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                if self.mark.encode() in (p / "cmdline").read_bytes() and int(p.name) != os.getpid() and "\nState:\tZ" not in (p / "status").read_text():
+                    found.append(int(p.name))
+            except OSError:
+                pass
+        return found
+
+    def judged(self, name):
+        self.end_those_left()  # what another one has left is no fault of this
+        self.renew_mark()
+        start = time.monotonic()
+        r = subprocess.run([options.touchstone, *self.words(name)], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=100)
+        self.assertEqual(self.living(), [], name)
+        return r, time.monotonic() - start
+
+    def test_its_daemons_end_with_it(self):
+        for name in ("daemon-sleeps", "daemon-writes", "many-flee"):
+            with self.subTest(name):
+                r, seconds = self.judged(name)
+                self.assertEqual((r.returncode, r.stderr), (0, ""), r.stdout)
+                self.assertLess(seconds, 15)  # and nobody waits for the pipe that they hold open
+        trace = pathlib.Path(self.mark)  # of those that flee, which no look into /proc meets
+        steps = trace.stat().st_size
+        self.assertGreater(steps, 0)
+        time.sleep(0.5)
+        self.assertEqual(trace.stat().st_size, steps)
+        for name, kind in (("daemon-and-hang", "hang"), ("daemon-and-crash", "killed")):
+            with self.subTest(name):
+                r, seconds = self.judged(name)
+                self.assertEqual((r.returncode, json.loads(r.stdout)["fault"]["kind"]), (69, kind))
+                self.assertLess(seconds, 15)
+
+    def test_memory_of_daemons_counts(self):
+        r, _ = self.judged("daemon-holds-memory")
+        self.assertEqual((r.returncode, json.loads(r.stdout)["fault"]["kind"]), (69, "memory"))
+
+    def test_its_supervisor_is_no_way_out(self):
+        for name, kind in (("ends-its-supervisor", "killed"), ("stops-its-supervisor", "hang")):
+            with self.subTest(name):
+                r, seconds = self.judged(name)
+                self.assertEqual((r.returncode, json.loads(r.stdout)["fault"]["kind"]), (69, kind), r.stderr)
+                self.assertLess(seconds, 10)  # not only once its judge has lost patience
+
+    def test_the_judge_is_ended(self):
+        """By whatever signal: what it was judging goes with it."""
+        for end in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
+            with self.subTest(end):
+                process = subprocess.Popen([options.touchstone, *self.words("daemon-at-silent-start")], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                deadline = time.monotonic() + 20
+                while len(self.living()) < 4 and time.monotonic() < deadline:  # the judge, its supervisor, the code, its daemon
+                    time.sleep(0.02)
+                self.assertGreaterEqual(len(self.living()), 3)
+                process.send_signal(end)
+                self.assertEqual(process.wait(20), -end)
+                while self.living() and time.monotonic() < deadline:
+                    time.sleep(0.02)
+                self.assertEqual(self.living(), [])
+
+    def test_children_of_others_live_on(self):
+        """A shell becomes the judge, and its children the judge's: they are nobody's but their own."""
+        script = 'sleep 100 >/dev/null 2>&1 & echo $! >&2; exec "$@" 2>/dev/null'
+        r = subprocess.run(["sh", "-c", script, "sh", options.touchstone, *self.words("daemon-sleeps")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, stdin=subprocess.DEVNULL, timeout=100)
+        sleeper = int(r.stderr)
+        try:
+            self.assertEqual(r.returncode, 0, r.stdout)
+            os.kill(sleeper, 0)
+            self.assertIn("sleep", pathlib.Path(f"/proc/{sleeper}/cmdline").read_text())
+        finally:
+            os.kill(sleeper, signal.SIGKILL)
 
 
 class Output(unittest.TestCase):

@@ -7,11 +7,13 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <map>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 using namespace touchstone;
 using touchstone::subjects::answer_rows;
@@ -77,11 +79,57 @@ int mixup(const std::string& name, const std::string& quantity)
 
 void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-int fault(const std::string& name)
+constexpr double longest_life = 20; ///< seconds: of what a judge that fails its test leaves behind
+
+/// A process in a session of its own, whose parent is gone: no signal to a group reaches it.
+bool daemon()
 {
+    if (::fork() != 0) return false;
+    ::setsid();
+    if (::fork() != 0) std::_Exit(0);
+    return true;
+}
+
+/// Lives on in one new process after another, each in a session of its own: whoever looks for it finds a number that is no more. That it
+/// lives shows in a file that grows.
+[[noreturn]] void flee(const std::string& trace)
+{
+    std::ofstream steps(trace, std::ios::app);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(longest_life);
+    while (std::chrono::steady_clock::now() < end) {
+        if (::fork() != 0) std::_Exit(0);
+        ::setsid();
+        steps << '.' << std::flush;
+    }
+    std::_Exit(0);
+}
+
+/// What a code leaves behind; in the code itself it returns.
+void leave_behind(const std::string& name, const std::string& trace)
+{
+    if (name == "daemon-writes" && daemon())
+        for (;; wait(0.01))
+            if (::write(1, "\n", 1) < 0) std::_Exit(0);
+    if (name == "daemon-holds-memory" && daemon()) {
+        const std::vector<char> much(std::size_t{700} << 20, 'x');
+        wait(longest_life + much.back() - 'x');
+        std::_Exit(0);
+    }
+    if (name.starts_with("daemon") && daemon()) {
+        wait(longest_life);
+        std::_Exit(0);
+    }
+    if (name == "many-flee")
+        for (int k = 0; k < 8; ++k)
+            if (daemon()) flee(trace);
+}
+
+int fault(const std::string& name, const std::string& trace)
+{
+    leave_behind(name, trace);
     long row = 0;
     if (name == "slow-start") wait(0.3);
-    if (name == "silent-start") wait(1000);
+    if (name == "silent-start" || name == "daemon-holds-memory" || name == "daemon-at-silent-start") wait(1000);
     if (name == "close-input") {
         ::close(0);
         wait(0.2);
@@ -99,10 +147,12 @@ int fault(const std::string& name)
         const double answer = westergaard::half_width(numbers(line)[0]);
         if (row == 20) {
             std::fflush(stdout);
-            if (name == "segfault") std::raise(SIGSEGV);
+            if (name == "segfault" || name == "daemon-and-crash") std::raise(SIGSEGV);
+            if (name == "ends-its-supervisor") ::kill(::getppid(), SIGKILL);
+            if (name == "stops-its-supervisor") ::kill(::getppid(), SIGSTOP);
             if (name == "abort") std::abort();
             if (name == "exit-3") return 3;
-            if (name == "hang" || name == "ignore-term") wait(1000);
+            if (name == "hang" || name == "ignore-term" || name == "daemon-and-hang") wait(1000);
             if (name == "too-few") return 0;
             if (name == "garbage") std::printf("0.25 apples\n");
             if (name == "binary") std::printf("\x01\x02\xff\n");
@@ -144,8 +194,8 @@ int main(int argc, char** argv)
 {
     const std::string kind = argc > 2 ? argv[1] : "";
     if (kind == "mixup" && argc == 4) return mixup(argv[2], argv[3]);
-    if (kind == "fault") return fault(argv[2]);
+    if (kind == "fault") return fault(argv[2], argc > 3 ? argv[3] : "");
     if (kind == "look-up") return look_up(argv[2]);
-    std::cerr << "usage: broken mixup NAME QUANTITY | broken fault NAME | broken look-up TABLE\n";
+    std::cerr << "usage: broken mixup NAME QUANTITY | broken fault NAME [FILE] | broken look-up TABLE\n";
     return 64;
 }

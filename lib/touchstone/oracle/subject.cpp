@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "touchstone/oracle/subject.hpp"
 
+#include "touchstone/oracle/supervisor.hpp"
 #include "touchstone/rounding/decimal.hpp"
 
 #include <fmt/format.h>
@@ -14,10 +15,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <istream>
-#include <iterator>
-#include <sstream>
 #include <poll.h>
 #include <spawn.h>
 #include <system_error>
@@ -35,36 +33,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t longest_line = 4096;   ///< no number needs more
 constexpr int first_of_others = 3; ///< of the descriptors: a subject has none from here on that whoever started the judge left open
 constexpr std::size_t kept_chatter = 2000;
+constexpr std::size_t most_in_pipe = std::size_t{1} << 20; ///< bytes, as Linux has it
 constexpr std::chrono::milliseconds weighing{200}; ///< between two looks at the memory of a subject
 
-class Descriptor {
-public:
-    explicit Descriptor(int fd = -1) : fd_(fd) {}
-    Descriptor(Descriptor&& o) noexcept : fd_(std::exchange(o.fd_, -1)) {}
-    Descriptor& operator=(Descriptor&& o) noexcept { std::swap(fd_, o.fd_); return *this; }
-    ~Descriptor() { close(); }
-    int get() const { return fd_; }
-    bool open() const { return fd_ >= 0; }
-    void close()
-    {
-        if (fd_ >= 0) ::close(fd_);
-        fd_ = -1;
-    }
-
-private:
-    int fd_;
-};
-
-struct Pipe {
-    Descriptor read, write;
-    Pipe()
-    {
-        int fd[2];
-        if (::pipe2(fd, O_CLOEXEC) != 0) throw std::runtime_error(fmt::format("no pipe to the judged program: {}", std::strerror(errno)));
-        read = Descriptor(fd[0]);
-        write = Descriptor(fd[1]);
-    }
-};
+constexpr std::array judges_signals{SIGPIPE, SIGINT, SIGTERM, SIGHUP}; ///< which it handles and its subject does not inherit
 
 volatile std::sig_atomic_t interrupted = 0;
 void on_interrupt(int signal) { interrupted = signal; }
@@ -76,81 +48,23 @@ public:
     Signals()
     {
         interrupted = 0;
-        set(0, SIGPIPE, SIG_IGN);
-        set(1, SIGINT, on_interrupt);
-        set(2, SIGTERM, on_interrupt);
-        set(3, SIGHUP, on_interrupt);
+        for (std::size_t i = 0; i < judges_signals.size(); ++i) {
+            struct sigaction action{};
+            action.sa_handler = judges_signals[i] == SIGPIPE ? SIG_IGN : on_interrupt;
+            ::sigaction(judges_signals[i], &action, &before_[i]);
+        }
     }
     ~Signals()
     {
-        for (std::size_t i = 0; i < which_.size(); ++i) ::sigaction(which_[i], &before_[i], nullptr);
+        for (std::size_t i = 0; i < judges_signals.size(); ++i) ::sigaction(judges_signals[i], &before_[i], nullptr);
         if (interrupted != 0) ::raise(interrupted);
     }
     Signals(const Signals&) = delete;
     Signals& operator=(const Signals&) = delete;
 
 private:
-    void set(std::size_t i, int signal, void (*handler)(int))
-    {
-        struct sigaction action{};
-        action.sa_handler = handler;
-        which_[i] = signal;
-        ::sigaction(signal, &action, &before_[i]);
-    }
-    std::array<int, 4> which_{};
-    std::array<struct sigaction, 4> before_{};
+    std::array<struct sigaction, judges_signals.size()> before_{};
 };
-
-/// The child and whatever it started; gone, and its status collected, when this is.
-class Process {
-public:
-    explicit Process(pid_t pid) : pid_(pid) {}
-    Process(const Process&) = delete;
-    Process& operator=(const Process&) = delete;
-    ~Process() { end(); }
-    bool ended()
-    {
-        if (!ended_) ended_ = ::waitpid(pid_, &status_, WNOHANG) == pid_;
-        return ended_;
-    }
-    int status() const { return status_; }
-    void end()
-    {
-        ::kill(-pid_, SIGKILL);
-        if (ended_) return;
-        ::kill(pid_, SIGKILL); // in case it has left its group
-        while (::waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {}
-        ended_ = true;
-    }
-
-private:
-    pid_t pid_;
-    int status_ = 0;
-    bool ended_ = false;
-};
-
-/// Bytes of memory that the processes of a group hold. What they have merely reserved is not counted, since some languages' run-time
-/// systems and the sanitizers reserve more than any machine has; so that no limit of the kernel's serves.
-std::size_t resident(pid_t group)
-{
-    static const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-    std::size_t pages = 0;
-    std::error_code error;
-    for (std::filesystem::directory_iterator process("/proc", error), end; !error && process != end; process.increment(error)) {
-        const std::string name = process->path().filename().string();
-        if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-        std::ifstream in(process->path() / "stat");
-        std::string line;
-        std::getline(in, line);
-        const auto behind_name = line.rfind(')'); // which may hold blanks and brackets
-        if (behind_name == std::string::npos) continue;
-        std::istringstream words(line.substr(behind_name + 1));
-        std::vector<std::string> word((std::istream_iterator<std::string>(words)), std::istream_iterator<std::string>());
-        constexpr std::size_t of_group = 2, of_pages = 21; // the fields 5 and 24 of proc(5)
-        if (word.size() > of_pages && word[of_group] == std::to_string(group)) pages += std::strtoul(word[of_pages].c_str(), nullptr, 10);
-    }
-    return pages * page;
-}
 
 std::string quoted(std::string_view text)
 {
@@ -212,100 +126,159 @@ private:
     std::string pending_;
 };
 
-/// Talks to a running child until it has ended or broken a limit.
-Answers converse(pid_t pid, Descriptor to, Descriptor from, Descriptor chatter, const std::string& questions, std::size_t rows,
+/// Talks to a running code until it has ended or broken a limit.
+class Conversation {
+public:
+    Conversation(Supervised& code, Descriptor to, Descriptor from, Descriptor chatter, const std::string& questions, std::size_t rows,
                  const Limits& limits)
-{
-    Process process(pid);
-    Answers answers;
-    Collector collector(answers, rows);
-    for (const Descriptor* d : {&to, &from, &chatter})
-        if (d->open()) ::fcntl(d->get(), F_SETFL, O_NONBLOCK);
-    const auto start = Clock::now();
-    auto active = start;
-    bool spoke = false, stopped_reading = false;
-    std::size_t sent = 0;
-    const auto fault = [&](FaultKind kind, const std::string& what) {
-        answers.fault = Fault{kind, fmt::format("{} after {} of {} rows", what, answers.values.size(), rows), answers.values.size()};
-    };
-    const auto left = [&]() { // until the first limit that would be broken; sets the fault if one is
+        : code_(code)
+        , to_(std::move(to))
+        , from_(std::move(from))
+        , chatter_(std::move(chatter))
+        , questions_(questions)
+        , rows_(rows)
+        , limits_(limits)
+        , collector_(answers_, rows)
+    {
+        for (const Descriptor* d : {&to_, &from_, &chatter_})
+            if (d->open()) ::fcntl(d->get(), F_SETFL, O_NONBLOCK);
+        if (questions_.empty()) to_.close();
+    }
+
+    Answers all()
+    {
+        while (on() && from_.open() && !over()) exchange();
+        if (on()) collector_.finish();
+        // a fault found here stands; else how it ended may be one
+        active_ = Clock::now();
+        spoke_ = true;
+        while (on() && code_.watched() && !code_.ended()) {
+            weigh();
+            const auto wait = left();
+            pollfd end{code_.word(), POLLIN, 0};
+            if (on()) ::poll(&end, 1, static_cast<int>(std::min<long>(wait, weighing.count())));
+        }
+        hear_chatter(); // its last words
+        if (on()) judge_the_end();
+        if (!code_.end() && on()) fault(FaultKind::hang, "left processes that could not be ended");
+        return std::move(answers_);
+    }
+
+private:
+    bool on() const { return !answers_.fault && interrupted == 0; }
+
+    /// It has ended, and what it has left behind has no say any more, though that may hold its output open: what is in the pipe is all.
+    /// Only where rows are unanswered and it has not failed may those whom it has left behind be the ones that answer.
+    bool over()
+    {
+        if (!code_.ended() || (answers_.values.size() < rows_ && code_.status() == 0)) return false;
+        code_.end();
+        for (std::size_t read = 0; read < most_in_pipe && on() && from_.open() && hear();) read += buffer_.size();
+        return true;
+    }
+
+    void fault(FaultKind kind, const std::string& what)
+    {
+        answers_.fault = Fault{kind, fmt::format("{} after {} of {} rows", what, answers_.values.size(), rows_), answers_.values.size()};
+    }
+
+    /// Milliseconds until the first limit that would be broken; sets the fault if one is.
+    long left()
+    {
         const auto now = Clock::now();
-        const auto whole = start + limits.total - now;
-        const auto quiet = (spoke ? active + limits.silence : start + limits.start) - now;
-        if (whole.count() <= 0) fault(FaultKind::hang, fmt::format("was not done within {:g} s (the limit in all)", seconds(limits.total)));
-        else if (quiet.count() <= 0 && spoke) fault(FaultKind::hang, fmt::format("was silent for {:g} s", seconds(limits.silence)));
+        const auto whole = start_ + limits_.total - now;
+        const auto quiet = (spoke_ ? active_ + limits_.silence : start_ + limits_.start) - now;
+        if (whole.count() <= 0)
+            fault(FaultKind::hang, fmt::format("was not done within {:g} s (the limit in all)", seconds(limits_.total)));
+        else if (quiet.count() <= 0 && spoke_) fault(FaultKind::hang, fmt::format("was silent for {:g} s", seconds(limits_.silence)));
         else if (quiet.count() <= 0)
-            fault(FaultKind::hang, fmt::format("gave no answer within {:g} s of its start", seconds(limits.start)));
+            fault(FaultKind::hang, fmt::format("gave no answer within {:g} s of its start", seconds(limits_.start)));
         return std::chrono::ceil<std::chrono::milliseconds>(std::min(whole, quiet)).count();
-    };
-    auto weighed = start - weighing;
-    const auto weigh = [&]() { // now and then, since it reads of every process
-        if (Clock::now() - weighed < weighing) return;
-        if (const std::size_t bytes = resident(pid); bytes > limits.memory)
-            fault(FaultKind::memory, fmt::format("held {:.1f} GiB of memory (the limit is {:g})", gib(bytes), gib(limits.memory)));
-        weighed = Clock::now();
-    };
-    if (questions.empty()) to.close();
-    std::array<char, 65536> buffer;
-    while (!answers.fault && interrupted == 0 && from.open()) {
+    }
+
+    /// Now and then, since it reads of every process.
+    void weigh()
+    {
+        if (Clock::now() - weighed_ < weighing) return;
+        if (const std::size_t bytes = code_.resident(); bytes > limits_.memory)
+            fault(FaultKind::memory, fmt::format("held {:.1f} GiB of memory (the limit is {:g})", gib(bytes), gib(limits_.memory)));
+        weighed_ = Clock::now();
+    }
+
+    void exchange()
+    {
         const auto wait = left();
-        if (!answers.fault) weigh();
-        if (answers.fault) break;
-        std::array<pollfd, 3> fds{pollfd{from.get(), POLLIN, 0}, pollfd{chatter.open() ? chatter.get() : -1, POLLIN, 0},
-                                  pollfd{to.open() ? to.get() : -1, POLLOUT, 0}};
-        if (::poll(fds.data(), fds.size(), static_cast<int>(std::min<long>(wait, weighing.count()))) <= 0) continue;
-        if (fds[2].revents != 0) {
-            const ssize_t n = ::write(to.get(), questions.data() + sent, questions.size() - sent);
-            if (n > 0) {
-                sent += static_cast<std::size_t>(n);
-                active = Clock::now();
-            }
-            else if (n < 0 && errno != EAGAIN && errno != EINTR) stopped_reading = true;
-            if (stopped_reading || sent == questions.size()) to.close();
-        }
-        if (fds[1].revents != 0) {
-            const ssize_t n = ::read(chatter.get(), buffer.data(), buffer.size());
-            if (n > 0) {
-                answers.chatter.append(buffer.data(), static_cast<std::size_t>(n));
-                if (answers.chatter.size() > kept_chatter) answers.chatter.erase(0, answers.chatter.size() - kept_chatter);
-            }
-            else if (n == 0 || (errno != EAGAIN && errno != EINTR)) chatter.close();
-        }
-        if (fds[0].revents != 0) {
-            const ssize_t n = ::read(from.get(), buffer.data(), buffer.size());
-            if (n > 0) {
-                spoke = true;
-                active = Clock::now();
-                if (!collector.take({buffer.data(), static_cast<std::size_t>(n)})) break;
-            }
-            else if (n == 0) from.close();
-            else if (errno != EAGAIN && errno != EINTR) from.close();
-        }
+        if (on()) weigh();
+        if (!on()) return;
+        std::array<pollfd, 4> fds{pollfd{from_.get(), POLLIN, 0}, pollfd{chatter_.get(), POLLIN, 0}, pollfd{to_.get(), POLLOUT, 0},
+                                  pollfd{code_.word(), POLLIN, 0}};
+        if (::poll(fds.data(), fds.size(), static_cast<int>(std::min<long>(wait, weighing.count()))) <= 0) return;
+        if (fds[2].revents != 0) send();
+        if (fds[1].revents != 0) hear_chatter();
+        if (fds[0].revents != 0) hear();
+        if (fds[3].revents != 0) code_.ended();
     }
-    if (!answers.fault && interrupted == 0) collector.finish();
-    // a fault found here stands; else how it ended may be one
-    active = Clock::now();
-    spoke = true;
-    while (!answers.fault && interrupted == 0 && !process.ended()) {
-        weigh();
-        if (!answers.fault && left() > 0) ::poll(nullptr, 0, 1);
+
+    void send()
+    {
+        const ssize_t n = ::write(to_.get(), questions_.data() + sent_, questions_.size() - sent_);
+        if (n > 0) {
+            sent_ += static_cast<std::size_t>(n);
+            active_ = Clock::now();
+        }
+        else if (n < 0 && errno != EAGAIN && errno != EINTR) stopped_reading_ = true;
+        if (stopped_reading_ || sent_ == questions_.size()) to_.close();
     }
-    if (chatter.open()) { // its last words
-        const ssize_t n = ::read(chatter.get(), buffer.data(), buffer.size());
-        if (n > 0) answers.chatter.append(buffer.data(), static_cast<std::size_t>(n));
+
+    /// Whether there was something to hear.
+    bool hear()
+    {
+        const ssize_t n = ::read(from_.get(), buffer_.data(), buffer_.size());
+        if (n > 0) {
+            spoke_ = true;
+            active_ = Clock::now();
+            collector_.take({buffer_.data(), static_cast<std::size_t>(n)});
+        }
+        else if (n == 0 || (errno != EAGAIN && errno != EINTR)) from_.close();
+        return n > 0;
     }
-    if (!answers.fault && interrupted == 0) {
-        const int status = process.status();
-        if (WIFSIGNALED(status))
+
+    void hear_chatter()
+    {
+        if (!chatter_.open()) return;
+        const ssize_t n = ::read(chatter_.get(), buffer_.data(), buffer_.size());
+        if (n > 0) {
+            answers_.chatter.append(buffer_.data(), static_cast<std::size_t>(n));
+            if (answers_.chatter.size() > kept_chatter) answers_.chatter.erase(0, answers_.chatter.size() - kept_chatter);
+        }
+        else if (n == 0 || (errno != EAGAIN && errno != EINTR)) chatter_.close();
+    }
+
+    void judge_the_end()
+    {
+        const int status = code_.status();
+        if (!code_.ended()) fault(FaultKind::killed, "ended the process that watches over it");
+        else if (WIFSIGNALED(status))
             fault(FaultKind::killed, fmt::format("was killed by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))));
         else if (WEXITSTATUS(status) != 0) fault(FaultKind::exit_status, fmt::format("ended with exit status {}", WEXITSTATUS(status)));
-        else if (stopped_reading)
+        else if (stopped_reading_)
             fault(FaultKind::closed_input,
-                  fmt::format("closed its input when {} of {} bytes had been sent, and ended", sent, questions.size()));
-        else if (answers.values.size() < rows) fault(FaultKind::too_few, "ended");
+                  fmt::format("closed its input when {} of {} bytes had been sent, and ended", sent_, questions_.size()));
+        else if (answers_.values.size() < rows_) fault(FaultKind::too_few, "ended");
     }
-    return answers;
-}
+
+    Supervised& code_;
+    Descriptor to_, from_, chatter_;
+    const std::string& questions_;
+    std::size_t rows_, sent_ = 0;
+    const Limits& limits_;
+    Answers answers_;
+    Collector collector_;
+    const Clock::time_point start_ = Clock::now();
+    Clock::time_point active_ = start_, weighed_ = start_ - weighing;
+    bool spoke_ = false, stopped_reading_ = false;
+    std::array<char, 65536> buffer_{};
+};
 
 std::string question(const std::vector<double>& row)
 {
@@ -352,8 +325,19 @@ void say(int fd, std::string_view text)
 }
 
 /// In the child: load, call, answer. A failure to load is the answer '!', with the reason on stderr.
-[[noreturn]] void serve_library(const std::string& library, const std::string& symbol, const InputRows& rows, int answers)
+[[noreturn]] void serve_library(const std::string& library, const std::string& symbol, const InputRows& rows, int out, int err)
 {
+    ::setpgid(0, 0);
+    for (const int s : judges_signals) ::signal(s, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr); // its supervisor has them all blocked
+    const int nothing = ::open("/dev/null", O_RDONLY), answers = first_of_others;
+    ::dup2(nothing, 0);
+    ::dup2(err, 1); // what the library prints is chatter, not an answer
+    ::dup2(err, 2);
+    ::dup2(out, answers);
+    ::close_range(first_of_others + 1, ~0U, 0);
     void* handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* function = handle != nullptr ? ::dlsym(handle, symbol.c_str()) : nullptr;
     if (function == nullptr) {
@@ -364,6 +348,49 @@ void say(int fd, std::string_view text)
     for (const auto& row : rows) say(answers, hexfloat(call(function, row)) + "\n"); // at once: a crash is then at the right row
     ::_exit(0);
 }
+
+/// All that starting a program takes, got ready beforehand: where it is started no memory may be asked for.
+class Spawn {
+public:
+    Spawn(const std::vector<std::string>& command, int in, int out, int err)
+    {
+        posix_spawn_file_actions_init(&files_);
+        posix_spawn_file_actions_adddup2(&files_, in, 0);
+        posix_spawn_file_actions_adddup2(&files_, out, 1);
+        posix_spawn_file_actions_adddup2(&files_, err, 2);
+        posix_spawn_file_actions_addclosefrom_np(&files_, first_of_others);
+        posix_spawnattr_init(&attributes_);
+        sigset_t defaults, none;
+        sigemptyset(&none);
+        sigemptyset(&defaults);
+        for (const int s : judges_signals) sigaddset(&defaults, s);
+        posix_spawnattr_setsigdefault(&attributes_, &defaults);
+        posix_spawnattr_setsigmask(&attributes_, &none);
+        posix_spawnattr_setpgroup(&attributes_, 0);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+        for (const auto& word : command) argv_.push_back(const_cast<char*>(word.c_str()));
+        argv_.push_back(nullptr);
+    }
+    Spawn(const Spawn&) = delete;
+    Spawn& operator=(const Spawn&) = delete;
+    ~Spawn()
+    {
+        posix_spawnattr_destroy(&attributes_);
+        posix_spawn_file_actions_destroy(&files_);
+    }
+    /// \returns the number of its process, or an error, negative
+    pid_t start() const
+    {
+        pid_t pid = 0;
+        const int error = ::posix_spawnp(&pid, argv_[0], &files_, &attributes_, argv_.data(), environ);
+        return error != 0 ? -error : pid;
+    }
+
+private:
+    posix_spawn_file_actions_t files_{};
+    posix_spawnattr_t attributes_{};
+    std::vector<char*> argv_;
+};
 
 } // namespace
 
@@ -401,34 +428,13 @@ Answers ask_command(const std::vector<std::string>& command, const InputRows& ro
     for (const auto& row : rows) questions += question(row);
     const Signals signals;
     Pipe in, out, err;
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, in.read.get(), 0);
-    posix_spawn_file_actions_adddup2(&files, out.write.get(), 1);
-    posix_spawn_file_actions_adddup2(&files, err.write.get(), 2);
-    posix_spawn_file_actions_addclosefrom_np(&files, first_of_others);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t defaults, none;
-    sigemptyset(&none);
-    sigemptyset(&defaults);
-    for (const int s : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) sigaddset(&defaults, s);
-    posix_spawnattr_setsigdefault(&attributes, &defaults);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-    std::vector<char*> argv;
-    for (const auto& word : command) argv.push_back(const_cast<char*>(word.c_str()));
-    argv.push_back(nullptr);
-    pid_t pid = 0;
-    const int error = ::posix_spawnp(&pid, argv[0], &files, &attributes, argv.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&files);
-    if (error != 0) return not_started(fmt::format("could not be run: {}", std::strerror(error)));
+    const Spawn spawn(command, in.read.get(), out.write.get(), err.write.get());
+    Supervised code([&] { return spawn.start(); });
+    if (code.error() != 0) return not_started(fmt::format("could not be run: {}", std::strerror(code.error())));
     in.read.close();
     out.write.close();
     err.write.close();
-    return converse(pid, std::move(in.write), std::move(out.read), std::move(err.read), questions, rows.size(), limits);
+    return Conversation(code, std::move(in.write), std::move(out.read), std::move(err.read), questions, rows.size(), limits).all();
 }
 
 Answers ask_library(const std::string& library, const std::string& symbol, const InputRows& rows, const Limits& limits)
@@ -437,23 +443,17 @@ Answers ask_library(const std::string& library, const std::string& symbol, const
     const std::string path = std::filesystem::absolute(library).string();
     const Signals signals;
     Pipe out, err;
-    const pid_t pid = ::fork();
-    if (pid < 0) return not_started(fmt::format("could not be run: {}", std::strerror(errno)));
-    if (pid == 0) {
-        ::setpgid(0, 0);
-        for (const int s : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) ::signal(s, SIG_DFL);
-        const int nothing = ::open("/dev/null", O_RDONLY);
-        ::dup2(nothing, 0);
-        ::dup2(err.write.get(), 1); // what the library prints is chatter, not an answer
-        ::dup2(err.write.get(), 2);
-        ::dup2(out.write.get(), first_of_others);
-        ::close_range(first_of_others + 1, ~0U, 0);
-        serve_library(path, symbol, rows, first_of_others);
-    }
-    ::setpgid(pid, pid);
+    Supervised code([&] {
+        const pid_t pid = ::fork();
+        if (pid < 0) return -errno;
+        if (pid == 0) serve_library(path, symbol, rows, out.write.get(), err.write.get());
+        ::setpgid(pid, pid);
+        return pid;
+    });
+    if (code.error() != 0) return not_started(fmt::format("could not be run: {}", std::strerror(code.error())));
     out.write.close();
     err.write.close();
-    Answers answers = converse(pid, Descriptor(), std::move(out.read), std::move(err.read), "", rows.size(), limits);
+    Answers answers = Conversation(code, Descriptor(), std::move(out.read), std::move(err.read), "", rows.size(), limits).all();
     if (answers.fault && answers.fault->kind == FaultKind::garbage && answers.fault->answered == 0) {
         answers.fault->kind = FaultKind::not_started;
         answers.fault->detail = fmt::format("cannot be loaded: {}", std::exchange(answers.chatter, {}));

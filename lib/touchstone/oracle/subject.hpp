@@ -4,7 +4,7 @@
 ///
 /// A subject gets one line of blanks-separated C99 hexadecimal numbers for each row and answers one
 /// number a line. It runs in a process group of its own, with three pipes and no other file of the judge's open: a crash, a hang, a flood
-/// of output or of memory ends it and its children, is reported as what it is, and never reaches the judge.
+/// of output or of memory ends it and whatever it has started, is reported as what it is, and never reaches the judge.
 #pragma once
 
 #include <chrono>
