@@ -10,6 +10,7 @@
 #include "verify/eval.hpp"
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
+#include "verify/kept_rows.hpp"
 #include "verify/own_rows.hpp"
 #include "verify/progress.hpp"
 #include "verify/row_table.hpp"
@@ -296,6 +297,9 @@ int evaluate_rows(const EvalOptions& o, const Quantity& q, const NamedTexts& nam
     };
     const auto rows = rows_anew();
     const RowTableKind kind{&q, rows->columns(), o.digits, *rounding_named(o.round), o.binary64, o.json};
+    // rows of standard input come once: of those, what is kept is found by its inputs as they come
+    if (const std::string before = o.resume && o.rows != "-" ? table_to_resume(o.out) : ""; !before.empty())
+        require_rows_of(KeptRows(before, kind), *rows_anew());
     if (o.shard.empty()) return RowsRun(o, kind, *rows, nullptr).all();
     const RowsShare share = rows_share(*rows, kind, share_named(o.shard), o.rows);
     if (const std::string path = shard_path(o.out, share.shard); const auto code = code_if_there(path, share.shard)) return *code;

@@ -6,7 +6,8 @@
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
 #include "verify/manifest.hpp"
-#include "verify/row_table.hpp"
+#include "verify/row_reader.hpp"
+#include "verify/shards.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,6 +33,7 @@ struct Found {
     std::vector<std::string> faults; ///< one a file
     std::set<std::size_t> bad;       ///< their indices, where they say them
     std::size_t count = 0;           ///< N, as far as it is known
+    std::vector<std::pair<const std::string*, std::string>> rows; ///< of a table of rows: lines of the shards, and their statuses
 };
 
 bool looks_like_a_shard(const fs::path& path)
@@ -55,6 +57,18 @@ void note_by_name(std::map<std::string, Found>& all, const std::string& file, co
     f.count = std::max<std::size_t>(f.count, std::stoul(parts[3].str()));
 }
 
+/// \throws CorruptTable with the file's name
+void check(const Shard& s, const std::string& file)
+{
+    try {
+        if (s.kind == "rows") check_rows(s);
+        else if (s.kind != "table") throw CorruptTable(fmt::format("is of the kind '{:.40}', which is none", s.kind));
+    }
+    catch (const CorruptTable& e) {
+        throw CorruptTable(fmt::format("{}: {}", file, e.what()));
+    }
+}
+
 std::map<std::string, Found> find_shards(const std::string& folder)
 {
     std::error_code error;
@@ -71,6 +85,7 @@ std::map<std::string, Found> find_shards(const std::string& folder)
         const std::string file = path.filename().string();
         try {
             Shard s = parse_shard(read_file(path), file);
+            check(s, file);
             Found& f = all[s.name];
             f.count = std::max(f.count, s.share.count);
             f.shards.push_back(std::move(s));
@@ -162,31 +177,39 @@ std::string write_table(const Table& t, const fs::path& folder)
     return std::string(to_string(t.status()));
 }
 
-/// The word after a row's " # "; empty: it is none of the statuses.
-std::string status_of(const std::string& line)
+/// That the rows, in their order, are the ones of which the shares say that they are shares, each dealt to the share that has it.
+/// \throws CorruptTable
+void put_rows_in_order(Found& f)
 {
-    const auto mark = line.find(" # ");
-    if (mark == std::string::npos) return "";
-    const std::string word = line.substr(mark + 3, line.find(':', mark) - mark - 3);
-    static const std::set<std::string> all{"exact", "certified", "estimated", "undecided", "refused"};
-    return all.contains(word) ? word : "";
+    const Shard& any = f.shards.front();
+    const RowTableKind kind = kind_from(any.about);
+    struct Place {
+        const std::string* line;
+        std::size_t share;
+    };
+    std::vector<Place> places(any.total);
+    for (const Shard& s : f.shards)
+        for (const auto& r : s.rows) places.at(r.number - 1) = {&r.line, s.share.index};
+    RowsSpec spec(kind);
+    Deal deal(*kind.quantity, any.share.count);
+    for (const Place& p : places) {
+        const WrittenRow row = read_row(kind, *p.line);
+        spec.add(row.words);
+        if (deal.next(row.inputs ? &*row.inputs : nullptr) != p.share)
+            throw CorruptTable(fmt::format("row {} is in share {}, which is not the one that it is dealt to", f.rows.size() + 1, p.share));
+        f.rows.emplace_back(p.line, row.status);
+    }
+    if (spec.text() != any.spec)
+        throw CorruptTable("the inputs of its rows are not those of the table that they are shares of");
 }
 
-std::string write_rows(const std::vector<Shard>& shards, const fs::path& folder)
+std::string write_rows(const Found& f, const fs::path& folder)
 {
-    const Shard& any = shards.front();
-    std::vector<const std::string*> lines(any.total);
-    for (const Shard& s : shards)
-        for (const auto& r : s.rows) {
-            if (status_of(r.line).empty()) throw CorruptTable(fmt::format("{}: row {} has no status", any.name, r.number));
-            lines.at(r.number - 1) = &r.line;
-        }
+    const Shard& any = f.shards.front();
     const RowTableKind kind = kind_from(any.about);
     const fs::path path = folder / (any.name + ".txt");
     RowTable table(kind, path.string(), false);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        table.write(i + 1, *lines[i] + "\n", status_of(*lines[i]));
-    }
+    for (std::size_t i = 0; i < f.rows.size(); ++i) table.write(i + 1, *f.rows[i].first + "\n", f.rows[i].second);
     table.finish(true);
     const std::string weakest = table.counts().contains("refused")     ? "refused"
                                 : table.counts().contains("undecided") ? "undecided"
@@ -212,6 +235,14 @@ int merge(const std::string& folder)
     for (auto& [name, f] : all) {
         find_strangers(f);
         const std::string again = missing(f);
+        if (f.faults.empty() && again.empty() && f.shards.front().kind == "rows") {
+            try {
+                put_rows_in_order(f);
+            }
+            catch (const CorruptTable& e) {
+                f.faults.emplace_back(e.what());
+            }
+        }
         if (f.faults.empty() && again.empty()) continue;
         faulty = faulty || !f.faults.empty();
         const std::string lacking = again.empty() ? "" : fmt::format("{}to be made: {}", f.faults.empty() ? "" : "; ", again);
@@ -228,7 +259,7 @@ int merge(const std::string& folder)
     for (const auto& [name, f] : all) {
         require_plain_inside(folder, name + ".txt");
         const std::string status =
-            f.shards.front().kind == "table" ? write_table(table_of_shards(f.shards), folder) : write_rows(f.shards, folder);
+            f.shards.front().kind == "table" ? write_table(table_of_shards(f.shards), folder) : write_rows(f, folder);
         any_undecided = any_undecided || status == "undecided";
     }
     return any_undecided ? undecided : holds;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/row_table.hpp"
 
+#include "touchstone/catalogue/named_inputs.hpp"
 #include "touchstone/table/format.hpp"
 #include "touchstone/table/json_text.hpp"
 #include "verify/exit_codes.hpp"
+#include "verify/kept_rows.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,15 +20,13 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 namespace touchstone::program {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr std::string_view status_mark = " # "; ///< what stands after it is no number of the row
-const std::vector<std::string> statuses{"exact", "certified", "estimated", "undecided", "refused"}; // the weakest last
 
 Json description(const RowTableKind& k)
 {
@@ -40,33 +40,6 @@ Json description(const RowTableKind& k)
             {"input_format", k.binary64 ? "binary64" : "exact"},
             {"digits", k.digits},
             {"rounding", rounding_names()[static_cast<std::size_t>(k.rounding)]}};
-}
-
-/// Whether a file's JSON line describes the same kind of table.
-bool same_kind(const std::string& line, const RowTableKind& k)
-{
-    const Json found = Json::parse(shallow(line), nullptr, false);
-    if (!found.is_object()) return false;
-    const Json right = description(k);
-    for (const char* key : {"quantity", "inputs", "input_format", "digits", "rounding"})
-        if (!found.contains(key) || found.at(key) != right.at(key)) return false;
-    return true;
-}
-
-/// What is there to go on from: the longer of the table and of one that was cut off before it became the table.
-std::string longest_of(const std::vector<std::string>& paths)
-{
-    std::string longest;
-    std::uintmax_t most = 0;
-    for (const auto& path : paths) {
-        std::error_code error;
-        const auto size = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
-        if (!error && size > most) {
-            most = size;
-            longest = path;
-        }
-    }
-    return longest;
 }
 
 Failure not_written(const std::string& path)
@@ -112,26 +85,35 @@ std::string in_one_line(std::string reason)
 
 } // namespace
 
-struct RowTable::Hash {
+struct RowsHash::Context {
     EVP_MD_CTX* context = EVP_MD_CTX_new();
-    Hash() { EVP_DigestInit_ex(context, EVP_sha256(), nullptr); }
-    ~Hash() { EVP_MD_CTX_free(context); }
-    Hash(const Hash&) = delete;
-    Hash& operator=(const Hash&) = delete;
-    void add(const std::string& bytes) { EVP_DigestUpdate(context, bytes.data(), bytes.size()); }
-    std::string text() const
-    {
-        std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-        unsigned size = 0;
-        EVP_MD_CTX* copy = EVP_MD_CTX_new();
-        EVP_MD_CTX_copy_ex(copy, context);
-        EVP_DigestFinal_ex(copy, digest.data(), &size);
-        EVP_MD_CTX_free(copy);
-        std::string hex;
-        for (unsigned i = 0; i < size; ++i) hex += fmt::format("{:02x}", digest[i]);
-        return hex;
-    }
+    Context() = default;
+    ~Context() { EVP_MD_CTX_free(context); }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
 };
+
+RowsHash::RowsHash()
+    : context_(std::make_unique<Context>())
+{
+    EVP_DigestInit_ex(context_->context, EVP_sha256(), nullptr);
+}
+
+RowsHash::~RowsHash() = default;
+
+void RowsHash::add(std::string_view bytes) { EVP_DigestUpdate(context_->context, bytes.data(), bytes.size()); }
+
+std::string RowsHash::text() const
+{
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned size = 0;
+    const Context copy;
+    EVP_MD_CTX_copy_ex(copy.context, context_->context);
+    EVP_DigestFinal_ex(copy.context, digest.data(), &size);
+    std::string hex;
+    for (unsigned i = 0; i < size; ++i) hex += fmt::format("{:02x}", digest[i]);
+    return hex;
+}
 
 std::string row_line(const RowTableKind& k, std::size_t number, const std::vector<std::string>& words, const RowOutcome& o)
 {
@@ -157,6 +139,15 @@ std::string row_line(const RowTableKind& k, std::size_t number, const std::vecto
                        told ? ": " + in_one_line(reason) : "");
 }
 
+bool same_kind(const Json& found, const RowTableKind& k)
+{
+    if (!found.is_object()) return false;
+    const Json right = description(k);
+    for (const char* key : {"quantity", "inputs", "input_format", "digits", "rounding"})
+        if (!found.contains(key) || found.at(key) != right.at(key)) return false;
+    return true;
+}
+
 std::string kind_text(const RowTableKind& k) { return description(k).dump(); }
 
 RowTableKind kind_from(const std::string& json)
@@ -171,10 +162,13 @@ RowTableKind kind_from(const std::string& json)
         const auto rounding = rounding_named(j.at("rounding").get<std::string>());
         if (k.quantity != nullptr && rounding) {
             k.rounding = *rounding;
-            if (description(k) == j) return k;
+            check_keys(*k.quantity, k.columns);
+            if (description(k) == j && k.digits >= 1 && k.digits <= any_digits) return k;
         }
     }
     catch (const nlohmann::json::exception&) {
+    }
+    catch (const WrongKeys&) {
     }
     throw CorruptTable("rows of another program: '" + json.substr(0, 80) + "'");
 }
@@ -182,7 +176,6 @@ RowTableKind kind_from(const std::string& json)
 RowTable::RowTable(RowTableKind kind, std::string out, bool resume)
     : kind_(std::move(kind))
     , out_(std::move(out))
-    , hash_(std::make_unique<Hash>())
 {
     std::error_code error;
     stream_ = out_.empty() || (fs::exists(out_, error) && !fs::is_regular_file(out_, error));
@@ -193,27 +186,20 @@ RowTable::RowTable(RowTableKind kind, std::string out, bool resume)
     else {
         if (fs::is_symlink(out_, error)) out_ = fs::canonical(out_, error).string();
         part_ = out_ + ".part";
-        if (resume) open_before(longest_of({out_, part_, out_ + ".part2"}));
+        if (resume) open_before(table_to_resume(out_));
         held_ = held(out_ + ".part");
         const int descriptor = part_ == out_ + ".part" ? ::dup(held_) : opened_anew(part_);
         file_ = descriptor < 0 || ::ftruncate(descriptor, 0) != 0 ? nullptr : ::fdopen(descriptor, "wb");
         if (file_ == nullptr) throw not_written(part_);
     }
     if (!kind_.json) put(header(""));
-    if (before_ && !next_kept()) before_.reset();
+    if (before_) next_kept();
 }
 
 void RowTable::open_before(const std::string& path)
 {
     if (path.empty()) return;
-    before_ = std::make_unique<std::ifstream>(path, std::ios::binary);
-    bool same = false;
-    std::string line;
-    while (before_->peek() == '#' && std::getline(*before_, line))
-        same = same || (line.starts_with("# {") && same_kind(line.substr(2), kind_));
-    if (!same)
-        throw Failure(usage_error, fmt::format("{} is not a table of {} with these columns, digits and rounding: nothing to resume", path,
-                                               kind_.quantity->name));
+    before_ = std::make_unique<KeptRows>(path, kind_);
     if (path == part_) part_ = out_ + ".part2";
 }
 
@@ -258,40 +244,30 @@ std::string RowTable::summary(bool complete) const
     std::string weakest = "exact";
     for (const auto& s : statuses)
         if (counts_.contains(s)) weakest = s;
-    return Json{{"rows", rows_}, {"status", weakest}, {"statuses", counts_}, {"complete", complete}, {"sha256", hash_->text()}}.dump();
+    return Json{{"rows", rows_}, {"status", weakest}, {"statuses", counts_}, {"complete", complete}, {"sha256", hash_.text()}}.dump();
 }
 
-/// The next whole row of the table that is taken up again.
-bool RowTable::next_kept()
+void RowTable::next_kept()
 {
-    while (std::getline(*before_, kept_line_)) {
-        if (before_->eof()) return false; // no line end: the run was killed in it
-        const auto mark = kept_line_.find(status_mark);
-        if (kept_line_.starts_with("#") || mark == std::string::npos) continue;
-        kept_status_ = kept_line_.substr(mark + status_mark.size());
-        kept_status_ = kept_status_.substr(0, kept_status_.find(':'));
-        if (kept_status_ == "refused") continue; // cheap, and perhaps no longer
-        std::size_t end = mark;
-        for (int word = 0; word < 2; ++word) end = kept_line_.rfind(' ', end - 1);
-        kept_words_ = kept_line_.substr(0, end);
-        kept_line_ += "\n";
-        return true;
-    }
-    return false;
+    auto next = before_->next();
+    if (!next) return before_.reset();
+    kept_line_ = std::move(next->line);
+    kept_status_ = std::move(next->row.status);
+    kept_words_ = std::move(next->row.words);
 }
 
 std::optional<RowSink::Kept> RowTable::kept(const std::vector<std::string>& words)
 {
-    if (!before_ || kept_words_ != fmt::format("{}", fmt::join(words, " "))) return std::nullopt;
+    if (!before_ || kept_words_ != words) return std::nullopt;
     Kept row{kept_line_, kept_status_};
-    if (!next_kept()) before_.reset();
+    next_kept();
     return row;
 }
 
 void RowTable::add(std::size_t, const std::string& line)
 {
     put(line);
-    hash_->add(line);
+    hash_.add(line);
 }
 
 void RowTable::flush()

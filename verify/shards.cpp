@@ -5,6 +5,7 @@
 #include "verify/exit_codes.hpp"
 #include "verify/files.hpp"
 #include "verify/progress.hpp"
+#include "verify/row_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,6 +50,7 @@ std::optional<int> code_if_there(const std::string& path, const Shard& wanted)
     try {
         const Shard there = parse_shard(read_file(path), path);
         if (!there.same_as(wanted)) return std::nullopt;
+        if (there.kind == "rows") check_rows(there);
         fmt::print("{}: share {} of {} is there already\n", path, wanted.share.index, wanted.share.count);
         const auto any = [&](std::string_view status) {
             return std::any_of(there.rows.begin(), there.rows.end(), [&](const auto& r) { return has_status(r.line, status); });
@@ -93,6 +95,30 @@ int table_share(const TableSpec& spec, long digits, unsigned jobs, Share share, 
     return t.status() == Status::undecided ? undecided : holds;
 }
 
+void RowsSpec::add(const std::vector<std::string>& words)
+{
+    constexpr std::size_t block_bytes = 1U << 16;
+    block_ += fmt::format("{}\n", fmt::join(words, " "));
+    if (block_.size() <= block_bytes) return;
+    chain_ = sha256(chain_ + block_);
+    block_.clear();
+}
+
+std::string RowsSpec::text() const { return sha256(chain_ + block_); }
+
+void check_rows(const Shard& s)
+{
+    const RowTableKind kind = kind_from(s.about);
+    for (const auto& r : s.rows) {
+        try {
+            read_row(kind, r.line);
+        }
+        catch (const CorruptTable& e) {
+            throw CorruptTable(fmt::format("row {} {}", r.number, e.what()));
+        }
+    }
+}
+
 RowsShare rows_share(OwnRows& rows, const RowTableKind& kind, Share share, const std::string& file)
 {
     std::string stem = file.empty() ? "ranges" : fs::path(file).stem().string();
@@ -101,19 +127,13 @@ RowsShare rows_share(OwnRows& rows, const RowTableKind& kind, Share share, const
         if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_') c = '_';
     RowsShare r;
     Deal deal(*kind.quantity, share.count);
-    std::string chain = kind_text(kind); // each row's hash covers those before it
-    std::string block;
-    constexpr std::size_t block_bytes = 1U << 16;
+    RowsSpec spec(kind);
     OwnRow row;
     while (rows.next(row)) {
-        block += fmt::format("{}\n", fmt::join(row.words, " "));
-        if (block.size() > block_bytes) {
-            chain = sha256(chain + block);
-            block.clear();
-        }
+        spec.add(row.words);
         r.mine.push_back(deal.next(row.inputs ? &*row.inputs : nullptr) == share.index);
     }
-    r.shard = {name, "rows", sha256(chain + block), std::string(version()), share, r.mine.size(), kind_text(kind), {}};
+    r.shard = {name, "rows", spec.text(), std::string(version()), share, r.mine.size(), kind_text(kind), {}};
     return r;
 }
 

@@ -34,6 +34,20 @@ struct RowsShare {
 };
 RowsShare rows_share(OwnRows& rows, const RowTableKind&, Share, const std::string& file);
 
+/// All that the table of these rows is: each row's hash covers those before it.
+class RowsSpec {
+public:
+    explicit RowsSpec(const RowTableKind& kind) : chain_(kind_text(kind)) {}
+    void add(const std::vector<std::string>& words);
+    std::string text() const;
+
+private:
+    std::string chain_, block_;
+};
+
+/// That a share of rows holds none that this program would not write. \throws CorruptTable: which of its rows, and what is wrong
+void check_rows(const Shard&);
+
 /// Collects the rows of a share, and writes it once they are all there: of a share broken off nothing is left behind.
 class ShardSink : public RowSink {
 public:

@@ -214,9 +214,8 @@ int make_tables(const TableOptions& o)
     }
     const fs::path manifest_path = fs::path(o.out) / manifest_name(o.format);
     if (!o.out.empty() && whole_set) {
-        const std::string text = manifest_text(manifest);
-        if (!o.check) write_into_folder(o.out, manifest_name(o.format), text);
-        else if (const std::string stored = read_file(manifest_path); stored != text)
+        if (!o.check) write_manifest_of_all(o.out, o.format, manifest);
+        else if (const std::string stored = read_file(manifest_path), text = manifest_of_all(o.out, o.format, manifest); stored != text)
             changed.push_back(fmt::format("{} differs: {}", manifest_path.string(), first_difference(text, stored)));
     }
     else if (!o.out.empty() && !o.check && (!own.empty() || fs::exists(manifest_path))) renew_manifest(o.out, o.format, manifest);

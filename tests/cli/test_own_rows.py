@@ -7,6 +7,7 @@ usage: test_own_rows.py TOUCHSTONE PAPER_TABLE
 import json
 import os
 import pathlib
+import re
 import random
 import resource
 import signal
@@ -183,6 +184,56 @@ class OwnRows(Scratch):
         kept = out.read_text()
         self.assertEqual(run(*words[:-1], "16", "--out", str(out), "--resume").returncode, 64)
         self.assertEqual(out.read_text(), kept)
+
+    def test_resume_believes_no_row_that_is_none(self):
+        """What is taken up again was written by this program, for these rows; else one line says where it is not, and nothing is changed."""
+        rows = self.file("# load\n" + "".join(f"{k}/20\n" for k in range(1, 9)) + "-1\n")
+        words = ["eval", "hertz.half_width", "--rows", rows, "--digits", "8"]
+        out, part = self.folder / "t.txt", self.folder / "t.txt.part"
+        self.assertEqual(run(*words, "--out", str(out)).returncode, 65)  # for the last row
+        whole = out.read_text()
+        head, after = whole.split("1/20 ", 1)
+        lines = ("1/20 " + after).splitlines(keepends=True)
+        unsealed = re.sub(r',"rows":\d.*}\n', "}\n", head)  # as it grows
+        self.assertNotIn("sha256", unsealed)
+        line = head.count("\n")
+
+        def resumed(text, code, reason, *more):
+            with self.subTest(reason, text=text[len(head):len(head) + 80]):
+                out.unlink(missing_ok=True)
+                part.write_text(text)
+                r = run(*words, *more, "--out", str(out), "--resume")
+                self.assertEqual(r.returncode, code, r.stderr)
+                self.assertEqual(r.stderr.count("\n"), 1, r.stderr)
+                self.assertIn(reason, r.stderr)
+                if "must be" in reason:
+                    self.assertEqual(out.read_text(), whole)
+                else:
+                    self.assertEqual(part.read_text(), text)
+                    self.assertEqual([p.name for p in self.folder.glob("t.*")], ["t.txt.part"])
+
+        self.assertEqual(lines[1], "2/20 0.10065842 5e-09 # certified\n")
+        resumed(unsealed + "".join(lines[:3]), 65, "must be > 0")
+        resumed(unsealed + "".join(lines[:3]) + lines[3][:-9], 65, "must be > 0")  # killed in the middle of a line
+        resumed(unsealed + lines[1] + lines[5], 65, "must be > 0")  # those between were not done
+        for bad, reason in (("2/20 5e5000 5e-09 # certified", "value that is none of ours"), ("2/20 0.1006584 5e-08 # certified", "value that is none of ours"),
+                            ("2/20 0.10065842 5e-09 # proven", "the status 'proven'"), ("2/20 0.10065842 5e-09", "no status"), ("2/20 1 0.10065842 5e-09 # certified", "4 columns where 3"),
+                            ("", "no status"), ("# 2/20", "no status"), ("1/11 0.10065842 5e-09 # certified", "not among the rows asked for, in their order")):
+            resumed(unsealed + lines[0] + bad + "\n" + lines[2], 65, f"t.txt.part:{line + 2}: ")
+            resumed(unsealed + lines[0] + bad + "\n" + lines[2], 65, reason)
+        resumed(unsealed + lines[2] + lines[1], 65, "in their order")
+        resumed(unsealed + lines[1] + lines[1], 65, "in their order")
+        resumed(head + "".join(lines[:-1]), 65, "do not have the SHA-256")
+        resumed(whole.replace("0.10065842", "0.10065843"), 65, "do not have the SHA-256")
+        resumed(unsealed.replace('"version":"', '"version":"9') + lines[0], 64, "was not made by version")
+        resumed(unsealed.replace(',"version":"', ',"v":"') + lines[0], 64, "was not made by version")
+        resumed(unsealed + lines[0], 64, "nothing to resume", "--round", "up")
+        resumed(lines[0], 64, "nothing to resume")
+        r = run(*words[:2], "--rows", "-", "--digits", "8", "--out", str(out), "--resume", stdin="# load\n1/20\n")
+        self.assertEqual(r.returncode, 64, r.stderr)  # the table is what the last case has left
+        part.write_text(unsealed + "1/20 0.071176255 5e-10 # proven\n")
+        r = run(*words[:2], "--rows", "-", "--digits", "8", "--out", str(out), "--resume", stdin="# load\n1/20\n")
+        self.assertEqual((r.returncode, r.stderr.count("\n")), (65, 1), r.stderr)
 
     def test_round(self):
         value = lambda how: json.loads(run("eval", "archard.K", "n=3", "--digits", "6", "--round", how, "--json").stdout)["value"]

@@ -126,8 +126,10 @@ class Shards(unittest.TestCase):
 
     def sealed(self, name, rows, kind="table", about=None, **changes):
         """A share that nobody made, sealed as a forger would."""
-        head = {"name": name, "kind": kind, "shard": 1, "of": 1, "rows": len(rows), "total": len(rows), "version": run("--version").stdout.split()[1], "spec": "0",
-                "about": about or {"quantity": "archard.K", "inputs": ["n"], "digits": 3, "forced": False}, **changes}
+        about = about or {"quantity": "archard.K", "inputs": ["n"], "digits": 3, "forced": False}
+        said = json.dumps(about, separators=(",", ":"), ensure_ascii=False)
+        spec = hashlib.sha256((said + "1\n" if kind == "rows" else f"{name}{said}0 ").encode()).hexdigest()  # of a table with the one row n = 1 or n = 0
+        head = {"name": name, "kind": kind, "shard": 1, "of": 1, "rows": len(rows), "total": len(rows), "version": run("--version").stdout.split()[1], "spec": spec, "about": about, **changes}
         text, body = json.dumps(head, separators=(",", ":"), ensure_ascii=False), "".join(f"{row}\n" for row in rows)
         seal = hashlib.sha256(f"{text}\n{body}".encode()).hexdigest()
         self.shares.mkdir(exist_ok=True)
@@ -170,14 +172,122 @@ class Shards(unittest.TestCase):
                     self.assertEqual(victim.exists() and victim.read_text(), there and "theirs")
                     (self.shares / link).unlink()
 
+    def reseal(self, file, change):
+        """The rows changed, and the seal and the number of rows that belong to them: a forger would do that."""
+        first, head, rows = file.read_text().split("\n", 2)
+        rows = change(rows.splitlines(keepends=True))
+        head = re.sub(r'"rows":\d+', f'"rows":{len(rows)}', re.sub(r',"sha256":"[0-9a-f]+"}$', "}", head[2:]))
+        seal = hashlib.sha256(f"{head}\n{''.join(rows)}".encode()).hexdigest()
+        file.write_text(f'{first}\n# {head[:-1]},"sha256":"{seal}"}}\n{"".join(rows)}')
+
+    def test_forged_rows(self):
+        """A share of rows whose seal is right: what cannot be a row of ours, or of this table, is refused, and the share is made anew."""
+        grid = self.folder / "grid.txt"
+        grid.write_text("# load\n" + "".join(f"{k}/20\n" for k in range(1, 11)))
+        words = ("eval", "hertz.half_width", "--rows", grid, "--digits", "8")
+        make = lambda i: run(*words, "--shard", f"{i}/2", "--out", self.shares)
+        for i in (1, 2):
+            self.assertEqual(make(i).returncode, 0)
+        first = self.file("hertz_half_width-grid", 1, 2)
+        good = first.read_text()
+        self.assertEqual(good.splitlines()[2], "1 1/20 0.071176254 5e-10 # certified")
+        row = re.compile(r"1 1/20 0\.071176254 5e-10 # certified\n")
+        forged = {
+            "1 1/20 5e5000 5e-10 # certified": "value that is none of ours", "1 1/20 0.0711762540 5e-11 # certified": "value that is none of ours",
+            "1 1/20 0.07117625 5e-09 # certified": "value that is none of ours", "1 1/20 0.071176254 5e-11 # certified": "value that is none of ours",
+            "1 1/20 0.071176254 0 # certified": "value that is none of ours",
+            "1 1/20 7.1176254e-02 5e-10 # certified": "value that is none of ours", "1 1/20 .071176254 5e-10 # certified": "value that is none of ours",
+            "1 1/20 0x1p-3 5e-10 # certified": "value that is none of ours", "1 1/20 nan inf # certified": "value that is none of ours",
+            "1 1/20 inf inf # certified": "value that is none of ours", "1 1/20 1e99999999999999999999 5e-10 # certified": "value that is none of ours",
+            "1 1/20 0.50 0 # exact": "value that is none of ours", "1 1/20 0.0711763 5e-08 # estimated": "value that is none of ours",
+            "1 1/20 1.0 5e-01 # refused: because": "value that is none of ours", "1 1/20 0.071176254 5e-10 # proven": "the status 'proven'",
+            "1 1/20 0.071176254 5e-10 # certified: truly": "has more to say", "1 1/20 0.071176254 5e-10 # undecided": "does not say why",
+            "1 1/20 0.071176254 5e-10": "no status", "1 0.071176254 5e-10 # certified": "2 columns where 3", "1 1/20 1 0.071176254 5e-10 # certified": "4 columns where 3",
+            "1 1/20  0.071176254 5e-10 # certified": "4 columns where 3", "1 1/20 0.071176254\t5e-10 # certified": "control character",
+            "1 zebra 0.071176254 5e-10 # certified": "zebra", "1 -1 0.071176254 5e-10 # certified": "a value where there is none",
+            "1 1/21 0.071176254 5e-10 # certified": "not those of the table", "2 1/20 0.071176254 5e-10 # certified": "has row 2, and so has",
+        }
+        for text, reason in forged.items():
+            with self.subTest(text):
+                first.write_text(good)
+                self.reseal(first, lambda rows: [row.sub(lambda _: text + "\n", r) for r in rows])
+                self.assertNotEqual(first.read_text(), good)
+                r = self.merged(65)
+                self.assertIn(reason, r.stderr)
+                self.assertFalse((self.shares / "hertz_half_width-grid.txt").exists())
+                if "value" in reason or "columns" in reason or "status" in reason:  # what is seen in one share alone
+                    self.assertEqual(r.stdout, "--array=1\n")
+                    self.assertEqual(make(1).returncode, 0)
+                    self.assertEqual(first.read_text(), good)
+        first.write_text(good)
+        second = self.file("hertz_half_width-grid", 2, 2)
+        rows = [line + "\n" for line in good.splitlines()[2:]]
+        self.reseal(first, lambda _: rows[1:])
+        before = second.read_text()
+        self.reseal(second, lambda others: sorted(others + rows[:1], key=lambda r: int(r.split()[0])))
+        self.assertIn("row 1 is in share 2", self.merged(65).stderr)
+        first.write_text(good)
+        second.write_text(before)
+        for old, new in (('"digits":8', '"digits":-8'), ('"digits":8', '"digits":20000'), ('"inputs":["load"]', '"inputs":["load","load"]'), ('"kind":"rows"', '"kind":"row"')):
+            for file in (first, second):
+                file.write_text(file.read_text().replace(old, new))
+                self.reseal(file, lambda rows: rows)
+            r = self.merged(65)
+            self.assertRegex(r.stderr, "another program|which is none")
+            first.write_text(good)
+            second.write_text(before)
+        self.merged()
+
+    def test_forged_inputs_of_a_table(self):
+        """Each share says of which table it is, by a hash of all its inputs: rows with others make none, whoever has sealed them."""
+        self.make("archard_delta", 2)
+        file = self.file("archard_delta", 1, 2)
+        number, n, rest = file.read_text().splitlines()[2].split(" ", 2)
+        self.reseal(file, lambda rows: [f"{number} {n}.5 {rest}\n", *rows[1:]])
+        self.assertIn("the inputs of its rows are not those of the table", self.merged(65).stderr)
+        self.assertFalse((self.shares / "archard_delta.txt").exists())
+
+    def test_every_row_that_is_written_is_taken(self):
+        """Of each status, rounding and way to print: in shares, merged, and taken up again; what is refused above must not be one of these."""
+        cases = (("contact.area", "n=0,1", "load=0,1e-9,0.5,1,2", "G=2.000001,16,1e300", "--digits", "3"), ("contact.area", "n=1,2", "load=0.5", "G=16", "--digits", "30", "--max-precision", "100"),
+                 ("segments.count", "n=1,2", "load=0.1,0.9", "D=1.1,3/2", "gamma=2,5", "--digits", "4", "--max-precision", "300"),
+                 ("archard.K", "n=0:40:8", "--digits", "1"), ("archard.delta", "n=0:60:10", "--digits", "30"), ("peaks.f", "x=0,1e-30,1/7,1,1e25,3e200", "--digits", "4"),
+                 ("peaks.iterate", "n=0:3:1", "load=0,1/3,1,7,1e30", "G=2,1e200", "--digits", "3"), ("hertz.pressure", "x=0,1/2,2", "load=-1,0.1,0.25,1e300", "--digits", "6"),
+                 ("westergaard.density", "p=0,1,1000", "load=0.5,1,12", "--digits", "5"), ("weierstrass.bound", "D=1.5,1.01", "gamma=100,3", "--digits", "2"))
+        roundings = ((), ("--round", "up"), ("--round", "zero"), ("--binary64",))
+        estimated = ("contact.density", "n=2", "p=0.002,0.9", "load=1", "G=2", "--digits")  # a second a value
+        seen = set()
+        for case, some in (*((case, roundings) for case in cases), ((*estimated, "7"), roundings[:2]), ((*estimated, "17"), roundings[:1])):
+            for more in some:
+                with self.subTest(case=case, more=more), tempfile.TemporaryDirectory() as scratch:
+                    here = pathlib.Path(scratch)
+                    whole = run("eval", *case, *more, "--out", here / "whole.txt")
+                    self.assertIn(whole.returncode, (0, 2, 65), whole.stderr)
+                    for i in (1, 2):
+                        self.assertIn(run("eval", *case, *more, "--shard", f"{i}/2", "--out", here / "shares").returncode, (0, 2, 65))
+                    r = run("merge", here / "shares")
+                    self.assertIn(r.returncode, (0, 2), r.stderr)
+                    made = next(p for p in (here / "shares").iterdir() if ".shard-" not in p.name and p.suffix == ".txt")
+                    text = (here / "whole.txt").read_text()
+                    self.assertEqual(made.read_text(), text)
+                    resumed = run("eval", *case, *more, "--out", made, "--resume")
+                    self.assertEqual((resumed.returncode, resumed.stderr), (whole.returncode, whole.stderr))
+                    self.assertEqual(made.read_text(), text)
+                    seen |= set(re.findall(r" # (\w+)", "\n".join(line for line in text.splitlines() if line[0] != "#")))
+        self.assertEqual(seen, {"exact", "certified", "estimated", "undecided", "refused"})
+
     def test_killed_in_the_middle(self):
         """SIGKILL leaves no share, and a share made anew after it is right."""
         child = subprocess.Popen([PROGRAM, "table", "contact_area", "--shard", "1/2", "--jobs", "1", "--out", self.shares], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(0.3)
         child.send_signal(signal.SIGKILL)
         child.wait()
+        self.assertEqual(child.returncode, -signal.SIGKILL)  # it was not done
         self.assertFalse(self.shares.exists() and any(self.shares.glob("*.shard-*.txt")))
-        self.assertIn(run("merge", self.shares).returncode, (66,))
+        self.assertEqual(run("merge", self.shares).returncode, 66)
+        self.make("contact_area", 2)
+        self.merged()
+        self.assertEqual((self.shares / "contact_area.txt").read_bytes(), (STORED / "contact_area.txt").read_bytes())
 
     def test_own_rows(self):
         rows = self.folder / "grid.txt"

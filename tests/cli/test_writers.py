@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whoever writes a file writes the whole new one or leaves the old one: ended by SIGKILL, failed by the kernel, or together with other writers.
 
-usage: test_writers.py TOUCHSTONE [--kills 30] [--seed N]
+usage: test_writers.py TOUCHSTONE [--kills 30] [--seed N] [--all-tables]
 
 Half of the kills are at a random moment, half at a random call of the kernel, where strace can be used; errors (no space, quota, read-only, ...) are
 put on each call that writes, and each has to be named. The seed is printed.
@@ -28,6 +28,7 @@ arguments = argparse.ArgumentParser()
 arguments.add_argument("program", type=lambda p: pathlib.Path(p).resolve())
 arguments.add_argument("--kills", type=int, default=30)
 arguments.add_argument("--seed", type=int, default=20261123)
+arguments.add_argument("--all-tables", action="store_true")
 options, sys.argv[1:] = arguments.parse_known_args()
 PROGRAM = options.program
 ERRORS = {name: os.strerror(getattr(errno, name)) for name in ("ENOSPC", "EDQUOT", "EROFS", "EIO", "EACCES")}
@@ -231,6 +232,23 @@ class Writers(unittest.TestCase):
                 self.assertEqual({e["file"]: e["sha256"] for e in entries},
                                  {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in out.glob("*.txt")}, k)
                 self.assertEqual(len(entries), 3)
+
+    @unittest.skipUnless(options.all_tables, "takes minutes: --all-tables")
+    def test_all_tables_beside_another(self):
+        """A table of one's own is made while all others are, and one of the others with other digits: the manifest is of what is there."""
+        with tempfile.TemporaryDirectory() as folder:
+            here, own = pathlib.Path(folder) / "out", pathlib.Path(folder) / "own.json"
+            own.write_text(json.dumps({"name": "own", "quantity": "westergaard.half_width", "digits": 5, "inputs": {"load": "1/10:1/2:1/10"}}))
+            everything = subprocess.Popen([PROGRAM, "table", "all", "--digits", "2", "--out", here], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+            while not (here / "hertz_gap.txt").exists():
+                self.assertIsNone(everything.poll())
+                time.sleep(0.1)
+            self.assertEqual(run(PROGRAM, "table", own, "--out", here).returncode, 0)
+            self.assertEqual(run(PROGRAM, "table", "hertz_gap", "--digits", "3", "--out", here).returncode, 0)
+            self.assertEqual(everything.wait(7000), 0)
+            entries = json.loads((here / "manifest.txt.json").read_text())["tables"]
+            self.assertEqual({e["file"]: e["sha256"] for e in entries}, {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in here.glob("*.txt")})
+            self.assertEqual({e["file"]: e["digits"] for e in entries}["hertz_gap.txt"], 3)
 
     def test_what_cannot_be_replaced_outlives_a_full_disk(self):
         """A file that may be written in a folder that may not: the disk is full before anything of the old one is lost."""

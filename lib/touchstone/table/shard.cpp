@@ -66,6 +66,15 @@ bool names_a_file(std::string_view name)
            std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
 }
 
+/// Over all that the table is: its name, what its first page says of it, and the inputs of all its rows.
+std::string spec_text(const std::string& name, const std::string& about, const std::vector<std::vector<double>>& rows)
+{
+    std::string inputs;
+    for (const auto& row : rows)
+        for (const double x : row) inputs += shortest(x) + " "; // how many a row has, `about` says
+    return sha256(name + about + inputs);
+}
+
 TableRow row_of(const std::string& line, const std::vector<std::string>& inputs, bool has_forced)
 {
     const auto mark = line.find(row_mark);
@@ -191,12 +200,9 @@ std::string array_text(const std::vector<std::size_t>& ascending)
 Shard shard_of(const TableSpec& t, long digits, Share share)
 {
     const Quantity& q = *find_quantity(t.quantity);
-    std::string inputs;
     const auto grid = t.grid();
-    for (const auto& row : grid)
-        for (const double x : row) inputs += shortest(x) + (&x == &row.back() ? "\n" : " ");
     const Json about{{"quantity", t.quantity}, {"inputs", q.inputs}, {"digits", digits}, {"forced", t.forced}};
-    return {t.name, "table", sha256(t.name + about.dump() + inputs), std::string(version()), share, grid.size(), about.dump(), {}};
+    return {t.name, "table", spec_text(t.name, about.dump(), grid), std::string(version()), share, grid.size(), about.dump(), {}};
 }
 
 std::vector<std::size_t> rows_of_share(const TableSpec& t, Share share)
@@ -247,6 +253,10 @@ Table table_of_shards(const std::vector<Shard>& shards)
         t.rows.resize(any.total);
         for (const Shard& s : shards)
             for (const auto& r : s.rows) t.rows.at(r.number - 1) = row_of(r.line, t.inputs, t.forced);
+        std::vector<std::vector<double>> rows;
+        for (const TableRow& r : t.rows) rows.push_back(r.inputs);
+        if (spec_text(t.name, any.about, rows) != any.spec)
+            throw CorruptTable(fmt::format("{}: the inputs of its rows are not those of the table that they are shares of", any.name));
     }
     catch (const nlohmann::json::exception&) {
         throw CorruptTable(fmt::format("{}: its shards do not say what table they are of", any.name));

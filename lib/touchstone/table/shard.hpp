@@ -70,7 +70,7 @@ Shard parse_shard(std::string_view text, std::string_view file);
 std::string array_text(const std::vector<std::size_t>& ascending);
 
 /// The table that these shares make, as compute() would have made it. \pre all shares of one table of this program's quantities, rows
-/// complete
+/// complete \throws CorruptTable: where it is not the table that they say
 Table table_of_shards(const std::vector<Shard>&);
 /// The share of a table that is there to be computed: without rows, but with all that identifies it.
 Shard shard_of(const TableSpec&, long digits, Share);
